@@ -1,0 +1,59 @@
+"""Collect what is wrong with a site, and say it in one line each."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where the author wrote something: a file and a line, counted from 1."""
+
+    file: Path
+    line: int
+
+
+class SiteError(Exception):
+    """The site is wrong: `lines` says how, one finished line (or quoted tool output) each."""
+
+    def __init__(self, lines: list[str]) -> None:
+        super().__init__("\n".join(lines))
+        self.lines = lines
+
+
+@dataclass
+class Problems:
+    """The problems found so far, shown relative to `root`."""
+
+    root: Path
+    lines: list[str] = field(default_factory=list)
+
+    def add(self, place: Place, key: str, message: str) -> None:
+        """Note that `key`, written at `place`, is wrong as `message` says."""
+        self.lines.append(f"{relative(place.file, self.root)}:{place.line}: {key}: {message}")
+
+    def raise_if_any(self) -> None:
+        """Raise a SiteError with all problems, in the order of file and line."""
+        if self.lines:
+            raise SiteError(sorted(set(self.lines), key=self._order))
+
+    def _order(self, line: str) -> tuple[str, int]:
+        file, number, _ = line.split(":", 2)
+        return file, int(number)
+
+
+def relative(file: Path, root: Path) -> str:
+    """Return `file` as the author would type it from `root`."""
+    return file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """Return the hint that ends a message about an unknown name: the nearest one, else all."""
+    names = sorted(known)
+    close = difflib.get_close_matches(name, names, n=1)
+    if close:
+        return f"did you mean '{close[0]}'?"
+    return f"known: {', '.join(names)}" if names else "there are none"

@@ -1,0 +1,106 @@
+"""The plain data that the stages hand to each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sitegen.errors import Place
+
+
+@dataclass(frozen=True)
+class Artifact:
+    """One file of the site: its path inside `dist/` and where its bytes come from."""
+
+    path: str
+    source: Path | bytes
+
+
+@dataclass(frozen=True)
+class Node:
+    """A program that a page runs: which executable, and what it is started with."""
+
+    name: str
+    package: str
+    executable: str
+    place: Place
+    namespace: str = ""
+    remap: Mapping[str, str] = field(default_factory=dict)
+    arguments: tuple[str, ...] = ()
+
+    def command_line(self) -> list[str]:
+        """Return the arguments that `ros2 run` would be given for this node."""
+        rules = [f"{old}:={new}" for old, new in self.remap.items()]
+        if self.namespace:
+            rules.append(f"__ns:={self.namespace}")
+        ros = [word for rule in rules for word in ("-r", rule)]
+        return [*self.arguments, *(["--ros-args", *ros] if ros else [])]
+
+
+@dataclass(frozen=True)
+class Markdown:
+    """Text of a page: `text` begins at `place`, links in it are relative to `folder`."""
+
+    text: str
+    folder: Path
+    place: Place
+
+
+@dataclass(frozen=True)
+class Widget:
+    """A live part of a page: its kind, the node it is about, its options."""
+
+    kind: str
+    target: str
+    options: Mapping[str, object]
+    place: Place
+
+
+@dataclass(frozen=True)
+class Page:
+    """One page of the site; `path` is its folder in `dist/`, empty for the first page."""
+
+    path: str
+    title: str
+    description: str
+    nodes: Mapping[str, Node]
+    content: tuple[Markdown | Widget, ...]
+    level: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class Site:
+    """What the author wrote, checked: everything below `root`."""
+
+    root: Path
+    title: str
+    description: str
+    url: str
+    language: str
+    theme: Path
+    workspace: Path
+    asyncify: bool
+    pages: tuple[Page, ...]
+
+
+@dataclass(frozen=True)
+class Package:
+    """A ROS package of the workspace, as its `package.xml` and `CMakeLists.txt` describe it."""
+
+    name: str
+    path: Path
+    build_type: str
+    depends: tuple[str, ...]
+    executables: tuple[str, ...]
+    interfaces: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Build:
+    """One compiled form of a node: an ES module and its WebAssembly, for engines of `engine`."""
+
+    engine: str
+    script: Path
+    wasm: Path
