@@ -1,0 +1,35 @@
+# rosidl_generate_interfaces: a package's own messages, by the real generator (sitegen.interfaces).
+include_guard(GLOBAL)
+
+function(rosidl_generate_interfaces target)
+  cmake_parse_arguments(ARG
+    "ADD_LINTER_TESTS;SKIP_GROUP_MEMBERSHIP_CHECK;SKIP_INSTALL" "LIBRARY_NAME" "DEPENDENCIES" ${ARGN})
+  set(files "")
+  foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
+    string(REGEX REPLACE "^.*:" "" file "${file}")  # base:relative, as rosidl_cmake allows
+    list(APPEND files "${file}")
+    set_property(DIRECTORY APPEND PROPERTY
+      CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
+  endforeach()
+  execute_process(
+    COMMAND "${SITEGEN_PYTHON}" -m sitegen.interfaces
+      "${SITEGEN_PREFIX}" "${PROJECT_NAME}" "${CMAKE_CURRENT_SOURCE_DIR}" ${files}
+    RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "the interfaces of '${PROJECT_NAME}' could not be generated")
+  endif()
+  find_package(${PROJECT_NAME} REQUIRED PATHS "${SITEGEN_PREFIX}/share/${PROJECT_NAME}/cmake"
+    NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+  add_custom_target(${target})
+  add_library(${target}__rosidl_typesupport_cpp ALIAS ${PROJECT_NAME}::${PROJECT_NAME})
+  add_library(${target}__rosidl_generator_cpp ALIAS ${PROJECT_NAME}::${PROJECT_NAME})
+  set(rosidl_generate_interfaces_TARGETS ${PROJECT_NAME}::${PROJECT_NAME} PARENT_SCOPE)
+endfunction()
+
+function(rosidl_get_typesupport_target variable target typesupport)
+  set(${variable} "${PROJECT_NAME}::${PROJECT_NAME}" PARENT_SCOPE)
+endfunction()
+
+macro(rosidl_target_interfaces target interfaces typesupport)
+  target_link_libraries(${target} ${PROJECT_NAME}::${PROJECT_NAME})
+endmacro()

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/message_info.hpp"
+#include "rclcpp/serialized_message.hpp"
+
+namespace rclcpp
+{
+
+/// Any form of a subscription's callback. It takes the message (or its bytes, where it asked for
+/// a SerializedMessage) by reference, shared or unique pointer, with or without a MessageInfo.
+template<class MessageT>
+class AnySubscriptionCallback
+{
+public:
+  template<class CallbackT>
+  explicit AnySubscriptionCallback(CallbackT && callback)
+  {
+    using Callback = std::decay_t<CallbackT>;
+    if constexpr (takes<Callback, MessageT>) {
+      on_message_ = adapt<MessageT>(Callback(std::forward<CallbackT>(callback)));
+    } else {
+      static_assert(
+        takes<Callback, SerializedMessage>,
+        "a subscription's callback takes `const T &`, `std::shared_ptr<T>`, "
+        "`std::shared_ptr<const T>` or `std::unique_ptr<T>`, T being the message or "
+        "rclcpp::SerializedMessage, and perhaps a `const rclcpp::MessageInfo &`");
+      on_bytes_ = adapt<SerializedMessage>(Callback(std::forward<CallbackT>(callback)));
+    }
+  }
+
+  bool wants_bytes() const {return static_cast<bool>(on_bytes_);}
+
+  void dispatch(std::shared_ptr<MessageT> message, const MessageInfo & info)
+  {
+    on_message_(std::move(message), info);
+  }
+  void dispatch_bytes(std::shared_ptr<SerializedMessage> bytes, const MessageInfo & info)
+  {
+    on_bytes_(std::move(bytes), info);
+  }
+
+private:
+  template<class T>
+  using Handler = std::function<void(std::shared_ptr<T>, const MessageInfo &)>;
+
+  template<class Callback, class ... Args>
+  static constexpr bool invocable = std::is_invocable_v<Callback &, Args...>;
+
+  template<class Callback, class T, class ... Info>
+  static constexpr bool takes_with =
+    invocable<Callback, const T &, Info...> || invocable<Callback, std::shared_ptr<T>, Info...> ||
+    invocable<Callback, std::unique_ptr<T>, Info...>;
+
+  template<class Callback, class T>
+  static constexpr bool takes =
+    takes_with<Callback, T> || takes_with<Callback, T, const MessageInfo &>;
+
+  template<class T, class Callback>
+  static Handler<T> adapt(Callback callback)
+  {
+    return [callback = std::move(callback)](auto message, const MessageInfo & info) mutable {
+             if constexpr (takes_with<Callback, T>) {
+               call<T>(callback, std::move(message));
+             } else {
+               call<T>(callback, std::move(message), info);
+             }
+           };
+  }
+
+  template<class T, class Callback, class ... Info>
+  static void call(Callback & callback, std::shared_ptr<T> message, const Info & ... info)
+  {
+    if constexpr (invocable<Callback, const T &, const Info &...>) {
+      callback(static_cast<const T &>(*message), info ...);
+    } else if constexpr (invocable<Callback, std::shared_ptr<T>, const Info &...>) {
+      callback(std::move(message), info ...);
+    } else {
+      callback(std::make_unique<T>(std::move(*message)), info ...);
+    }
+  }
+
+  Handler<MessageT> on_message_;
+  Handler<SerializedMessage> on_bytes_;
+};
+
+}  // namespace rclcpp

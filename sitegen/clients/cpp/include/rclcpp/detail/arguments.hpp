@@ -1,0 +1,45 @@
+// The ROS arguments of the command line and the names that they change.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rclcpp
+{
+namespace detail
+{
+
+/// `--ros-args -r [node:]from:=to`
+struct RemapRule
+{
+  std::string node;  // empty: of every node
+  std::string from;
+  std::string to;
+};
+
+struct Arguments
+{
+  std::vector<RemapRule> remaps;
+  std::map<std::string, int> log_levels;  // by logger, "" for all others
+  std::vector<std::string> others;        // what is not for ROS
+};
+
+/// Read a command line; throws UnknownROSArgsError for what this release does not know.
+Arguments parse_arguments(int argc, char const * const * argv);
+
+/// The rule for `from`, one of "__node" and "__ns", as the node `node` sees it; else `name`.
+std::string remap_node(
+  const Arguments & arguments, const std::string & node, const std::string & from,
+  const std::string & name);
+
+/// Expand `topic` as seen by `node` in `name_space` and apply the remap rules.
+std::string resolve_topic(
+  const Arguments & arguments, const std::string & node, const std::string & name_space,
+  const std::string & topic);
+
+/// Those of the running program, since rclcpp::init.
+const Arguments & arguments();
+
+}  // namespace detail
+}  // namespace rclcpp

@@ -1,0 +1,55 @@
+/* The host functions: all that a compiled node asks of the page. docs/protocol.md describes them.
+ * JavaScript's side is src/host.js, which passes each call to the worker that runs the node. */
+#ifndef RCLCPP__DETAIL__HOST_H_
+#define RCLCPP__DETAIL__HOST_H_
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {ROS_NODE = 0, ROS_PUBLISHER = 1, ROS_SUBSCRIPTION = 2};
+enum {ROS_RELIABLE = 1, ROS_TRANSIENT_LOCAL = 2, ROS_KEEP_ALL = 4};
+
+typedef struct
+{
+  double source_timestamp;    /* when it was published, ms since 1970 */
+  double received_timestamp;  /* when it arrived here */
+  uint32_t sequence;          /* counts the messages of its publisher, from 1 */
+  uint32_t publisher;         /* which publisher, unique in the page */
+} ros_message_info;
+
+/* Announce an endpoint and return its id (> 0). `node` is the node's fully qualified name. */
+int32_t ros_create(
+  int32_t kind, const char * node, const char * name, const char * type,
+  int32_t depth, int32_t qos);
+void ros_destroy(int32_t id);
+void ros_publish(int32_t id, const uint8_t * data, uint32_t size);
+/* How many endpoints at the other side match this one now. */
+int32_t ros_matched(int32_t id);
+/* Size of the oldest message that waits at a subscription, -1 if there is none. */
+int32_t ros_next(int32_t id, ros_message_info * info);
+/* Copy that message to `to` (unless null) and remove it. */
+void ros_take(int32_t id, uint8_t * to);
+/* Suspend the caller until something happened or `milliseconds` passed: 0 lets the event loop
+ * turn once, a negative number waits without end. Returns the signal that waits to be handled
+ * (2, SIGINT, when the reader pressed Stop), 0 if none. */
+int32_t ros_wait(double milliseconds);
+/* End all waits of this program. */
+void ros_wake(void);
+/* Milliseconds since 1970, with fractions; never steps back. */
+double ros_now(void);
+/* One line of the log; severity as in rcutils (10 debug … 50 fatal). */
+void ros_log(int32_t severity, const char * logger, const char * text);
+/* Copy argument `index` of the command line (0 is the program's name) to `to`, at most `capacity`
+ * bytes, without a zero at its end. Returns its size, -1 if there is none. */
+int32_t ros_argument(int32_t index, char * to, int32_t capacity);
+/* An exception left main(): the program ends with this text. */
+void ros_fail(const char * text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif  /* RCLCPP__DETAIL__HOST_H_ */

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "builtin_interfaces/msg/duration.hpp"
+
+namespace rclcpp
+{
+
+/// A span of time in whole nanoseconds.
+class Duration
+{
+public:
+  Duration() = default;
+  Duration(std::int32_t seconds, std::uint32_t nanoseconds)
+  : nanoseconds_(seconds * std::int64_t{1000000000} + nanoseconds) {}
+  explicit Duration(std::chrono::nanoseconds duration)
+  : nanoseconds_(duration.count()) {}
+  template<class Rep, class Period>
+  Duration(const std::chrono::duration<Rep, Period> & duration)  // NOLINT: implicit upstream
+  : nanoseconds_(std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count()) {}
+  Duration(const builtin_interfaces::msg::Duration & message)  // NOLINT: implicit upstream
+  : Duration(message.sec, message.nanosec) {}
+
+  static Duration from_nanoseconds(std::int64_t nanoseconds)
+  {
+    return Duration(std::chrono::nanoseconds(nanoseconds));
+  }
+  static Duration from_seconds(double seconds)
+  {
+    return from_nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+  }
+  static Duration max() {return from_nanoseconds(INT64_MAX);}
+
+  operator builtin_interfaces::msg::Duration() const;  // NOLINT: implicit upstream
+
+  std::int64_t nanoseconds() const {return nanoseconds_;}
+  double seconds() const {return static_cast<double>(nanoseconds_) / 1e9;}
+
+  template<class DurationT>
+  DurationT to_chrono() const
+  {
+    return std::chrono::duration_cast<DurationT>(std::chrono::nanoseconds(nanoseconds_));
+  }
+
+  bool operator==(const Duration & other) const {return nanoseconds_ == other.nanoseconds_;}
+  bool operator!=(const Duration & other) const {return nanoseconds_ != other.nanoseconds_;}
+  bool operator<(const Duration & other) const {return nanoseconds_ < other.nanoseconds_;}
+  bool operator<=(const Duration & other) const {return nanoseconds_ <= other.nanoseconds_;}
+  bool operator>(const Duration & other) const {return nanoseconds_ > other.nanoseconds_;}
+  bool operator>=(const Duration & other) const {return nanoseconds_ >= other.nanoseconds_;}
+  /// These throw std::overflow_error or std::underflow_error, as upstream's do.
+  Duration operator+(const Duration & other) const;
+  Duration operator-(const Duration & other) const;
+  Duration & operator+=(const Duration & other) {return *this = *this + other;}
+  Duration & operator-=(const Duration & other) {return *this = *this - other;}
+  Duration operator*(double scale) const {return from_seconds(seconds() * scale);}
+
+private:
+  std::int64_t nanoseconds_ = 0;
+};
+
+}  // namespace rclcpp

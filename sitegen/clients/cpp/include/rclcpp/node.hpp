@@ -1,0 +1,98 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/clock.hpp"
+#include "rclcpp/logger.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/node_options.hpp"
+#include "rclcpp/publisher.hpp"
+#include "rclcpp/qos.hpp"
+#include "rclcpp/subscription.hpp"
+#include "rclcpp/timer.hpp"
+
+namespace rclcpp
+{
+
+class Node : public std::enable_shared_from_this<Node>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Node)
+  RCLCPP_DISABLE_COPY(Node)
+
+  explicit Node(const std::string & name, const NodeOptions & options = NodeOptions());
+  Node(
+    const std::string & name, const std::string & name_space,
+    const NodeOptions & options = NodeOptions());
+  virtual ~Node() = default;
+
+  const char * get_name() const {return base_->get_name();}
+  const char * get_namespace() const {return base_->get_namespace();}
+  const char * get_fully_qualified_name() const {return base_->get_fully_qualified_name();}
+  Logger get_logger() const {return logger_;}
+  Clock::SharedPtr get_clock() {return clock_;}
+  Clock::ConstSharedPtr get_clock() const {return clock_;}
+  Time now() const {return clock_->now();}
+  node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() {return base_;}
+
+  template<class MessageT, class AllocatorT = std::allocator<void>>
+  std::shared_ptr<Publisher<MessageT, AllocatorT>> create_publisher(
+    const std::string & topic, const QoS & qos, const PublisherOptions & = PublisherOptions())
+  {
+    return std::make_shared<Publisher<MessageT, AllocatorT>>(*base_, topic, qos);
+  }
+
+  template<class MessageT, class CallbackT>
+  std::shared_ptr<Subscription<MessageT>> create_subscription(
+    const std::string & topic, const QoS & qos, CallbackT && callback,
+    const SubscriptionOptions & = SubscriptionOptions())
+  {
+    auto subscription = std::make_shared<Subscription<MessageT>>(
+      *base_, topic, qos, std::forward<CallbackT>(callback));
+    base_->subscriptions.push_back(subscription);
+    return subscription;
+  }
+
+  template<class Rep, class Period, class CallbackT>
+  TimerBase::SharedPtr create_wall_timer(
+    std::chrono::duration<Rep, Period> period, CallbackT callback)
+  {
+    return add_timer(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback));
+  }
+
+  template<class Rep, class Period, class CallbackT>
+  TimerBase::SharedPtr create_timer(
+    std::chrono::duration<Rep, Period> period, CallbackT callback)
+  {
+    return create_wall_timer(period, std::move(callback));
+  }
+
+private:
+  template<class CallbackT>
+  TimerBase::SharedPtr add_timer(std::chrono::nanoseconds period, CallbackT callback)
+  {
+    std::function<void(TimerBase &)> call;
+    if constexpr (std::is_invocable_v<CallbackT &, TimerBase &>) {
+      call = std::move(callback);
+    } else {
+      call = [callback = std::move(callback)](TimerBase &) mutable {callback();};
+    }
+    auto timer = std::make_shared<TimerBase>(period, std::move(call));
+    base_->timers.push_back(timer);
+    return timer;
+  }
+
+  node_interfaces::NodeBaseInterface::SharedPtr base_;
+  Logger logger_;
+  Clock::SharedPtr clock_;
+};
+
+}  // namespace rclcpp

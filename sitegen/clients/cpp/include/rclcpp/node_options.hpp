@@ -1,0 +1,12 @@
+#pragma once
+
+namespace rclcpp
+{
+
+class NodeOptions
+{
+public:
+  NodeOptions() = default;
+};
+
+}  // namespace rclcpp

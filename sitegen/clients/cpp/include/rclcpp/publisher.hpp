@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "rclcpp/macros.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/qos.hpp"
+#include "rclcpp/serialized_message.hpp"
+#include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"
+
+namespace rclcpp
+{
+
+struct PublisherOptions {};
+
+class PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(PublisherBase)
+  RCLCPP_DISABLE_COPY(PublisherBase)
+
+  PublisherBase(
+    const node_interfaces::NodeBaseInterface & node, const std::string & topic,
+    const rosidl_typesupport_sitegen_cpp::MessageMembers & type, const QoS & qos);
+  virtual ~PublisherBase();
+
+  const char * get_topic_name() const {return topic_.c_str();}
+  std::size_t get_queue_size() const {return qos_.depth();}
+  std::size_t get_subscription_count() const;
+  QoS get_actual_qos() const {return qos_;}
+
+protected:
+  void publish_message(const void * message);
+  void publish_bytes(const SerializedMessage & bytes);
+
+private:
+  const rosidl_typesupport_sitegen_cpp::MessageMembers & type_;
+  std::string topic_;
+  QoS qos_;
+  std::int32_t id_;
+};
+
+template<class MessageT, class AllocatorT = std::allocator<void>>
+class Publisher : public PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Publisher<MessageT, AllocatorT>)
+
+  Publisher(
+    const node_interfaces::NodeBaseInterface & node, const std::string & topic, const QoS & qos)
+  : PublisherBase(
+      node, topic, rosidl_typesupport_sitegen_cpp::members_of<MessageT>(), qos) {}
+
+  void publish(const MessageT & message) {publish_message(&message);}
+  void publish(std::unique_ptr<MessageT> message) {publish_message(message.get());}
+  void publish(const SerializedMessage & bytes) {publish_bytes(bytes);}
+};
+
+}  // namespace rclcpp

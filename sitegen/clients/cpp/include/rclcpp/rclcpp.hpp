@@ -1,0 +1,12 @@
+// The rclcpp of sitegen: upstream's names and behaviour, on the graph of a web page.
+#pragma once
+
+#include <csignal>
+#include <memory>
+
+#include "rclcpp/executors.hpp"
+#include "rclcpp/logging.hpp"
+#include "rclcpp/node.hpp"
+#include "rclcpp/rate.hpp"
+#include "rclcpp/time.hpp"
+#include "rclcpp/utilities.hpp"

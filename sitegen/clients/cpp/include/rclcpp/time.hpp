@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "builtin_interfaces/msg/time.hpp"
+#include "rclcpp/duration.hpp"
+
+enum rcl_clock_type_e {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};
+using rcl_clock_type_t = rcl_clock_type_e;
+
+namespace rclcpp
+{
+
+/// A point in time of one kind of clock; points of different kinds do not compare.
+class Time
+{
+public:
+  Time(
+    std::int32_t seconds, std::uint32_t nanoseconds, rcl_clock_type_t clock = RCL_SYSTEM_TIME);
+  explicit Time(std::int64_t nanoseconds = 0, rcl_clock_type_t clock = RCL_SYSTEM_TIME)
+  : nanoseconds_(nanoseconds), clock_(clock) {}
+  Time(  // NOLINT: implicit upstream
+    const builtin_interfaces::msg::Time & message, rcl_clock_type_t clock = RCL_ROS_TIME)
+  : Time(message.sec, message.nanosec, clock) {}
+
+  operator builtin_interfaces::msg::Time() const;  // NOLINT: implicit upstream
+
+  std::int64_t nanoseconds() const {return nanoseconds_;}
+  double seconds() const {return static_cast<double>(nanoseconds_) / 1e9;}
+  rcl_clock_type_t get_clock_type() const {return clock_;}
+
+  bool operator==(const Time & other) const {return compare(other) == 0;}
+  bool operator!=(const Time & other) const {return compare(other) != 0;}
+  bool operator<(const Time & other) const {return compare(other) < 0;}
+  bool operator<=(const Time & other) const {return compare(other) <= 0;}
+  bool operator>(const Time & other) const {return compare(other) > 0;}
+  bool operator>=(const Time & other) const {return compare(other) >= 0;}
+  Duration operator-(const Time & other) const;
+  Time operator+(const Duration & duration) const;
+  Time operator-(const Duration & duration) const;
+  Time & operator+=(const Duration & duration) {return *this = *this + duration;}
+  Time & operator-=(const Duration & duration) {return *this = *this - duration;}
+
+private:
+  int compare(const Time & other) const;
+
+  std::int64_t nanoseconds_;
+  rcl_clock_type_t clock_;
+};
+
+}  // namespace rclcpp

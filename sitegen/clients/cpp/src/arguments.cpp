@@ -1,0 +1,135 @@
+#include "rclcpp/detail/arguments.hpp"
+
+#include <cstring>
+#include <utility>
+
+#include "rclcpp/exceptions.hpp"
+#include "rclcpp/logger.hpp"
+
+namespace rclcpp
+{
+
+namespace exceptions
+{
+
+static std::string unknown_message(const std::vector<std::string> & unknown)
+{
+  std::string text = "found unknown ROS arguments:";
+  for (const auto & argument : unknown) {text += " '" + argument + "'";}
+  return text;
+}
+
+UnknownROSArgsError::UnknownROSArgsError(std::vector<std::string> && unknown_ros_args_in)
+: std::runtime_error(unknown_message(unknown_ros_args_in)),
+  unknown_ros_args(std::move(unknown_ros_args_in))
+{
+}
+
+}  // namespace exceptions
+
+namespace detail
+{
+
+namespace
+{
+
+int level_number(const std::string & name)
+{
+  static const std::pair<const char *, int> kLevels[] = {
+    {"unset", 0}, {"debug", 10}, {"info", 20}, {"warn", 30}, {"error", 40}, {"fatal", 50}};
+  for (const auto & [known, number] : kLevels) {
+    if (strcasecmp(name.c_str(), known) == 0) {return number;}
+  }
+  return -1;
+}
+
+bool parse_remap(const std::string & text, Arguments & arguments)
+{
+  const auto assign = text.find(":=");
+  if (assign == std::string::npos) {return false;}
+  std::string from = text.substr(0, assign);
+  const auto colon = from.find(':');
+  std::string node = colon == std::string::npos ? "" : from.substr(0, colon);
+  if (colon != std::string::npos) {from.erase(0, colon + 1);}
+  if (from == "__name") {from = "__node";}
+  arguments.remaps.push_back({std::move(node), std::move(from), text.substr(assign + 2)});
+  return true;
+}
+
+bool parse_log_level(const std::string & text, Arguments & arguments)
+{
+  const auto assign = text.find(":=");
+  const std::string logger = assign == std::string::npos ? "" : text.substr(0, assign);
+  const int level = level_number(assign == std::string::npos ? text : text.substr(assign + 2));
+  if (level >= 0) {arguments.log_levels[logger] = level;}
+  return level >= 0;
+}
+
+std::string join(const std::string & name_space, const std::string & name)
+{
+  return (name_space == "/" ? name_space : name_space + "/") + name;
+}
+
+/// `name` as a full name: absolute stays, "~" is the node, everything else is in the namespace.
+std::string expand(
+  const std::string & node, const std::string & name_space, const std::string & name)
+{
+  if (!name.empty() && name[0] == '/') {return name;}
+  if (!name.empty() && name[0] == '~') {return join(name_space, node) + name.substr(1);}
+  return join(name_space, name);
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, char const * const * argv)
+{
+  Arguments arguments;
+  std::vector<std::string> unknown;
+  bool ros = false;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool more = i + 1 < argc;
+    if (word == "--ros-args") {
+      ros = true;
+    } else if (!ros) {
+      arguments.others.push_back(word);
+    } else if (word == "--") {
+      ros = false;
+    } else if ((word == "-r" || word == "--remap") && more && parse_remap(argv[i + 1], arguments)) {
+      ++i;
+    } else if (word == "--log-level" && more && parse_log_level(argv[i + 1], arguments)) {
+      ++i;
+    } else {
+      unknown.push_back(word);
+    }
+  }
+  if (!unknown.empty()) {throw exceptions::UnknownROSArgsError(std::move(unknown));}
+  return arguments;
+}
+
+std::string remap_node(
+  const Arguments & arguments, const std::string & node, const std::string & from,
+  const std::string & name)
+{
+  for (const auto & rule : arguments.remaps) {
+    if (rule.from == from && (rule.node.empty() || rule.node == node)) {return rule.to;}
+  }
+  return name;
+}
+
+std::string resolve_topic(
+  const Arguments & arguments, const std::string & node, const std::string & name_space,
+  const std::string & topic)
+{
+  const std::string full = expand(node, name_space, topic);
+  for (const auto & rule : arguments.remaps) {
+    const bool applies = rule.node.empty() || rule.node == node;
+    if (applies && expand(node, name_space, rule.from) == full) {
+      return expand(node, name_space, rule.to);
+    }
+  }
+  return full;
+}
+
+}  // namespace detail
+}  // namespace rclcpp

@@ -1,0 +1,39 @@
+// Emscripten's side of include/rclcpp/detail/host.h: every call goes on to Module.ros, the worker's
+// host object (runtime/workers/cppHost.js), with the views on memory that it needs.
+mergeInto(LibraryManager.library, {
+  ros_create: function(kind, node, name, type, depth, qos) {
+    return Module["ros"]["create"](HEAPU8, kind, node, name, type, depth, qos);
+  },
+  ros_destroy: function(id) { Module["ros"]["destroy"](id); },
+  ros_publish: function(id, data, size) { Module["ros"]["publish"](HEAPU8, id, data, size); },
+  ros_matched: function(id) { return Module["ros"]["matched"](id); },
+  ros_next: function(id, info) { return Module["ros"]["next"](HEAPU8, id, info); },
+  ros_take: function(id, to) { Module["ros"]["take"](HEAPU8, id, to); },
+#if ASYNCIFY
+  // State 2 is "rewinding": then the call must reach handleSleep, which gives back what was waited for.
+  ros_wait: function(milliseconds) {
+    if (Asyncify.state !== 2 && !Module["ros"]["mustWait"](milliseconds)) {
+      return Module["ros"]["signal"]();
+    }
+    return Asyncify.handleSleep(function(wake) {
+      Module["ros"]["wait"](milliseconds).then(wake).catch(Module["ros"]["ended"]);
+    });
+  },
+  ros_wait__async: true,
+#else
+  ros_wait: function(milliseconds) {
+    return Module["ros"]["mustWait"](milliseconds) ?
+      Module["ros"]["wait"](milliseconds) : Module["ros"]["signal"]();
+  },
+  // This compiler need not know JSPI: the import is wrapped here, where its name is certain.
+  ros_wait__postset: '_ros_wait = new WebAssembly.Suspending(_ros_wait);',
+#endif
+  ros_wait__sig: 'id',
+  ros_wake: function() { Module["ros"]["wake"](); },
+  ros_now: function() { return Module["ros"]["now"](); },
+  ros_log: function(severity, logger, text) { Module["ros"]["log"](HEAPU8, severity, logger, text); },
+  ros_argument: function(index, to, capacity) {
+    return Module["ros"]["argument"](HEAPU8, index, to, capacity);
+  },
+  ros_fail: function(text) { Module["ros"]["fail"](HEAPU8, text); },
+});

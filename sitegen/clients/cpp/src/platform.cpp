@@ -1,0 +1,119 @@
+#include "rclcpp/detail/platform.hpp"
+
+#include <emscripten.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cxxabi.h>
+#include <exception>
+#include <string>
+#include <typeinfo>
+#include <utility>
+#include <vector>
+
+#include "rclcpp/detail/host.h"
+
+extern "C" int ros_user_main(int argc, char ** argv);
+
+namespace rclcpp
+{
+namespace detail
+{
+
+double now() {return ros_now();}
+
+void wait(double milliseconds)
+{
+  if (const int signal = ros_wait(milliseconds)) {std::raise(signal);}
+}
+
+void sleep(double milliseconds, bool (* stop)())
+{
+  const double end = now() + milliseconds;
+  // Once at least, so that a loop around a sleep of nothing lets the page breathe.
+  do {
+    wait(end > now() ? end - now() : 0);
+  } while (now() < end && !(stop && stop()));
+}
+
+namespace
+{
+/// The type and text of the exception that is being handled.
+std::string describe_exception()
+{
+  const std::type_info * type = abi::__cxa_current_exception_type();
+  char * demangled = type ? abi::__cxa_demangle(type->name(), nullptr, nullptr, nullptr) : nullptr;
+  std::string text = demangled ? demangled : type ? type->name() : "unknown exception";
+  std::free(demangled);
+  try {
+    throw;
+  } catch (const std::exception & error) {
+    text += ": ";
+    text += error.what();
+  } catch (...) {
+  }
+  return text;
+}
+
+std::vector<std::string> command_line()
+{
+  std::vector<std::string> words;
+  for (std::int32_t index = 0;; ++index) {
+    const std::int32_t size = ros_argument(index, nullptr, 0);
+    if (size < 0) {return words;}
+    std::string word(static_cast<std::size_t>(size), '\0');
+    ros_argument(index, word.data(), size);
+    words.push_back(std::move(word));
+  }
+}
+}  // namespace
+
+}  // namespace detail
+}  // namespace rclcpp
+
+extern "C" {
+
+/// Run the program; the page enters it here. It ends by exit(), never by returning.
+EMSCRIPTEN_KEEPALIVE void ros_main(void)
+{
+  auto words = rclcpp::detail::command_line();
+  std::vector<char *> argv;
+  for (auto & word : words) {argv.push_back(word.data());}
+  argv.push_back(nullptr);
+  int code = 1;
+  try {
+    code = ros_user_main(static_cast<int>(words.size()), argv.data());
+  } catch (...) {
+    ros_fail(rclcpp::detail::describe_exception().c_str());
+  }
+  std::exit(code);
+}
+
+EMSCRIPTEN_KEEPALIVE void * ros_main_pointer(void)
+{
+  return reinterpret_cast<void *>(&ros_main);
+}
+
+// libc's own sleeps would spin: std::this_thread::sleep_for and its elders come here instead.
+int nanosleep(const struct timespec * time, struct timespec *)
+{
+  rclcpp::detail::sleep(
+    static_cast<double>(time->tv_sec) * 1e3 + static_cast<double>(time->tv_nsec) / 1e6, nullptr);
+  return 0;
+}
+
+int usleep(unsigned microseconds)
+{
+  rclcpp::detail::sleep(microseconds / 1e3, nullptr);
+  return 0;
+}
+
+unsigned sleep(unsigned seconds)
+{
+  rclcpp::detail::sleep(seconds * 1e3, nullptr);
+  return 0;
+}
+
+}  // extern "C"
