@@ -31,7 +31,7 @@ PURE = "lib/python3.11/site-packages/"
 TYPE_SUPPORT = re.compile(r"__(rosidl_)?type_?support")
 PLACES = [
     (re.compile(r"include/[^/]+/(?P<path>.+\.hpp)$"), "include"),
-    (re.compile(r"include/(rosidl_[^/]+)/(?P<path>.+\.h)$"), "include"),
+    (re.compile(r"include/(rosidl_[^/]+|rcutils)/(?P<path>.+\.h)$"), "include"),
     (re.compile(r"share/(?P<path>[^/]+/(msg|srv|action)/[^/]+\.(json|msg|srv|action))$"), "share"),
     (re.compile(r"share/(?P<path>[^/]+/package\.xml)$"), "share"),
     (re.compile(r"share/(?P<path>rosidl_[^/]+/resource/.+)$"), "share"),

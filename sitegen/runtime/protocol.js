@@ -55,3 +55,59 @@
  *   | {op: "unmatch", local: number, peer: number, remote: number}
  *   | {op: "stop"}} ToWorker
  */
+
+/**
+ * Messages travel from worker to worker in frames: an ArrayBuffer of records, each a head and the
+ * message's CDR bytes, padded to 8. All numbers are little-endian, as WebAssembly has them.
+ *
+ *   0  uint32   reader      the subscription's id in the worker that receives
+ *   4  uint32   publisher   unique in the page
+ *   8  uint32   sequence    of this publisher, from 1
+ *   12 uint32   size        of the message in bytes
+ *   16 float64  timestamp   when it was published, ms since 1970
+ * @typedef {{reader: number, publisher: number, sequence: number, timestamp: number}} Head
+ */
+export const HEAD_SIZE = 24;
+
+/** Bytes that a record with a message of `size` bytes takes in a frame. @param {number} size */
+export function recordSize(size) {
+  return HEAD_SIZE + ((size + 7) & ~7);
+}
+
+/**
+ * Write a record at `offset` of a frame.
+ * @param {Uint8Array} frame @param {number} offset @param {Head} head @param {Uint8Array} message
+ */
+export function writeRecord(frame, offset, head, message) {
+  const view = new DataView(frame.buffer, frame.byteOffset + offset, HEAD_SIZE);
+  view.setUint32(0, head.reader, true);
+  view.setUint32(4, head.publisher, true);
+  view.setUint32(8, head.sequence, true);
+  view.setUint32(12, message.length, true);
+  view.setFloat64(16, head.timestamp, true);
+  frame.set(message, offset + HEAD_SIZE);
+}
+
+/**
+ * The records of a frame in order. The messages are views on the frame.
+ * @param {ArrayBuffer} frame @returns {Generator<Head & {message: Uint8Array}>}
+ */
+export function* readRecords(frame) {
+  const view = new DataView(frame);
+  for (let at = 0; at + HEAD_SIZE <= frame.byteLength;) {
+    const size = view.getUint32(at + 12, true);
+    yield {
+      reader: view.getUint32(at, true),
+      publisher: view.getUint32(at + 4, true),
+      sequence: view.getUint32(at + 8, true),
+      timestamp: view.getFloat64(at + 16, true),
+      message: new Uint8Array(frame, at + HEAD_SIZE, size),
+    };
+    at += recordSize(size);
+  }
+}
+
+/** Milliseconds since 1970 with fractions, comparable between the workers of a page. */
+export function now() {
+  return performance.timeOrigin + performance.now();
+}

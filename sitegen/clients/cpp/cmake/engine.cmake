@@ -3,11 +3,12 @@ include_guard(GLOBAL)
 
 get_filename_component(SITEGEN_CPP "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
-add_library(sitegen::engine INTERFACE IMPORTED)
+add_library(sitegen::engine INTERFACE IMPORTED GLOBAL)
 set(_settings
   MODULARIZE=1 EXPORT_ES6=1 USE_ES6_IMPORT_META=1 ENVIRONMENT=worker
   ALLOW_MEMORY_GROWTH=1 TOTAL_STACK=1048576 EXIT_RUNTIME=1
-  EXPORTED_FUNCTIONS=_ros_main,_ros_main_pointer)
+  # The page enters ros_main(), which calls main().
+  INVOKE_RUN=0 EXPORTED_FUNCTIONS=_main,_ros_main,_ros_main_pointer)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   # Exceptions of WebAssembly: those of JavaScript would stand between main() and the wait.
   set(_exceptions -fwasm-exceptions)

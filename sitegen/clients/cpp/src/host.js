@@ -10,21 +10,14 @@ mergeInto(LibraryManager.library, {
   ros_next: function(id, info) { return Module["ros"]["next"](HEAPU8, id, info); },
   ros_take: function(id, to) { Module["ros"]["take"](HEAPU8, id, to); },
 #if ASYNCIFY
-  // State 2 is "rewinding": then the call must reach handleSleep, which gives back what was waited for.
   ros_wait: function(milliseconds) {
-    if (Asyncify.state !== 2 && !Module["ros"]["mustWait"](milliseconds)) {
-      return Module["ros"]["signal"]();
-    }
     return Asyncify.handleSleep(function(wake) {
       Module["ros"]["wait"](milliseconds).then(wake).catch(Module["ros"]["ended"]);
     });
   },
   ros_wait__async: true,
 #else
-  ros_wait: function(milliseconds) {
-    return Module["ros"]["mustWait"](milliseconds) ?
-      Module["ros"]["wait"](milliseconds) : Module["ros"]["signal"]();
-  },
+  ros_wait: function(milliseconds) { return Module["ros"]["wait"](milliseconds); },
   // This compiler need not know JSPI: the import is wrapped here, where its name is certain.
   ros_wait__postset: '_ros_wait = new WebAssembly.Suspending(_ros_wait);',
 #endif

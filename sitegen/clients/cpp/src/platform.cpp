@@ -6,7 +6,6 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <cxxabi.h>
 #include <exception>
 #include <string>
 #include <typeinfo>
@@ -40,21 +39,40 @@ void sleep(double milliseconds, bool (* stop)())
 
 namespace
 {
+/// `mangled`, a class name as typeid gives it, as C++ writes it. abi::__cxa_demangle knows every
+/// name there is, and would be a third of a small program.
+std::string class_name(const char * mangled)
+{
+  std::string name;
+  if (*mangled == 'N') {++mangled;}
+  if (mangled[0] == 'S' && mangled[1] == 't') {
+    name = "std";
+    mangled += 2;
+  }
+  while (*mangled >= '0' && *mangled <= '9') {
+    char * part;
+    const auto size = std::strtoul(mangled, &part, 10);
+    name += name.empty() ? "" : "::";
+    name.append(part, size);
+    mangled = part + size;
+  }
+  return name;
+}
+
 /// The type and text of the exception that is being handled.
 std::string describe_exception()
 {
-  const std::type_info * type = abi::__cxa_current_exception_type();
-  char * demangled = type ? abi::__cxa_demangle(type->name(), nullptr, nullptr, nullptr) : nullptr;
-  std::string text = demangled ? demangled : type ? type->name() : "unknown exception";
-  std::free(demangled);
   try {
     throw;
   } catch (const std::exception & error) {
-    text += ": ";
-    text += error.what();
+    return class_name(typeid(error).name()) + ": " + error.what();
+  } catch (const std::string & text) {
+    return text;
+  } catch (const char * text) {
+    return text;
   } catch (...) {
+    return "an exception that is no std::exception";
   }
-  return text;
 }
 
 std::vector<std::string> command_line()

@@ -3,7 +3,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/../engine.cmake")
 include(CMakeFindDependencyMacro)
 find_dependency(builtin_interfaces)
 
-add_library(rclcpp::rclcpp STATIC IMPORTED)
+add_library(rclcpp::rclcpp STATIC IMPORTED GLOBAL)
 set_target_properties(rclcpp::rclcpp PROPERTIES
   IMPORTED_LOCATION "${SITEGEN_RCLCPP}"
   INTERFACE_INCLUDE_DIRECTORIES "${SITEGEN_CPP}/include"

@@ -1,0 +1,139 @@
+// @ts-check
+// The ROS graph of the page: who publishes and subscribes to what, and who is linked to whom.
+// Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
+
+/** @import { Endpoint, ToWorker } from "./protocol.js" */
+
+/**
+ * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
+ * @typedef {{id: number, post: Post, endpoints: Map<number, Endpoint>, links: Set<number>}} Participant
+ * @typedef {{owner: Participant, endpoint: Endpoint}} Member
+ * @typedef {{publishers: Set<Member>, subscriptions: Set<Member>}} Topic
+ */
+
+/** Emits `change` after every change. */
+export class Graph extends EventTarget {
+  /** @type {Map<number, Participant>} */
+  #participants = new Map();
+  /** @type {Map<string, Topic>} */
+  #topics = new Map();
+  #nextId = 1;
+
+  /** Let a worker take part and return its id. @param {Post} post to the worker */
+  join(post) {
+    const id = this.#nextId++;
+    this.#participants.set(id, { id, post, endpoints: new Map(), links: new Set() });
+    return id;
+  }
+
+  /** Forget a worker that ended, and all that it had. @param {number} id */
+  leave(id) {
+    const gone = this.#participants.get(id);
+    if (!gone) return;
+    for (const endpoint of [...gone.endpoints.keys()]) this.destroy(id, endpoint);
+    this.#participants.delete(id);
+    for (const peer of gone.links) {
+      const other = this.#participants.get(peer);
+      other?.links.delete(id);
+      other?.post({ op: "unlink", peer: id });
+    }
+    this.#changed();
+  }
+
+  /** @param {number} id of the worker @param {Endpoint} endpoint */
+  create(id, endpoint) {
+    const owner = this.#participants.get(id);
+    if (!owner) return;
+    owner.endpoints.set(endpoint.id, endpoint);
+    if (endpoint.kind !== "node") {
+      const member = { owner, endpoint };
+      const { mine, others } = this.#sides(endpoint);
+      mine.add(member);
+      for (const other of others) if (matches(member, other)) this.#match(member, other);
+    }
+    this.#changed();
+  }
+
+  /** @param {number} id of the worker @param {number} endpointId */
+  destroy(id, endpointId) {
+    const owner = this.#participants.get(id);
+    const endpoint = owner?.endpoints.get(endpointId);
+    if (!owner || !endpoint) return;
+    owner.endpoints.delete(endpointId);
+    if (endpoint.kind !== "node") {
+      const { mine, others } = this.#sides(endpoint);
+      const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
+      if (member) {
+        mine.delete(member);
+        for (const other of others) if (matches(member, other)) this.#unmatch(member, other);
+      }
+      if (mine.size + others.size === 0) this.#topics.delete(endpoint.name);
+    }
+    this.#changed();
+  }
+
+  /** Fully qualified names of the nodes, sorted. */
+  nodes() {
+    const all = [...this.#participants.values()].flatMap((p) => [...p.endpoints.values()]);
+    return all.filter((e) => e.kind === "node").map((e) => e.node).sort();
+  }
+
+  /** The topics by name, with their types and the nodes at both sides. */
+  topics() {
+    return [...this.#topics].sort().map(([name, { publishers, subscriptions }]) => ({
+      name,
+      types: [...new Set([...publishers, ...subscriptions].map((m) => m.endpoint.type))],
+      publishers: [...publishers].map((m) => m.endpoint.node),
+      subscriptions: [...subscriptions].map((m) => m.endpoint.node),
+    }));
+  }
+
+  /** The side of a topic that `endpoint` is on, and the other. @param {Endpoint} endpoint */
+  #sides(endpoint) {
+    let topic = this.#topics.get(endpoint.name);
+    if (!topic) {
+      topic = { publishers: new Set(), subscriptions: new Set() };
+      this.#topics.set(endpoint.name, topic);
+    }
+    return endpoint.kind === "publisher"
+      ? { mine: topic.publishers, others: topic.subscriptions }
+      : { mine: topic.subscriptions, others: topic.publishers };
+  }
+
+  /** @param {Member} a @param {Member} b */
+  #match(a, b) {
+    this.#link(a.owner, b.owner);
+    tell("match", a, b);
+    tell("match", b, a);
+  }
+
+  /** @param {Member} a @param {Member} b */
+  #unmatch(a, b) {
+    tell("unmatch", a, b);
+    tell("unmatch", b, a);
+  }
+
+  /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
+  #link(a, b) {
+    if (a === b || a.links.has(b.id)) return;
+    const { port1, port2 } = new MessageChannel();
+    a.links.add(b.id);
+    b.links.add(a.id);
+    a.post({ op: "link", peer: b.id, port: port1 }, [port1]);
+    b.post({ op: "link", peer: a.id, port: port2 }, [port2]);
+  }
+
+  #changed() {
+    this.dispatchEvent(new Event("change"));
+  }
+}
+
+/** Whether messages flow between two endpoints of a topic. @param {Member} a @param {Member} b */
+function matches(a, b) {
+  return a.endpoint.type === b.endpoint.type;
+}
+
+/** @param {"match" | "unmatch"} op @param {Member} to @param {Member} about */
+function tell(op, to, about) {
+  to.owner.post({ op, local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id });
+}

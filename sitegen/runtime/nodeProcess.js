@@ -1,0 +1,192 @@
+// @ts-check
+// A node of the page and the worker that runs it, from Start to Stop and again.
+
+/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, Severity, ToWorker } from "./protocol.js" */
+/** @import { Graph } from "./graph.js" */
+
+// A node that Stop did not end after this time (ms) is terminated.
+const GRACE = 1000;
+
+/** The engine for which this browser takes a compiled node. @returns {Engine} */
+function engineOfBrowser() {
+  return "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
+}
+
+export class NodeProcess extends EventTarget {
+  #entry;
+  #base;
+  #graph;
+  /** @type {NodeState} */
+  #state = "stopped";
+  /** @type {Promise<WebAssembly.Module> | undefined} */
+  #module;
+  /** The worker that runs now, and its id in the graph. @type {{worker: Worker, id: number} | undefined} */
+  #run;
+  #startAgain = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #grace;
+
+  /**
+   * @param {string} name
+   * @param {NodeEntry} entry
+   * @param {string} base where the paths of the entry begin
+   * @param {Graph} graph
+   */
+  constructor(name, entry, base, graph) {
+    super();
+    this.name = name;
+    this.#entry = entry;
+    this.#base = base;
+    this.#graph = graph;
+  }
+
+  get state() {
+    return this.#state;
+  }
+
+  /** Start it; one that is just stopping starts again as soon as it has stopped. */
+  start() {
+    if (this.#state === "stopping") this.#startAgain = true;
+    if (this.#run) return;
+    this.#setState("starting");
+    const wanted = engineOfBrowser();
+    const engine = this.#entry.builds[wanted] ? wanted : "asyncify";
+    const build = this.#entry.builds[engine];
+    if (!build) {
+      const lacks = "this browser lacks JavaScript Promise Integration, which the node needs";
+      this.#print("fatal", `${this.name}: ${lacks}`);
+      this.#setState("failed");
+      return;
+    }
+    this.#launch(engine, new URL(build.script, this.#base).href, new URL(build.wasm, this.#base).href);
+  }
+
+  /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
+  stop() {
+    this.#startAgain = false;
+    if (this.#state === "starting") {
+      this.#end("stopped");
+    } else if (this.#state === "running" && this.#run) {
+      this.#setState("stopping");
+      this.#post(this.#run.worker, { op: "stop" });
+      this.#grace = setTimeout(() => {
+        this.#print("warn", `${this.name}: did not end within a second and was terminated`);
+        this.#end("stopped");
+      }, GRACE);
+    }
+  }
+
+  /** Empty its consoles. */
+  clear() {
+    this.dispatchEvent(new Event("clear"));
+  }
+
+  /** @param {Engine} engine @param {string} script @param {string} wasm */
+  async #launch(engine, script, wasm) {
+    const worker = new Worker(new URL("workers/cppNode.js", import.meta.url), {
+      type: "module",
+      name: this.name,
+    });
+    const id = this.#graph.join((message, transfer) => this.#post(worker, message, transfer));
+    const run = { worker, id };
+    this.#run = run;
+    worker.onmessage = (event) => this.#receive(id, event.data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#fail(event.message || "its worker could not be started");
+    };
+    try {
+      this.#module ??= compile(wasm);
+      const module = await this.#module;
+      if (this.#run !== run) return; // stopped meanwhile
+      const { executable: name, arguments: args } = this.#entry;
+      this.#post(worker, { op: "start", id, engine, script, module, name, arguments: args });
+    } catch (error) {
+      this.#module = undefined;
+      if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** @param {number} id @param {FromWorker} message */
+  #receive(id, message) {
+    if (this.#run?.id !== id) return; // sent before it was terminated
+    switch (message.op) {
+      case "running":
+        this.#setState("running");
+        break;
+      case "create":
+        this.#graph.create(id, message.endpoint);
+        break;
+      case "destroy":
+        this.#graph.destroy(id, message.id);
+        break;
+      case "lines":
+        this.#emitLines(message.lines);
+        break;
+      case "exit":
+        if (message.error) {
+          this.#fail(message.error);
+        } else if (message.code !== 0) {
+          this.#fail(`exited with code ${message.code}`);
+        } else {
+          this.#end("stopped");
+        }
+        break;
+    }
+  }
+
+  /** @param {string} error */
+  #fail(error) {
+    this.#print("fatal", `${this.name}: ${error}`);
+    console.error(`${this.name}: ${error}`);
+    this.#end("failed");
+  }
+
+  /** @param {NodeState} state */
+  #end(state) {
+    clearTimeout(this.#grace);
+    const run = this.#run;
+    this.#run = undefined;
+    if (run) {
+      run.worker.terminate();
+      this.#graph.leave(run.id);
+    }
+    this.#setState(state);
+    if (this.#startAgain) {
+      this.#startAgain = false;
+      this.start();
+    }
+  }
+
+  /** @param {Worker} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
+  #post(worker, message, transfer = []) {
+    worker.postMessage(message, transfer);
+  }
+
+  /** @param {Severity} severity @param {string} text */
+  #print(severity, text) {
+    this.#emitLines([{ severity, text }]);
+  }
+
+  /** @param {Line[]} lines */
+  #emitLines(lines) {
+    this.dispatchEvent(new CustomEvent("lines", { detail: lines }));
+  }
+
+  /** @param {NodeState} state */
+  #setState(state) {
+    this.#state = state;
+    this.dispatchEvent(new Event("state"));
+  }
+}
+
+/** Fetch and compile a program while its worker starts. @param {string} url */
+async function compile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
+  // Some servers do not know the type of WebAssembly files; those are compiled after the download.
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) {
+    return WebAssembly.compileStreaming(response);
+  }
+  return WebAssembly.compile(await response.arrayBuffer());
+}

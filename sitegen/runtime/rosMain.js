@@ -1,0 +1,34 @@
+// @ts-check
+// The page: read page.json, make the nodes and their graph, mount the widgets, start what starts by
+// itself.
+
+import { Graph } from "./graph.js";
+import { NodeProcess } from "./nodeProcess.js";
+
+/** @import { PageEntry } from "./protocol.js" */
+
+const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page"));
+/** @type {PageEntry} */
+const page = await (await fetch(link.href)).json();
+
+const graph = new Graph();
+/** @type {Map<string, NodeProcess>} */
+const nodes = new Map();
+for (const [name, entry] of Object.entries(page.nodes)) {
+  nodes.set(name, new NodeProcess(name, entry, link.href, graph));
+}
+
+/** The page's ROS: its graph, and its nodes by name. */
+export const ros = { graph, nodes };
+
+// Nodes first: their workers start and compile while the widgets load.
+for (const [name, entry] of Object.entries(page.nodes)) {
+  if (entry.autostart) nodes.get(name)?.start();
+}
+
+await Promise.all(
+  page.widgets.map(async ({ kind, element, target, options }) => {
+    const { mount } = await import(`./widgets/${kind}.js`);
+    mount(document.getElementById(element), ros, { node: target, ...options });
+  }),
+);

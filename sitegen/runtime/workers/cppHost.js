@@ -1,0 +1,94 @@
+// @ts-check
+// The host functions of clients/cpp/include/rclcpp/detail/host.h, between WebAssembly's memory and
+// the worker's participant. `heap` is a view on that memory, fresh with every call.
+
+import { now } from "../protocol.js";
+
+/** @import { EndpointKind, Severity } from "../protocol.js" */
+/** @import { Participant } from "./participant.js" */
+/** @import { Printer } from "./printer.js" */
+
+/** @type {EndpointKind[]} */
+const KINDS = ["node", "publisher", "subscription"];
+const RELIABLE = 1;
+const TRANSIENT_LOCAL = 2;
+const KEEP_ALL = 4;
+/** @type {Record<number, Severity>} */
+const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal" };
+
+/**
+ * @param {Participant} participant
+ * @param {Printer} printer
+ * @param {string[]} args the command line, the program's name first
+ * @param {(error: string) => void} fail called with the text of an exception that left main()
+ * @param {(error: unknown) => void} ended called with what a suspended program ended by
+ */
+export function cppHost(participant, printer, args, fail, ended) {
+  const decoder = new TextDecoder();
+  const words = args.map((word) => new TextEncoder().encode(word));
+
+  /** @param {Uint8Array} heap @param {number} pointer */
+  const text = (heap, pointer) => decoder.decode(heap.subarray(pointer, heap.indexOf(0, pointer)));
+
+  return {
+    /**
+     * @param {Uint8Array} heap @param {number} kind @param {number} node @param {number} name
+     * @param {number} type @param {number} depth @param {number} qos
+     */
+    create(heap, kind, node, name, type, depth, qos) {
+      return participant.create(
+        /** @type {EndpointKind} */ (KINDS[kind]), text(heap, node), text(heap, name), text(heap, type), {
+        depth,
+        reliable: (qos & RELIABLE) !== 0,
+        transientLocal: (qos & TRANSIENT_LOCAL) !== 0,
+        keepAll: (qos & KEEP_ALL) !== 0,
+      });
+    },
+    /** @param {number} id */
+    destroy: (id) => participant.destroy(id),
+    /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
+    publish: (heap, id, data, size) => participant.publish(id, heap.subarray(data, data + size)),
+    /** @param {number} id */
+    matched: (id) => participant.matched(id),
+    /** @param {Uint8Array} heap @param {number} id @param {number} info */
+    next(heap, id, info) {
+      const sample = participant.next(id);
+      if (!sample) return -1;
+      const view = new DataView(heap.buffer, info);
+      view.setFloat64(0, sample.timestamp, true);
+      view.setFloat64(8, sample.received, true);
+      view.setUint32(16, sample.sequence, true);
+      view.setUint32(20, sample.publisher, true);
+      return sample.message.length;
+    },
+    /** @param {Uint8Array} heap @param {number} id @param {number} to */
+    take(heap, id, to) {
+      const sample = participant.take(id);
+      if (sample && to) heap.set(sample.message, to);
+    },
+    /** @param {number} milliseconds */
+    wait(milliseconds) {
+      printer.flush();
+      return participant.wait(milliseconds);
+    },
+    wake: () => participant.wake(),
+    now,
+    /** @param {Uint8Array} heap @param {number} severity @param {number} logger @param {number} line */
+    log(heap, severity, logger, line) {
+      const name = SEVERITIES[severity] ?? "info";
+      const seconds = (now() / 1000).toFixed(9);
+      const head = `[${name.toUpperCase()}] [${seconds}] [${text(heap, logger)}]: `;
+      printer.print(name, head + text(heap, line));
+    },
+    /** @param {Uint8Array} heap @param {number} index @param {number} to @param {number} capacity */
+    argument(heap, index, to, capacity) {
+      const word = words[index];
+      if (!word) return -1;
+      if (to) heap.set(word.subarray(0, capacity), to);
+      return word.length;
+    },
+    /** @param {Uint8Array} heap @param {number} message */
+    fail: (heap, message) => fail(text(heap, message)),
+    ended,
+  };
+}

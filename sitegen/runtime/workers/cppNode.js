@@ -1,0 +1,90 @@
+// @ts-check
+// The worker of a compiled node: load its program, enter it, report how it ended.
+
+import { cppHost } from "./cppHost.js";
+import { Participant } from "./participant.js";
+import { Printer } from "./printer.js";
+
+/** @import { FromWorker, ToWorker } from "../protocol.js" */
+
+/** @param {FromWorker} message */
+const post = (message) => postMessage(message);
+const printer = new Printer(post);
+/** @type {Participant | undefined} */
+let participant;
+
+/** @param {MessageEvent<ToWorker>} event */
+onmessage = (event) => {
+  if (event.data.op === "start") {
+    participant = new Participant(event.data.id, post);
+    run(event.data, participant).catch((error) => end(1, describe(error)));
+  } else {
+    participant?.receive(event.data);
+  }
+};
+
+/**
+ * @param {Extract<ToWorker, {op: "start"}>} node
+ * @param {Participant} graph
+ */
+async function run(node, graph) {
+  let failure = "";
+  /** @param {unknown} error */
+  const ended = (error) => end(1, failure || describe(error));
+  /** @param {string} text */
+  const fail = (text) => {
+    failure = text;
+  };
+  const args = [node.name, ...node.arguments];
+  const { default: load } = await import(node.script);
+  const program = await load({
+    ros: cppHost(graph, printer, args, fail, ended),
+    noInitialRun: true,
+    /** @param {string} line */
+    print: (line) => printer.print("stdout", line),
+    /** @param {string} line */
+    printErr: (line) => printer.print("stderr", line),
+    /** @param {number} code */
+    onExit: (code) => end(code, failure),
+    /**
+     * @param {WebAssembly.Imports} imports
+     * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
+     */
+    instantiateWasm(imports, loaded) {
+      WebAssembly.instantiate(node.module, imports).then(
+        (instance) => loaded(instance, node.module),
+        ended,
+      );
+      return {}; // "loaded" comes later
+    },
+  });
+  post({ op: "running" });
+  try {
+    if (node.engine === "jspi") {
+      await WebAssembly.promising(program.rosFunction(program._ros_main_pointer()))();
+    } else {
+      program._ros_main(); // returns at the first wait; after that, `ended` and onExit hear of it
+    }
+  } catch (error) {
+    ended(error);
+  }
+}
+
+let over = false;
+
+/**
+ * Report the end of the program, once: exit() also throws, after it called onExit.
+ * @param {number} code @param {string} error
+ */
+function end(code, error) {
+  if (over) return;
+  over = true;
+  printer.flush();
+  post({ op: "exit", code, error });
+}
+
+/** @param {unknown} error */
+function describe(error) {
+  if (!(error instanceof Error)) return String(error);
+  return error.name === "RuntimeError" ? error.message : `${error.name}: ${error.message}`;
+}

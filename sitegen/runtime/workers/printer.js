@@ -1,0 +1,36 @@
+// @ts-check
+// What a program prints, on its way to the consoles: many lines in one message.
+
+import { now } from "../protocol.js";
+
+/** @import { FromWorker, Line, Severity } from "../protocol.js" */
+
+const BATCH = 256;
+// A program that prints and never waits shows its lines this often (ms).
+const PAUSE = 50;
+
+export class Printer {
+  #post;
+  /** @type {Line[]} */
+  #lines = [];
+  #lastPost = 0;
+
+  /** @param {(message: FromWorker) => void} post to the page */
+  constructor(post) {
+    this.#post = post;
+  }
+
+  /** @param {Severity} severity @param {string} text */
+  print(severity, text) {
+    this.#lines.push({ severity, text });
+    if (this.#lines.length >= BATCH || now() - this.#lastPost > PAUSE) this.flush();
+  }
+
+  /** Send what is held back. */
+  flush() {
+    if (this.#lines.length === 0) return;
+    this.#post({ op: "lines", lines: this.#lines });
+    this.#lines = [];
+    this.#lastPost = now();
+  }
+}
