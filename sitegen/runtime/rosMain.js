@@ -21,14 +21,14 @@ for (const [name, entry] of Object.entries(page.nodes)) {
 /** The page's ROS: its graph, and its nodes by name. */
 export const ros = { graph, nodes };
 
-// Nodes first: their workers start and compile while the widgets load.
-for (const [name, entry] of Object.entries(page.nodes)) {
-  if (entry.autostart) nodes.get(name)?.start();
-}
-
 await Promise.all(
   page.widgets.map(async ({ kind, element, target, options }) => {
     const { mount } = await import(`./widgets/${kind}.js`);
     mount(document.getElementById(element), ros, { node: target, ...options });
   }),
 );
+
+// After the widgets, or a console would miss the first lines.
+for (const [name, entry] of Object.entries(page.nodes)) {
+  if (entry.autostart) nodes.get(name)?.start();
+}

@@ -1,5 +1,5 @@
 include_guard(GLOBAL)
-include("${CMAKE_CURRENT_LIST_DIR}/../engine.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/engine.cmake")
 include(CMakeFindDependencyMacro)
 find_dependency(builtin_interfaces)
 

@@ -1,0 +1,69 @@
+"""Find Emscripten, CMake and Ninja, and run them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sysconfig
+from dataclasses import dataclass
+from pathlib import Path
+
+# Debian's Emscripten calls acorn, which its Node finds only here.
+DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
+
+
+class ToolMissingError(Exception):
+    """A tool is not installed: the message names it and says how to get it."""
+
+
+@dataclass(frozen=True)
+class Toolchain:
+    """The tools that compile C++ for the page, and what identifies the compiler."""
+
+    compiler: Path
+    cmake: Path
+    ninja: Path
+    identity: str
+
+    @staticmethod
+    def find() -> Toolchain:
+        """Look for the tools on the PATH and beside the running Python."""
+        compiler = _find("em++", "apt-get install emscripten, or see emscripten.org")
+        cmake = _find("cmake", "pip install cmake")
+        ninja = _find("ninja", "pip install ninja")
+        return Toolchain(compiler, cmake, ninja, _identity(compiler))
+
+    def run(self, *command: str | Path) -> subprocess.CompletedProcess[str]:
+        """Run a tool; its output, errors included, is in `stdout`."""
+        paths = [os.environ.get("NODE_PATH", ""), str(DEBIAN_NODE_PATH)]
+        env = os.environ | {"NODE_PATH": os.pathsep.join(path for path in paths if path)}
+        return subprocess.run(
+            [str(word) for word in command],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+            env=env,
+        )
+
+    @property
+    def platform_file(self) -> Path:
+        """Emscripten's CMake toolchain file."""
+        return self.compiler.parent / "cmake" / "Modules" / "Platform" / "Emscripten.cmake"
+
+
+def _find(name: str, how: str) -> Path:
+    # A virtual environment that is not activated has its scripts off the PATH.
+    found = shutil.which(name) or shutil.which(name, path=sysconfig.get_path("scripts"))
+    if not found:
+        raise ToolMissingError(f"{name} not found ({how})")
+    return Path(found).resolve()
+
+
+def _identity(compiler: Path) -> str:
+    """Tell one compiler from another without the fifth of a second that asking it takes."""
+    version = compiler.parent / "emscripten-version.txt"
+    text = version.read_text().strip() if version.exists() else ""
+    return f"{compiler} {text} {compiler.stat().st_mtime_ns}"
