@@ -50,7 +50,6 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         description="Package a ROS 2 workspace into a static web page that runs it.",
         parents=[debug],
     )
-    parser.set_defaults(debug=False)
     parser.add_argument("--version", action="version", version=f"sitegen {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     build = commands.add_parser("build", help="write the site to a folder", parents=[debug])
@@ -69,6 +68,7 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
     arguments = parser.parse_args(argv)
+    arguments.debug = "debug" in arguments
     arguments.output = arguments.output or arguments.folder / "dist"
     if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
         build.error("argument --output: would replace the folder that holds site.yaml")

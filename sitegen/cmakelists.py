@@ -71,7 +71,10 @@ class Listing:
         found: list[str] = []
         for word in words:
             alone = VARIABLE.fullmatch(word)
-            found += self.variables.get(alone[1], []) if alone else [VARIABLE.sub(self._one, word)]
+            if alone:
+                found += self.variables.get(alone[1], [])
+            else:
+                found += VARIABLE.sub(self._one, word).split(";")
         return found
 
     def _one(self, match: re.Match[str]) -> str:
@@ -87,18 +90,22 @@ def read(file: Path, package: str) -> Listing:
     return listing
 
 
-def _commands(file: Path, seen: set[Path]) -> Iterator[tuple[str, list[str]]]:
-    if file in seen or not file.is_file():
+def _commands(path: Path, seen: set[Path]) -> Iterator[tuple[str, list[str]]]:
+    try:
+        file = (path / "CMakeLists.txt" if path.is_dir() else path).resolve(strict=True)
+        text = file.read_text(encoding="utf-8", errors="replace")
+    except (OSError, RuntimeError, ValueError):
+        # CMake looks for modules in more places than here, and says what it does not find.
+        return
+    if file in seen:
         return
     seen.add(file)
-    for name, words in _parse(file.read_text(encoding="utf-8", errors="replace")):
+    for name, words in _parse(text):
         if name in INCLUDES and words:
-            words[0] = HERE.sub(file.parent.as_posix(), words[0])
-            path = file.parent / words[0]
-            yield name, words
-            yield from _commands(path / "CMakeLists.txt" if path.is_dir() else path, seen)
-        else:
-            yield name, words
+            words[0] = HERE.sub(lambda _: file.parent.as_posix(), words[0])
+        yield name, words
+        if name in INCLUDES and words:
+            yield from _commands(file.parent / words[0], seen)
 
 
 def _parse(text: str) -> Iterator[tuple[str, list[str]]]:

@@ -41,6 +41,10 @@ class Problems:
         """Note that `key`, written at `place`, is wrong as `message` says."""
         self.found.append((relative(place.file, self.root), place.line, f"{key}: {message}"))
 
+    def where(self, place: Place) -> str:
+        """Return `place` for the middle of a message."""
+        return f"{relative(place.file, self.root)}:{place.line}"
+
     def raise_if_any(self) -> None:
         """Raise a SiteError with all problems, in the order of file and line."""
         if self.found:

@@ -50,14 +50,16 @@ def split(text: str) -> Iterator[Block]:
     yield from _prose(prose, number + 1)
 
 
-def front_matter(text: str) -> tuple[str, str, int]:
-    """Return the YAML between the first two `---` lines, what follows, and its first line."""
+def front_matter(text: str) -> tuple[Block, Block]:
+    """Return the YAML between `---` at the top and the next `---`, and the text that follows."""
     lines = text.split("\n")
     ends = [i for i, line in enumerate(lines) if line.rstrip() == "---"][:2]
-    if len(ends) < 2 or ends[0] != 0:
-        return "", text, 1
+    if ends[:1] != [0]:
+        return Block("", 0), Block(text, 0)
+    if len(ends) == 1:
+        return Block("", 0, closed=False), Block("", 0)
     first = ends[1] + 1
-    return "\n".join(lines[1 : ends[1]]), "\n".join(lines[first:]), first + 1
+    return Block("\n".join(lines[1 : ends[1]]), 1), Block("\n".join(lines[first:]), first)
 
 
 def heading(text: str) -> str:

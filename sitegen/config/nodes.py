@@ -6,11 +6,11 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sitegen.document import Value
-from sitegen.errors import Problems, nearest, relative
+from sitegen.config.document import Value
+from sitegen.config.schema import NODE
+from sitegen.config.section import Section, check
+from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Package
-from sitegen.schema import NODE
-from sitegen.section import Section, check
 
 BUILD_TYPE = "ament_cmake"
 TOKEN = r"[A-Za-z_][A-Za-z0-9_]*"
@@ -36,8 +36,7 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
             message = f"'{name}' is no ROS node name; use letters, digits and '_', no digit first"
             problems.add(entry.place, entry.key, message)
         if name in taken:
-            first = taken[name].node.place
-            where = f"{relative(first.file, problems.root)}:{first.line}"
+            where = problems.where(taken[name].node.place)
             message = f"'{name}' is defined already ({where}); use that node or choose another name"
             problems.add(entry.place, entry.key, message)
         section = check(entry, NODE, problems)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sitegen.document import Value
+from sitegen.config.document import Value
 from sitegen.errors import Problems, nearest
 
 
-def locate(value: Value, root: Path, problems: Problems, *, folder: bool = False) -> Path | None:
-    """Return the file or folder below `root` that `value` names, or None if it is no such thing."""
-    text = value.text
+def locate(value: Value, problems: Problems, *, folder: bool = False) -> Path | None:
+    """Return the file or folder of the site that `value` names, noting where there is none."""
+    root, text = problems.root, value.text
     try:
         path = (root / text).resolve()
         fault = _fault(text, path, root, folder)

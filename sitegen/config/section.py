@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sitegen.document import Value, shortened
+from sitegen.config.document import Value, shortened
+from sitegen.config.schema import TYPES, Key
 from sitegen.errors import Place, Problems, nearest
-from sitegen.schema import TYPES, Key
 
 
 @dataclass(frozen=True)

@@ -6,24 +6,25 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen.blocks import Block, split
-from sitegen.document import Value, parse, read
+from sitegen.config.blocks import Block, split
+from sitegen.config.document import Value, parse, read
+from sitegen.config.location import locate
+from sitegen.config.schema import MARKDOWN, WIDGETS
+from sitegen.config.section import check, conforms
 from sitegen.errors import Place, Problems, nearest
-from sitegen.location import locate
 from sitegen.model import Markdown, Node, Widget
-from sitegen.schema import MARKDOWN, WIDGETS
-from sitegen.section import check, conforms
+
+Part = Markdown | Widget
 
 
 @dataclass(frozen=True)
 class Reader:
     """Reads the content of one page, whose widgets may use `nodes`."""
 
-    root: Path
     nodes: Mapping[str, Node]
     problems: Problems
 
-    def items(self, value: Value) -> Iterator[Markdown | Widget]:
+    def items(self, value: Value) -> Iterator[Part]:
         """Yield what the items of `content` in site.yaml stand for."""
         for item in value.items():
             kind = self._kind(item, (MARKDOWN.name, *WIDGETS))
@@ -32,7 +33,7 @@ class Reader:
             elif kind:
                 yield from self._widget(*kind)
 
-    def markdown(self, text: str, start: Place, folder: Path) -> Iterator[Markdown | Widget]:
+    def markdown(self, text: str, start: Place, folder: Path) -> Iterator[Part]:
         """Yield the prose and the widgets of Markdown text."""
         for block in split(text):
             place = replace(start, line=start.line + block.line)
@@ -41,13 +42,13 @@ class Reader:
             else:
                 yield from self._block(block, place)
 
-    def _markdown_item(self, value: Value) -> Iterator[Markdown | Widget]:
+    def _markdown_item(self, value: Value) -> Iterator[Part]:
         if not conforms(value, MARKDOWN, self.problems):
             return
         if "\n" in value.text or not value.text.endswith(".md"):
-            yield from self.markdown(value.text, value.text_start, self.root)
+            yield from self.markdown(value.text, value.text_start, self.problems.root)
             return
-        file = locate(value, self.root, self.problems)
+        file = locate(value, self.problems)
         text = read(file, self.problems) if file else None
         if file and text is not None:
             yield from self.markdown(text, Place(file, 1), file.parent)
