@@ -39,7 +39,8 @@ class Problems:
 
     def add(self, place: Place, key: str, message: str) -> None:
         """Note that `key`, written at `place`, is wrong as `message` says."""
-        self.found.append((relative(place.file, self.root), place.line, f"{key}: {message}"))
+        text = f"{key}: {message}".replace("\n", " ")
+        self.found.append((relative(place.file, self.root), place.line, text))
 
     def where(self, place: Place) -> str:
         """Return `place` for the middle of a message."""

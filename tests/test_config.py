@@ -7,6 +7,7 @@ from textwrap import dedent
 import pytest
 
 from sitegen.config import load
+from sitegen.config import site as config_site
 from sitegen.errors import Place, SiteError
 from sitegen.model import Markdown, Site, Widget
 
@@ -37,6 +38,11 @@ pages:
   - path: demo/
     title: Demo
 """
+
+
+@pytest.fixture(autouse=True)
+def no_packaged_themes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(config_site, "THEMES", tmp_path / "no/package/themes")
 
 
 def write(folder: Path, site: str | bytes, files: dict[str, str] | None = None) -> Path:
@@ -838,6 +844,23 @@ def test_a_node_that_no_page_uses_is_a_note(tmp_path: Path) -> None:
     assert site.notes == (
         "site.yaml:4: nodes.listener: no page uses this node; "
         "give it a console or buttons, or remove it",
+    )
+
+
+@pytest.mark.parametrize("packaged", ["package/themes", "themes"], ids=["installed", "checkout"])
+def test_a_theme_of_the_site_goes_before_one_of_sitegen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, packaged: str
+) -> None:
+    brought = tmp_path / packaged
+    for name in ("default", "plain"):
+        (brought / name).mkdir(parents=True)
+        (brought / name / "page.html").touch()
+    monkeypatch.setattr(config_site, "THEMES", tmp_path / "package/themes")
+    pages = "pages: [{path: /, title: Home, content: []}]\n"
+    folder = tmp_path / "site"
+    assert load_text(folder, f"site: {{title: A}}\n{pages}").theme == folder / "themes/default"
+    assert load_text(folder, f"site: {{title: A, theme: plain}}\n{pages}").theme == (
+        brought / "plain"
     )
 
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+ROS = re.compile(r"^ {0,3}(`{3,}|~{3,})[ \t]*ros(\s|$)", re.MULTILINE)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
@@ -30,6 +31,10 @@ class _Line:
 
 def split(text: str) -> Iterator[Block]:
     """Yield the prose and the `ros` blocks of `text` in order; other fences belong to the prose."""
+    if not ROS.search(text):
+        # Most pages of a big site are text only, and reading them by lines takes its time.
+        yield from _prose([text], 1)
+        return
     prose: list[str] = []
     body: list[str] = []
     inside = False
@@ -52,14 +57,13 @@ def split(text: str) -> Iterator[Block]:
 
 def front_matter(text: str) -> tuple[Block, Block]:
     """Return the YAML between `---` at the top and the next `---`, and the text that follows."""
-    lines = text.split("\n")
-    ends = [i for i, line in enumerate(lines) if line.rstrip() == "---"][:2]
-    if ends[:1] != [0]:
+    if not re.match(r"---[ \t]*(\n|$)", text):
         return Block("", 0), Block(text, 0)
-    if len(ends) == 1:
+    lines = text.split("\n")
+    end = next((i for i, line in enumerate(lines) if i and line.rstrip() == "---"), None)
+    if end is None:
         return Block("", 0, closed=False), Block("", 0)
-    first = ends[1] + 1
-    return Block("\n".join(lines[1 : ends[1]]), 1), Block("\n".join(lines[first:]), first)
+    return Block("\n".join(lines[1:end]), 1), Block("\n".join(lines[end + 1 :]), end + 1)
 
 
 def heading(text: str) -> str:
@@ -84,7 +88,7 @@ def _lines(text: str) -> Iterator[_Line]:
     """Yield the lines with the info string of the fence that each belongs to."""
     fence = info = ""
     for line in text.split("\n"):
-        match = FENCE.match(line)
+        match = FENCE.match(line) if "```" in line or "~~~" in line else None
         if not fence:
             # A backtick after the fence makes it code within a line.
             if match and not (match["fence"][0] == "`" and "`" in match["info"]):

@@ -17,7 +17,7 @@ from sitegen.config.section import Section, check
 from sitegen.errors import Place, Problems, SiteError, nearest
 from sitegen.model import Package, Page, Site
 
-THEMES = Path(workspace.__file__).with_name("themes")
+THEMES = Path(__file__).parents[1] / "themes"
 LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
 
 
