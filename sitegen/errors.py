@@ -29,20 +29,27 @@ class Problems:
     """The problems found so far, shown relative to `root`."""
 
     root: Path
-    lines: list[str] = field(default_factory=list)
+    found: list[tuple[str, int, str]] = field(default_factory=list)
+
+    @property
+    def lines(self) -> list[str]:
+        """All problems, one finished line each, in the order of file and line."""
+        ordered = sorted(dict.fromkeys(self.found), key=lambda problem: problem[:2])
+        return [f"{file}:{line}: {text}" for file, line, text in ordered]
 
     def add(self, place: Place, key: str, message: str) -> None:
         """Note that `key`, written at `place`, is wrong as `message` says."""
-        self.lines.append(f"{relative(place.file, self.root)}:{place.line}: {key}: {message}")
+        text = f"{key}: {message}".replace("\n", " ")
+        self.found.append((relative(place.file, self.root), place.line, text))
+
+    def where(self, place: Place) -> str:
+        """Return `place` for the middle of a message."""
+        return f"{relative(place.file, self.root)}:{place.line}"
 
     def raise_if_any(self) -> None:
         """Raise a SiteError with all problems, in the order of file and line."""
-        if self.lines:
-            raise SiteError(sorted(set(self.lines), key=self._order))
-
-    def _order(self, line: str) -> tuple[str, int]:
-        file, number, _ = line.split(":", 2)
-        return file, int(number)
+        if self.found:
+            raise SiteError(self.lines)
 
 
 def relative(file: Path, root: Path) -> str:

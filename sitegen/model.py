@@ -59,7 +59,7 @@ class Widget:
 
 @dataclass(frozen=True)
 class Page:
-    """One page of the site; `path` is its folder in `dist/`, empty for the first page."""
+    """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page."""
 
     path: str
     title: str
@@ -72,7 +72,11 @@ class Page:
 
 @dataclass(frozen=True)
 class Site:
-    """What the author wrote, checked: everything below `root`."""
+    """What the author wrote, checked: everything below `root`.
+
+    `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
+    `notes` is what the author may want to know about a site that is right.
+    """
 
     root: Path
     title: str
@@ -83,18 +87,24 @@ class Site:
     workspace: Path
     asyncify: bool
     pages: tuple[Page, ...]
+    packages: Mapping[str, Package] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Package:
-    """A ROS package of the workspace, as its `package.xml` and `CMakeLists.txt` describe it."""
+    """A ROS package of the workspace, as its `package.xml` and `CMakeLists.txt` describe it.
+
+    `executables` is None where only CMake itself can tell their names.
+    """
 
     name: str
     path: Path
     build_type: str
     depends: tuple[str, ...]
-    executables: tuple[str, ...]
+    executables: tuple[str, ...] | None
     interfaces: tuple[str, ...]
+    version: str = ""
 
 
 @dataclass(frozen=True)

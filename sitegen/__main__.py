@@ -1,0 +1,79 @@
+"""Turn a command line into a built site."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import traceback
+from pathlib import Path
+
+from sitegen import __version__
+from sitegen.errors import SiteError
+
+BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run sitegen with `argv` and return its exit code."""
+    arguments = _parse(argv)
+    try:
+        _build(arguments.folder, arguments.output)
+    except SiteError as error:
+        if arguments.debug:
+            traceback.print_exc()
+        count = len(error.lines)
+        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was built"]
+        print(*lines, sep="\n", file=sys.stderr)
+        return WRONG
+    except KeyboardInterrupt:
+        if arguments.debug:
+            traceback.print_exc()
+        return STOPPED
+    except Exception:
+        traceback.print_exc()
+        print("this is a bug in sitegen, please report it", file=sys.stderr)
+        return BUG
+    return BUILT
+
+
+def _build(folder: Path, output: Path) -> None:
+    from sitegen.build import Report, build
+
+    build(folder, output=output, report=Report())
+
+
+def _parse(argv: list[str] | None) -> argparse.Namespace:
+    debug = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS)
+    debug.add_argument("--debug", action="store_true", help="show where every error comes from")
+    parser = argparse.ArgumentParser(
+        "sitegen",
+        description="Package a ROS 2 workspace into a static web page that runs it.",
+        parents=[debug],
+    )
+    parser.add_argument("--version", action="version", version=f"sitegen {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    build = commands.add_parser("build", help="write the site to a folder", parents=[debug])
+    build.add_argument(
+        "folder",
+        nargs="?",
+        default=Path(),
+        type=Path,
+        metavar="FOLDER",
+        help="the folder that holds site.yaml (default: this one)",
+    )
+    build.add_argument(
+        "--output",
+        type=Path,
+        metavar="DIR",
+        help="the folder to write, replaced as a whole (default: FOLDER/dist)",
+    )
+    arguments = parser.parse_args(argv)
+    arguments.debug = "debug" in arguments
+    arguments.output = arguments.output or arguments.folder / "dist"
+    if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
+        build.error("argument --output: would replace the folder that holds site.yaml")
+    return arguments
+
+
+if __name__ == "__main__":
+    sys.exit(main())

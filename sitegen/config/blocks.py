@@ -1,0 +1,103 @@
+"""Turn Markdown text into prose and the `ros` blocks between."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+ROS = re.compile(r"^ {0,3}(`{3,}|~{3,})[ \t]*ros(\s|$)", re.MULTILINE)
+FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
+HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
+LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
+
+
+@dataclass(frozen=True)
+class Block:
+    """Lines of Markdown from `line` (from 0) on: prose, or what a fence with `info` holds."""
+
+    text: str
+    line: int
+    info: str | None = None
+    closed: bool = True
+
+
+@dataclass(frozen=True)
+class _Line:
+    text: str
+    info: str | None
+    edge: bool = False
+
+
+def split(text: str) -> Iterator[Block]:
+    """Yield the prose and the `ros` blocks of `text` in order; other fences belong to the prose."""
+    if not ROS.search(text):
+        # Most pages of a big site are text only, and reading them by lines takes its time.
+        yield from _prose([text], 1)
+        return
+    prose: list[str] = []
+    body: list[str] = []
+    inside = False
+    number = -1
+    for number, line in enumerate(_lines(text)):
+        if line.info is None or not _is_ros(line.info):
+            prose.append(line.text)
+        elif not line.edge:
+            body.append(line.text)
+        elif not inside:
+            yield from _prose(prose, number)
+            prose, inside = [], True
+        else:
+            yield Block("\n".join(body), number - len(body), line.info)
+            body, inside = [], False
+    if inside:
+        yield Block("\n".join(body), number + 1 - len(body), "ros", closed=False)
+    yield from _prose(prose, number + 1)
+
+
+def front_matter(text: str) -> tuple[Block, Block]:
+    """Return the YAML between `---` at the top and the next `---`, and the text that follows."""
+    if not re.match(r"---[ \t]*(\n|$)", text):
+        return Block("", 0), Block(text, 0)
+    lines = text.split("\n")
+    end = next((i for i, line in enumerate(lines) if i and line.rstrip() == "---"), None)
+    if end is None:
+        return Block("", 0, closed=False), Block("", 0)
+    return Block("\n".join(lines[1:end]), 1), Block("\n".join(lines[end + 1 :]), end + 1)
+
+
+def heading(text: str) -> str:
+    """Return the first heading of the first level as plain text, or nothing."""
+    for line in _lines(text):
+        match = HEADING.match(line.text) if line.info is None else None
+        if match and match["title"]:
+            return re.sub(r"[`*]", "", LINK.sub(r"\1", match["title"]))
+    return ""
+
+
+def _prose(lines: list[str], end: int) -> Iterator[Block]:
+    if any(line.strip() for line in lines):
+        yield Block("\n".join(lines), end - len(lines))
+
+
+def _is_ros(info: str) -> bool:
+    return info.split(maxsplit=1)[:1] == ["ros"]
+
+
+def _lines(text: str) -> Iterator[_Line]:
+    """Yield the lines with the info string of the fence that each belongs to."""
+    fence = info = ""
+    for line in text.split("\n"):
+        match = FENCE.match(line) if "```" in line or "~~~" in line else None
+        if not fence:
+            # A backtick after the fence makes it code within a line.
+            if match and not (match["fence"][0] == "`" and "`" in match["info"]):
+                fence, info = match["fence"], match["info"]
+                yield _Line(line, info, edge=True)
+            else:
+                yield _Line(line, None)
+        elif match and match["fence"].startswith(fence) and not match["info"]:
+            yield _Line(line, info, edge=True)
+            fence = ""
+        else:
+            yield _Line(line, info)

@@ -1,0 +1,105 @@
+"""Turn the content of a page into Markdown and widgets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from sitegen.config.blocks import Block, split
+from sitegen.config.document import Value, parse, read
+from sitegen.config.location import locate
+from sitegen.config.schema import MARKDOWN, WIDGETS
+from sitegen.config.section import check, conforms
+from sitegen.errors import Place, Problems, nearest
+from sitegen.model import Markdown, Node, Widget
+
+Part = Markdown | Widget
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads the content of one page, whose widgets may use `nodes`."""
+
+    nodes: Mapping[str, Node]
+    problems: Problems
+
+    def items(self, value: Value) -> Iterator[Part]:
+        """Yield what the items of `content` in site.yaml stand for."""
+        for item in value.items():
+            kind = self._kind(item, (MARKDOWN.name, *WIDGETS))
+            if kind and kind[0] == MARKDOWN.name:
+                yield from self._markdown_item(kind[1])
+            elif kind:
+                yield from self._widget(*kind)
+
+    def markdown(self, text: str, start: Place, folder: Path) -> Iterator[Part]:
+        """Yield the prose and the widgets of Markdown text."""
+        for block in split(text):
+            place = replace(start, line=start.line + block.line)
+            if block.info is None:
+                yield Markdown(block.text, folder, place)
+            else:
+                yield from self._block(block, place)
+
+    def _markdown_item(self, value: Value) -> Iterator[Part]:
+        if not conforms(value, MARKDOWN, self.problems):
+            return
+        if "\n" in value.text or not value.text.endswith(".md"):
+            yield from self.markdown(value.text, value.text_start, self.problems.root)
+            return
+        file = locate(value, self.problems)
+        text = read(file, self.problems) if file else None
+        if file and text is not None:
+            yield from self.markdown(text, Place(file, 1), file.parent)
+
+    def _block(self, block: Block, place: Place) -> Iterator[Widget]:
+        fence = replace(place, line=place.line - 1)
+        if not block.closed:
+            self.problems.add(fence, "ros", "this block has no end; close it with ```")
+            return
+        if block.info != "ros":
+            message = f"a block begins with 'ros' only, found '{block.info}'; write the rest inside"
+            self.problems.add(fence, "ros", message)
+            return
+        empty = "this block is empty; write a widget, like 'console: talker'"
+        value = parse(block.text, place, self.problems, key="ros", empty=empty)
+        widgets = value.items() if value and value.kind == "list" else [value]
+        for item in filter(None, widgets):
+            kind = self._kind(item, tuple(WIDGETS))
+            if kind:
+                yield from self._widget(*kind)
+
+    def _kind(self, item: Value, known: tuple[str, ...]) -> tuple[str, Value] | None:
+        if item.kind != "mapping":
+            message = f"expected one of {', '.join(known)}, found {item.found}"
+            self.problems.add(item.place, item.label, f"{message}; write it like 'console: talker'")
+            return None
+        entries = item.entries(self.problems)
+        if len(entries) != 1:
+            given = ", ".join(f"'{name}'" for name in entries) or "none"
+            message = f"expected one key, found {given}; begin every widget with '- '"
+            self.problems.add(item.place, item.label, message)
+            return None
+        name, value = next(iter(entries.items()))
+        if name not in known:
+            message = f"nothing is called '{name}' here; {nearest(name, known)}"
+            self.problems.add(value.place, value.key, message)
+            return None
+        return name, value
+
+    def _widget(self, kind: str, value: Value) -> Iterator[Widget]:
+        keys = WIDGETS[kind]
+        if value.kind == "mapping":
+            section = check(value, keys, self.problems)
+            node = section.get("node")
+            options = {key.name: section.option(key.name) for key in keys if not key.required}
+        else:
+            short = replace(keys[0], example=f"{kind}: talker")
+            node = value if conforms(value, short, self.problems) else None
+            options = {key.name: key.default for key in keys if not key.required}
+        if node and node.text not in self.nodes:
+            message = f"no node '{node.text}'; {nearest(node.text, self.nodes)}"
+            self.problems.add(node.place, node.key, message)
+        elif node:
+            yield Widget(kind, node.text, options, value.place)

@@ -1,0 +1,189 @@
+"""Turn YAML text into values that know where they were written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import yaml
+
+from sitegen.errors import Place, Problems
+
+KINDS = {"str": "text", "bool": "flag", "int": "number", "null": "nothing"}
+
+
+@dataclass(frozen=True)
+class Value:
+    """A piece of YAML: `key` leads to it from the top, `start` is where that top was written."""
+
+    node: yaml.Node
+    key: str
+    place: Place
+    start: Place
+
+    @property
+    def label(self) -> str:
+        """The name of this value in a message."""
+        return self.key or "yaml"
+
+    @property
+    def kind(self) -> str:
+        """One of: text, flag, number, nothing, list, mapping, other."""
+        if isinstance(self.node, yaml.MappingNode):
+            return "mapping"
+        if isinstance(self.node, yaml.SequenceNode):
+            return "list"
+        kind = KINDS.get(self.node.tag.rpartition(":")[2], "other")
+        # YAML 1.1 has numbers such as 0x10, 1_000 and 12:30, which nobody means here.
+        return "other" if kind == "number" and not re.fullmatch(r"\d+", self.text) else kind
+
+    @property
+    def text(self) -> str:
+        """A scalar as it was written."""
+        return self.node.value if isinstance(self.node.value, str) else ""
+
+    @property
+    def scalar(self) -> str | bool | int:
+        """A scalar as what it means: a flag, a number or a text."""
+        if self.kind == "flag":
+            return self.text.lower() in ("true", "yes", "on")
+        return int(self.text) if self.kind == "number" else self.text
+
+    @property
+    def found(self) -> str:
+        """What an author would call this value."""
+        if self.kind in ("list", "nothing"):
+            return {"list": "a list", "nothing": "nothing"}[self.kind]
+        if self.kind == "mapping":
+            return "keys and values"
+        if self.kind == "text":
+            return f"the text '{shortened(self.text)}'" if self.text.strip() else "an empty text"
+        return {"number": f"the number {self.text}", "flag": f"the truth value {self.text}"}.get(
+            self.kind, f"'{shortened(self.text)}', which is not text for YAML"
+        )
+
+    @property
+    def text_start(self) -> Place:
+        """Where the first line of a text was written."""
+        block = isinstance(self.node, yaml.ScalarNode) and self.node.style in ("|", ">")
+        return self._place(self.node.start_mark.line + block)
+
+    def has(self, *keys: str) -> bool:
+        """Return whether a mapping holds one of `keys`, well given or not."""
+        return any(key.text in keys for key, _ in self._pairs())
+
+    def items(self) -> list[Value]:
+        """Return the items of a list, or nothing if this is none."""
+        nodes = self.node.value if isinstance(self.node, yaml.SequenceNode) else []
+        return [
+            replace(self, node=node, key=f"{self.key}[{i}]", place=self._place_of(node))
+            for i, node in enumerate(nodes)
+        ]
+
+    def entries(self, problems: Problems) -> dict[str, Value]:
+        """Return the values of a mapping by key, noting keys that are unusable or given twice."""
+        entries: dict[str, Value] = {}
+        for key, value in self._pairs():
+            if key.kind != "text":
+                problems.add(
+                    key.place,
+                    self.label,
+                    f"a key must be text, found {key.found}; put it in quotes",
+                )
+            elif key.text in entries:
+                line = entries[key.text].place.line
+                problems.add(
+                    key.place, value.key, f"already given in line {line}; remove one of the two"
+                )
+            else:
+                entries[key.text] = value
+        return entries
+
+    def _pairs(self) -> Iterator[tuple[Value, Value]]:
+        for key, node in self.node.value if isinstance(self.node, yaml.MappingNode) else []:
+            place = self._place_of(key)
+            name = key.value if isinstance(key, yaml.ScalarNode) else "?"
+            path = f"{self.key}.{name}" if self.key else name
+            yield (
+                replace(self, node=key, place=place),
+                replace(self, node=node, key=path, place=place),
+            )
+
+    def _place_of(self, node: yaml.Node) -> Place:
+        return self._place(node.start_mark.line)
+
+    def _place(self, line: int) -> Place:
+        return Place(self.start.file, self.start.line + line)
+
+
+def read(file: Path, problems: Problems) -> str | None:
+    """Return the text of `file` with plain line ends, or None where it has no readable text."""
+    try:
+        data = file.read_bytes()
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        message = f"not UTF-8 (byte 0x{data[error.start]:02x}); save the file as UTF-8"
+        problems.add(Place(file, line), "text", message)
+        return None
+    except OSError as error:
+        problems.add(Place(file, 1), "text", f"cannot be read: {error.strerror}")
+        return None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def parse(
+    text: str, start: Place, problems: Problems, *, key: str = "", empty: str = ""
+) -> Value | None:
+    """Return the value that `text`, written at `start`, holds, noting where it is not YAML.
+
+    Text that holds no value is a problem where `empty` says what to write.
+    """
+    try:
+        node = _compose(text)
+    except RecursionError:
+        problems.add(start, "yaml", "nested too deeply; flatten it")
+        return None
+    except yaml.YAMLError as error:
+        line, what = _explain(error, text)
+        problems.add(Place(start.file, start.line + line), "yaml", what)
+        return None
+    if node is None:
+        if empty:
+            problems.add(start, key or "yaml", empty)
+        return None
+    place = Place(start.file, start.line + node.start_mark.line)
+    return Value(node, key, place, start)
+
+
+def shortened(text: str) -> str:
+    """Return `text` as one line that fits into a message."""
+    line = " ".join(text.split())
+    return line if len(line) <= 40 else f"{line[:39]}…"
+
+
+def _compose(text: str) -> yaml.Node | None:
+    # libyaml is ten times faster, but deep nesting crashes it and it words its errors differently:
+    # it gets what is surely shallow, and whatever it refuses is judged again by the other.
+    depth = text.count("[") + text.count("{") + 2 * max(map(len, text.split("\n")))
+    if depth < 2000 and yaml.__with_libyaml__:
+        try:
+            return yaml.compose(text, Loader=yaml.CSafeLoader)
+        except yaml.YAMLError:
+            pass
+    return yaml.compose(text, Loader=yaml.SafeLoader)
+
+
+def _explain(error: yaml.YAMLError, text: str) -> tuple[int, str]:
+    if isinstance(error, yaml.MarkedYAMLError):
+        mark = error.problem_mark or error.context_mark
+        problem = error.problem or "not valid"
+        if problem.startswith("but") and error.context:
+            problem = f"{error.context} {problem}"
+        what = f"{' '.join(problem.split())}; check indentation and quotes here and above"
+        return (mark.line if mark else 0), what
+    position = getattr(error, "position", 0)
+    code = ord(text[position : position + 1] or "\0")
+    return text.count("\n", 0, position), f"YAML allows no character 0x{code:02x}; remove it"

@@ -1,0 +1,38 @@
+"""Say what a page lets its visitors do: its level of interaction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sitegen.model import Widget
+
+LEVELS = {
+    "I1": "consoles only",
+    "I2": "buttons for one node",
+    "I3": "buttons for several nodes",
+}
+
+
+def offered(widgets: Iterable[Widget]) -> str:
+    """Return what a visitor of these widgets can do."""
+    kinds = [(widget.kind, widget.target) for widget in widgets]
+    buttons = {target for kind, target in kinds if kind == "buttons"}
+    return list(LEVELS)[min(len(buttons), 2)] if kinds else ""
+
+
+def fault(declared: str, offers: str) -> str:
+    """Return why a page that offers one level may not declare another, or nothing."""
+    if declared == offers:
+        return ""
+    if not offers:
+        return "the page runs no node and has no level; add a console, or remove the key"
+    ways = {
+        "I1": "remove the buttons",
+        "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
+        "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
+    }
+    way = ways.get(declared)
+    offer = f"the page offers {offers} ({LEVELS[offers]})"
+    if not way:
+        return f"no level '{declared}', {offer}; write 'level: {offers}'"
+    return f"{offer}, not {declared} ({LEVELS[declared]}); {way}, or write 'level: {offers}'"

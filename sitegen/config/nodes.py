@@ -1,0 +1,101 @@
+"""Turn what the author wrote about nodes into Nodes, and look for them in the workspace."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from sitegen.config.document import Value
+from sitegen.config.schema import NODE
+from sitegen.config.section import Section, check
+from sitegen.errors import Problems, nearest
+from sitegen.model import Node, Package
+
+BUILD_TYPE = "ament_cmake"
+TOKEN = r"[A-Za-z_][A-Za-z0-9_]*"
+NAME = re.compile(TOKEN)
+NAMESPACE = re.compile(rf"/|(/{TOKEN})+")
+REMAP = re.compile(
+    rf"({TOKEN}:)?(rostopic://|rosservice://)?(~/|/)?[\w{{}}]+(/[\w{{}}]+)*", re.ASCII
+)
+
+
+class Declared(NamedTuple):
+    """A node and the section in which the author declared it."""
+
+    node: Node
+    section: Section
+
+
+def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> dict[str, Declared]:
+    """Return the nodes by name, noting names that ROS does not allow or that are `taken`."""
+    declared: dict[str, Declared] = {}
+    for name, entry in value.entries(problems).items():
+        if not NAME.fullmatch(name):
+            message = f"'{name}' is no ROS node name; use letters, digits and '_', no digit first"
+            problems.add(entry.place, entry.key, message)
+        if name in taken:
+            where = problems.where(taken[name].node.place)
+            message = f"'{name}' is defined already ({where}); use that node or choose another name"
+            problems.add(entry.place, entry.key, message)
+        section = check(entry, NODE, problems)
+        _check_names(section, problems)
+        declared[name] = Declared(_node(name, section, problems), section)
+    return declared
+
+
+def check_package(declared: Declared, packages: Mapping[str, Package], problems: Problems) -> None:
+    """Note where the package or the executable of a node is not in the workspace."""
+    node, section = declared
+    if not node.package:
+        return
+    package = packages.get(node.package)
+    if package is None:
+        message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
+        problems.add(section.place("package"), section.label("package"), message)
+    elif package.build_type != BUILD_TYPE:
+        message = (
+            f"package '{package.name}' is of build type '{package.build_type}'; "
+            f"this release runs '{BUILD_TYPE}' packages"
+        )
+        problems.add(section.place("package"), section.label("package"), message)
+    elif not _has_executable(package, node.executable):
+        hint = nearest(node.executable, package.executables or ())
+        message = f"package '{package.name}' has no executable '{node.executable}'; {hint}"
+        problems.add(section.place("executable"), section.label("executable"), message)
+
+
+def _has_executable(package: Package, executable: str) -> bool:
+    # A name that is missing was noted before; one that only CMake knows is left to CMake.
+    return not executable or package.executables is None or executable in package.executables
+
+
+def _node(name: str, section: Section, problems: Problems) -> Node:
+    remap, arguments = section.get("remap"), section.get("arguments")
+    return Node(
+        name=name,
+        package=section.text("package"),
+        executable=section.text("executable"),
+        place=section.value.place,
+        namespace=section.text("namespace"),
+        remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
+        arguments=tuple(item.text for item in arguments.items()) if arguments else (),
+    )
+
+
+def _check_names(section: Section, problems: Problems) -> None:
+    namespace = section.text("namespace")
+    if namespace and not NAMESPACE.fullmatch(namespace):
+        message = f"'{namespace}' is no ROS namespace; write it like '/demo' or '/demo/left'"
+        problems.add(section.place("namespace"), section.label("namespace"), message)
+    remap = section.get("remap")
+    for old, new in remap.entries(problems).items() if remap else ():
+        if old in ("__ns", "__node", "__name"):
+            message = f"'{old}' is not a name to remap; write 'namespace: /demo' beside 'remap'"
+            problems.add(new.place, new.key, message)
+            continue
+        for name in (old, new.text):
+            if not REMAP.fullmatch(name):
+                message = f"'{name}' is no ROS name; write it like 'chatter' or '/demo/chatter'"
+                problems.add(new.place, new.key, message)

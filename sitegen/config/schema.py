@@ -1,0 +1,134 @@
+"""Say what site.yaml may hold: every key, as data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key: its type, whether it must be given, what it is without, and how it is written."""
+
+    name: str
+    type: str
+    help: str
+    example: str
+    required: bool = False
+    default: str | bool | int | None = None
+
+
+# What each type is made of (a kind of Value), and its name in a message.
+TYPES = {
+    "text": ("text", "text"),
+    "path": ("text", "a path"),
+    "url": ("text", "an address"),
+    "flag": ("flag", "true or false"),
+    "number": ("number", "a whole number above 0"),
+    "list of text": ("list", "a list of text"),
+    "text by name": ("mapping", "names with a text each"),
+    "site": ("mapping", "keys and values"),
+    "nodes": ("mapping", "names with a node each"),
+    "pages": ("list", "a list of pages"),
+    "content": ("list", "a list of text and widgets"),
+}
+
+FILE = (
+    Key("site", "site", "what the whole site has in common", "site: {title: My robot}", True),
+    Key(
+        "workspace",
+        "path",
+        "the colcon workspace: packages anywhere below this folder",
+        "workspace: .",
+        default=".",
+    ),
+    Key(
+        "nodes",
+        "nodes",
+        "the nodes that every page may use, by name",
+        "nodes: {talker: {package: cpp_pubsub, executable: talker}}",
+    ),
+    Key("pages", "pages", "the pages, in order", "pages: [{path: /, file: index.md}]", True),
+)
+
+SITE = (
+    Key("title", "text", "the name of the site", "title: My robot", True),
+    Key("description", "text", "one sentence for previews", "description: A robot to try out"),
+    Key(
+        "url",
+        "url",
+        "where the site will live; for absolute links and previews",
+        "url: https://me.github.io/my-robot/",
+    ),
+    Key("language", "text", "the language of the text", "language: en", default="en"),
+    Key(
+        "theme",
+        "text",
+        "a folder of `themes/` beside site.yaml, or a theme that sitegen brings",
+        "theme: default",
+        default="default",
+    ),
+    Key(
+        "asyncify",
+        "flag",
+        "build every node a second time, for browsers without JSPI",
+        "asyncify: true",
+        default=True,
+    ),
+)
+
+NODE = (
+    Key("package", "text", "the package of the workspace", "package: cpp_pubsub", True),
+    Key("executable", "text", "the executable of that package", "executable: talker", True),
+    Key("namespace", "text", "the namespace it starts in", "namespace: /demo"),
+    Key(
+        "remap",
+        "text by name",
+        "names that it uses, and what they become",
+        "remap: {chatter: /demo/chatter}",
+    ),
+    Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+PAGE = (
+    Key("path", "text", "its folder in the site; `/` is the first page", "path: demo03/", True),
+    Key(
+        "title",
+        "text",
+        "its name; without it, the first `# heading` of its text",
+        "title: Publisher and subscriber",
+    ),
+    Key("description", "text", "one sentence for previews", "description: Two nodes that talk"),
+    Key("level", "text", "what a visitor can do, checked against the widgets", "level: I3"),
+    Key(
+        "nodes",
+        "nodes",
+        "nodes of this page only, by name",
+        "nodes: {talker: {package: cpp_pubsub, executable: talker}}",
+    ),
+    Key("content", "content", "what the page shows, in order", "content: [{console: talker}]"),
+    Key("file", "path", "a Markdown file instead of `content`", "file: demos/demo01/page.md"),
+)
+
+FRONT_MATTER = tuple(key for key in PAGE if key.name in ("title", "description", "level", "nodes"))
+
+MARKDOWN = Key("markdown", "text", "a file ending in .md, or the text itself", "markdown: intro.md")
+
+_NODE = Key("node", "text", "the node it is about", "node: talker", True)
+
+WIDGETS: Mapping[str, tuple[Key, ...]] = {
+    "buttons": (
+        _NODE,
+        Key(
+            "autostart",
+            "flag",
+            "start the node when the page opens",
+            "autostart: false",
+            default=False,
+        ),
+    ),
+    "console": (
+        _NODE,
+        Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
+    ),
+}

@@ -1,0 +1,89 @@
+"""Check a mapping of the author's against the keys of the schema."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from sitegen.config.document import Value, shortened
+from sitegen.config.schema import TYPES, Key
+from sitegen.errors import Place, Problems, nearest
+
+
+@dataclass(frozen=True)
+class Section:
+    """A checked mapping: what was well given is read from it, what was not is the default."""
+
+    value: Value
+    keys: tuple[Key, ...]
+    entries: Mapping[str, Value]
+
+    def get(self, name: str) -> Value | None:
+        """Return what was given for `name`."""
+        return self.entries.get(name)
+
+    def option(self, name: str) -> str | bool | int | None:
+        """Return the text, flag or number given for `name`, or its default."""
+        entry = self.get(name)
+        default = next(key.default for key in self.keys if key.name == name)
+        return entry.scalar if entry else default
+
+    def text(self, name: str) -> str:
+        """Return the text given for `name`, or its default."""
+        return str(self.option(name) or "")
+
+    def place(self, name: str) -> Place:
+        """Return where `name` was given, or should have been."""
+        return (self.get(name) or self.value).place
+
+    def label(self, name: str) -> str:
+        """Return how a message calls `name`."""
+        return f"{self.value.key}.{name}" if self.value.key else name
+
+
+def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
+    """Return the entries of `value` that are as `keys` say, noting everything that is not."""
+    if value.kind != "mapping":
+        names = ", ".join(key.name for key in keys)
+        message = f"expected keys and values, found {value.found}; the keys are {names}"
+        problems.add(value.place, value.label, message)
+        return Section(value, keys, {})
+    known = {key.name: key for key in keys}
+    entries = value.entries(problems)
+    sound: dict[str, Value] = {}
+    for name, entry in entries.items():
+        if name not in known:
+            problems.add(entry.place, entry.key, f"unknown key; {nearest(name, known)}")
+        elif conforms(entry, known[name], problems):
+            sound[name] = entry
+    section = Section(value, keys, sound)
+    for key in keys:
+        if key.required and key.name not in entries:
+            message = f"missing; write it like '{key.example}'"
+            problems.add(value.place, section.label(key.name), message)
+    return section
+
+
+def conforms(value: Value, key: Key, problems: Problems) -> bool:
+    """Return whether `value` is of the type of `key`, noting where it is not."""
+    kind, name = TYPES[key.type]
+    empty = (kind == "text" and not value.text.strip()) or (kind == "number" and value.text == "0")
+    if value.kind != kind or empty:
+        problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
+        return False
+    wrong = [part for part in _texts(value, key, problems) if part.kind != "text"]
+    for part in wrong:
+        problems.add(part.place, part.key, f"expected text, {_found(part, key)}")
+    return not wrong
+
+
+def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
+    if key.type == "list of text":
+        return value.items()
+    return list(value.entries(problems).values()) if key.type == "text by name" else []
+
+
+def _found(value: Value, key: Key) -> str:
+    if "text" in key.type and value.kind in ("number", "flag", "other"):
+        return f'found {value.found}; put it in quotes: "{shortened(value.text)}"'
+    return f"found {value.found}; write it like '{key.example}'"

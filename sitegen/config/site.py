@@ -1,0 +1,142 @@
+"""Turn site.yaml into a Site."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from sitegen import workspace
+from sitegen.config.document import Value, parse, read
+from sitegen.config.location import locate
+from sitegen.config.nodes import Declared, check_package, declare
+from sitegen.config.page import PageReader
+from sitegen.config.schema import FILE, PAGE, SITE
+from sitegen.config.section import Section, check
+from sitegen.errors import Place, Problems, SiteError, nearest
+from sitegen.model import Package, Page, Site
+
+THEMES = Path(__file__).parents[1] / "themes"
+LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
+
+
+def load(file: Path) -> Site:
+    """Return the site that `file` describes, or raise one SiteError with all that is wrong."""
+    root = file.parent.resolve()
+    file = root / file.name
+    problems = Problems(root)
+    if not file.exists():
+        raise SiteError([f"{file.name}: no such file in this folder; name the folder that has one"])
+    text = read(file, problems)
+    empty = "the file is empty; begin with 'site: {title: My robot}'"
+    top = None if text is None else parse(text, Place(file, 1), problems, empty=empty)
+    if top is None:
+        raise SiteError(problems.lines)
+    site = _site(check(top, FILE, problems), problems)
+    problems.raise_if_any()
+    return site
+
+
+def _site(file: Section, problems: Problems) -> Site:
+    """Return the site, as sound as what was written."""
+    root = problems.root
+    given = file.get("site")
+    site = check(given, SITE, problems) if given else Section(file.value, SITE, {})
+    nodes = file.get("nodes")
+    reader = PageReader(problems, declare(nodes, {}, problems) if nodes else {})
+    pages = tuple(reader.page(item) for item in _page_items(file, problems))
+    folder = _workspace(file, problems)
+    return Site(
+        root=root,
+        title=site.text("title"),
+        description=site.text("description"),
+        url=_url(site, problems),
+        language=_language(site, problems),
+        theme=_theme(site, problems),
+        workspace=folder or root,
+        asyncify=bool(site.option("asyncify")),
+        pages=pages,
+        packages=_packages(folder, reader.declared, problems) if folder else {},
+        notes=_notes(pages, reader.declared, root),
+    )
+
+
+def _url(site: Section, problems: Problems) -> str:
+    url = site.text("url")
+    try:
+        parts = urlsplit(url)
+        sound = parts.scheme in ("http", "https") and parts.hostname and parts.port != 0
+    except ValueError:
+        sound = False
+    if url and not (sound and re.fullmatch(r"[^\s?#]+", url)):
+        message = f"'{url}' is not an http address; write it like 'https://me.github.io/robot/'"
+        problems.add(site.place("url"), site.label("url"), message)
+    return url if not url or url.endswith("/") else f"{url}/"
+
+
+def _language(site: Section, problems: Problems) -> str:
+    language = site.text("language")
+    if not LANGUAGE.fullmatch(language):
+        message = f"'{language}' is not a language tag; write it like 'en' or 'pt-BR'"
+        problems.add(site.place("language"), site.label("language"), message)
+    return language
+
+
+def _theme(site: Section, problems: Problems) -> Path:
+    name = site.text("theme")
+    own = problems.root / "themes"
+    packaged = THEMES if THEMES.is_dir() else THEMES.parents[1] / "themes"
+    found = {
+        page.parent.name: page.parent
+        for folder in (packaged, own)
+        for page in folder.glob("*/page.html")
+    }
+    theme = found.get(name)
+    if theme is None:
+        message = f"no theme named '{name}'; {nearest(name, found)}"
+        problems.add(site.place("theme"), site.label("theme"), message)
+    elif theme.parent == own and not theme.resolve().is_relative_to(problems.root):
+        message = f"'themes/{name}' leads out of the site's folder; copy the theme there"
+        problems.add(site.place("theme"), site.label("theme"), message)
+    return theme or own
+
+
+def _page_items(file: Section, problems: Problems) -> list[Value]:
+    given = file.get("pages")
+    items = given.items() if given else []
+    if given and not items:
+        message = "a site needs a page; write it like 'pages: [{path: /, file: index.md}]'"
+        problems.add(given.place, given.key, message)
+    for item in items:
+        if item.kind != "mapping":
+            check(item, PAGE, problems)
+    return [item for item in items if item.kind == "mapping"]
+
+
+def _workspace(file: Section, problems: Problems) -> Path | None:
+    given = file.get("workspace")
+    if given:
+        return locate(given, problems, folder=True)
+    return None if file.value.has("workspace") else problems.root
+
+
+def _packages(
+    folder: Path, declared: Sequence[Declared], problems: Problems
+) -> Mapping[str, Package]:
+    if not declared:
+        return {}
+    packages = workspace.scan(folder, problems=problems)
+    for each in declared:
+        check_package(each, packages, problems)
+    return packages
+
+
+def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> tuple[str, ...]:
+    used = {(node.name, node.place) for page in pages for node in page.nodes.values()}
+    notes = Problems(root)
+    for node, section in declared:
+        if (node.name, node.place) not in used:
+            message = "no page uses this node; give it a console or buttons, or remove it"
+            notes.add(node.place, section.value.key, message)
+    return tuple(notes.lines)

@@ -1,0 +1,138 @@
+"""Turn a ROS workspace into Packages."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.parsers.expat import ErrorString
+
+from sitegen import cmakelists
+from sitegen.errors import Place, Problems, SiteError, relative
+from sitegen.model import Package
+
+NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
+IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+DEPENDS = {
+    "depend",
+    "build_depend",
+    "build_export_depend",
+    "buildtool_depend",
+    "buildtool_export_depend",
+    "exec_depend",
+    "run_depend",
+}
+
+
+class _Tree(ElementTree.TreeBuilder):
+    """Refuses document types: their entities can read files and fill the memory."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
+        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
+
+
+def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package]:
+    """Return the packages below `folder` by name, noting (or raising) what is wrong with them."""
+    found = Problems(folder) if problems is None else problems
+    packages: dict[str, Package] = {}
+    for path in _folders(folder):
+        package = _package(path, found)
+        if package is None:
+            continue
+        if package.name in packages:
+            first = relative(packages[package.name].path, found.root)
+            message = (
+                f"package '{package.name}' is in '{first}' too; rename or remove one of the two"
+            )
+            found.add(_place(path / "package.xml", "name"), "name", message)
+        else:
+            packages[package.name] = package
+    if problems is None:
+        found.raise_if_any()
+    return packages
+
+
+def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Package]:
+    """Return the package `name` after all packages of the workspace that it depends on."""
+    ordered: dict[str, Package] = {}
+    _visit(packages, name, (), ordered)
+    return list(ordered.values())
+
+
+def _visit(
+    packages: Mapping[str, Package], name: str, above: tuple[str, ...], ordered: dict[str, Package]
+) -> None:
+    if name in above:
+        circle = " → ".join([*above[above.index(name) :], name])
+        message = f"packages depend on each other in a circle, {circle}; remove one <depend>"
+        raise SiteError([f"package.xml of '{name}': {message}"])
+    if name in ordered or name not in packages:
+        return
+    for depend in packages[name].depends:
+        _visit(packages, depend, (*above, name), ordered)
+    ordered[name] = packages[name]
+
+
+def _folders(folder: Path) -> Iterator[Path]:
+    for path, folders, files in os.walk(folder):
+        if IGNORE & set(files):
+            folders.clear()
+        elif "package.xml" in files:
+            # Like colcon: no packages inside of packages.
+            folders.clear()
+            yield Path(path)
+        folders[:] = sorted(
+            name for name in folders if name not in NOT_SEARCHED and not name.startswith(".")
+        )
+
+
+def _package(path: Path, problems: Problems) -> Package | None:
+    file = path / "package.xml"
+    try:
+        xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
+    except ElementTree.ParseError as error:
+        message = f"{ErrorString(error.code)}; check the tags here and above"
+        problems.add(Place(file, error.position[0]), "xml", message)
+        return None
+    except (OSError, ValueError, LookupError) as error:
+        problems.add(
+            _place(file, "!DOCTYPE"), "xml", getattr(error, "strerror", None) or str(error)
+        )
+        return None
+    name = (xml.findtext("name") or "").strip()
+    if xml.tag != "package" or not NAME.fullmatch(name):
+        what = f"'{name}' is no package name" if name else "missing"
+        problems.add(_place(file, "name"), "name", f"{what}; write it like <name>my_robot</name>")
+        return None
+    cmake = path / "CMakeLists.txt"
+    listing = cmakelists.read(cmake, name)
+    depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
+    return Package(
+        name=name,
+        path=path,
+        build_type=_build_type(xml, cmake.is_file()),
+        depends=tuple(dict.fromkeys(filter(None, depends))),
+        executables=None if listing.executables is None else tuple(listing.executables),
+        interfaces=tuple(dict.fromkeys(listing.interfaces)),
+        version=(xml.findtext("version") or "").strip(),
+    )
+
+
+def _build_type(xml: ElementTree.Element, has_cmake: bool) -> str:
+    given = [(tag.text or "").strip() for tag in xml.iterfind("export/build_type")]
+    if not given:
+        return "ament_cmake" if has_cmake else "catkin"
+    # A package for ROS 1 and 2 gives one for each, told apart by conditions.
+    return next((text for text in given if text.startswith("ament")), given[0])
+
+
+def _place(file: Path, tag: str) -> Place:
+    """Return the place of the first such tag, which the parser does not remember."""
+    try:
+        before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
+    except OSError:
+        return Place(file, 1)
+    return Place(file, before.count("\n") + 1 if found else 1)

@@ -1,0 +1,237 @@
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from sitegen.errors import SiteError
+from sitegen.model import Package
+from sitegen.workspace import scan, with_dependencies
+
+
+def write(folder: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(dedent(text), encoding="utf-8")
+    return folder
+
+
+def xml(name: str, inside: str = "") -> str:
+    return f"<package format='3'><name>{name}</name>{inside}</package>"
+
+
+def listing(tmp_path: Path, cmake: str) -> Package:
+    files = {"src/demo/package.xml": xml("demo"), "src/demo/CMakeLists.txt": cmake}
+    return scan(write(tmp_path, files))["demo"]
+
+
+def problems(folder: Path) -> list[str]:
+    with pytest.raises(SiteError) as caught:
+        scan(folder)
+    return caught.value.lines
+
+
+def test_a_package_is_what_its_files_say(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "src/cpp_pubsub/package.xml": """\
+                <?xml version="1.0"?>
+                <?xml-model href="http://download.ros.org/schema/package_format3.xsd"?>
+                <package format="3">
+                  <name>cpp_pubsub</name>
+                  <version>0.1.0</version>
+                  <buildtool_depend>ament_cmake</buildtool_depend>
+                  <depend>rclcpp</depend>
+                  <depend condition="$ROS_VERSION == 2"> std_msgs </depend>
+                  <build_depend>rclcpp</build_depend>
+                  <exec_depend>interfaces</exec_depend>
+                  <test_depend>ament_lint_auto</test_depend>
+                  <doc_depend>doxygen</doc_depend>
+                  <member_of_group>rosidl_interface_packages</member_of_group>
+                  <export><build_type>ament_cmake</build_type></export>
+                </package>
+                """,
+            "src/cpp_pubsub/CMakeLists.txt": "add_executable(talker src/talker.cpp)",
+        },
+    )
+    assert scan(tmp_path) == {
+        "cpp_pubsub": Package(
+            name="cpp_pubsub",
+            path=tmp_path / "src/cpp_pubsub",
+            build_type="ament_cmake",
+            depends=("ament_cmake", "rclcpp", "std_msgs", "interfaces"),
+            executables=("talker",),
+            interfaces=(),
+            version="0.1.0",
+        )
+    }
+
+
+def test_packages_are_found_where_colcon_finds_them(tmp_path: Path) -> None:
+    package = {"package.xml": xml("x")}
+    here = ["a", "deep/er/b"]
+    not_here = [
+        *("build/x", "install/x", "log/x", "dist/x", "node_modules/x", ".venv/x", "deep/.git/x"),
+        *("ignored/x", "a/inside_of_a_package"),
+    ]
+    for path in [*here, *not_here]:
+        name = path.replace("/", "_").replace(".", "")
+        write(tmp_path / path, {**package, "package.xml": xml(f"p_{name}")})
+    write(tmp_path, {"ignored/COLCON_IGNORE": ""})
+    (tmp_path / "linked").symlink_to(tmp_path / "a")
+    assert list(scan(tmp_path)) == ["p_a", "p_deep_er_b"]
+
+
+@pytest.mark.parametrize(
+    ("export", "cmake", "build_type"),
+    [
+        ("<build_type>ament_python</build_type>", False, "ament_python"),
+        ("<build_type>cmake</build_type>", True, "cmake"),
+        (
+            '<build_type condition="$ROS_VERSION == 1">catkin</build_type>'
+            '<build_type condition="$ROS_VERSION == 2">ament_cmake</build_type>',
+            True,
+            "ament_cmake",
+        ),
+        ("", True, "ament_cmake"),
+        ("", False, "catkin"),
+    ],
+)
+def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: str) -> None:
+    write(tmp_path, {"package.xml": xml("demo", f"<export>{export}</export>")})
+    if cmake:
+        write(tmp_path, {"CMakeLists.txt": ""})
+    assert scan(tmp_path)["demo"].build_type == build_type
+
+
+@pytest.mark.parametrize(
+    ("cmake", "executables"),
+    [
+        ("add_executable(talker src/talker.cpp)", ("talker",)),
+        ("ADD_EXECUTABLE (\n  talker # the first\n  a.cpp b.cpp)\n", ("talker",)),
+        ('add_executable("talker" a.cpp)\nadd_executable(talker a.cpp)', ("talker",)),
+        ("# add_executable(old a.cpp)\nadd_executable(new a.cpp)", ("new",)),
+        ("#[[ add_executable(old\n a.cpp) ]]\n#[=[ ]] add_executable(old) ]=]", ()),
+        ('message("add_executable(old) # ")\nadd_executable(new a.cpp)', ("new",)),
+        ("message([[\n)add_executable(old a.cpp)\n]])", ()),
+        ("if(NOT (A AND B))\nadd_executable(one a.cpp)\nendif()", ("one",)),
+        ("add_executable(tool IMPORTED)\nadd_executable(a::b ALIAS b)", ()),
+        ("project(demo_nodes)\nadd_executable(${PROJECT_NAME}_a a.cpp)", ("demo_nodes_a",)),
+        ("add_executable(${PROJECT_NAME} a.cpp)", ("demo",)),
+        ("add_executable(fixed a.cpp)\nadd_executable(${NAME} a.cpp)", None),
+        ("foreach(name a b)\nadd_executable(${name} a.cpp)\nendforeach()", None),
+        ("add_subdirectory(${WHERE})", None),
+        ("ament_auto_add_executable(talker a.cpp)", ("talker",)),
+        (
+            'rclcpp_components_register_node(talker_component\n  PLUGIN "demo::Talker"\n'
+            "  EXECUTABLE talker)",
+            ("talker",),
+        ),
+        ("add_executable(unfinished", ()),
+    ],
+)
+def test_executables(tmp_path: Path, cmake: str, executables: tuple[str, ...] | None) -> None:
+    assert listing(tmp_path, cmake).executables == executables
+
+
+def test_executables_of_included_files(tmp_path: Path) -> None:
+    write(
+        tmp_path / "src/demo",
+        {
+            "nodes/CMakeLists.txt": "add_executable(inner a.cpp)\nadd_subdirectory(../nodes)",
+            "cmake/more.cmake": "add_executable(more a.cpp)",
+        },
+    )
+    cmake = "add_subdirectory(nodes)\ninclude(${CMAKE_CURRENT_SOURCE_DIR}/cmake/more.cmake)\n"
+    package = listing(tmp_path, f"include(GNUInstallDirs)\n{cmake}")
+    assert package.executables == ("inner", "more")
+
+
+@pytest.mark.parametrize(
+    ("cmake", "interfaces"),
+    [
+        (
+            'rosidl_generate_interfaces(${PROJECT_NAME}\n  "msg/Num.msg"\n  srv/Add.srv # sum\n'
+            "  action/Go.action idl/Raw.idl\n  DEPENDENCIES geometry_msgs other.msg)",
+            ("msg/Num.msg", "srv/Add.srv", "action/Go.action", "idl/Raw.idl"),
+        ),
+        (
+            'set(msgs "msg/A.msg" "msg/B.msg")\nlist(APPEND msgs msg/C.msg)\n'
+            "rosidl_generate_interfaces(${PROJECT_NAME} ${msgs} ${msgs})",
+            ("msg/A.msg", "msg/B.msg", "msg/C.msg"),
+        ),
+        (
+            'set(msgs "msg/A.msg;msg/B.msg")\nrosidl_generate_interfaces(x ${msgs})',
+            ("msg/A.msg", "msg/B.msg"),
+        ),
+        ("rosidl_generate_interfaces(x ${found_by_glob})", ()),
+    ],
+)
+def test_interfaces(tmp_path: Path, cmake: str, interfaces: tuple[str, ...]) -> None:
+    assert listing(tmp_path, cmake).interfaces == interfaces
+
+
+def test_all_that_is_wrong_is_said_at_once(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "a/package.xml": "<package>\n  <name>twin</name>\n</package>",
+            "b/package.xml": "<package>\n\n  <name>twin</name>\n</package>",
+            "c/package.xml": "<package>\n  <name>open\n</package>",
+            "d/package.xml": "<package>\n  <version>1.0.0</version>\n</package>",
+            "e/package.xml": "<package>\n  <name>../up</name>\n</package>",
+            "f/package.xml": """\
+                <?xml version="1.0"?>
+                <!DOCTYPE package [<!ENTITY all SYSTEM "/etc/passwd">]>
+                <package><name>&all;</name></package>
+                """,
+            "g/package.xml": "",
+        },
+    )
+    assert problems(tmp_path) == [
+        "b/package.xml:3: name: package 'twin' is in 'a' too; rename or remove one of the two",
+        "c/package.xml:3: xml: mismatched tag; check the tags here and above",
+        "d/package.xml:1: name: missing; write it like <name>my_robot</name>",
+        "e/package.xml:2: name: '../up' is no package name; write it like <name>my_robot</name>",
+        "f/package.xml:2: xml: a document type is not allowed here; remove the line <!DOCTYPE …>",
+        "g/package.xml:1: xml: no element found; check the tags here and above",
+    ]
+
+
+def test_dependencies_come_first(tmp_path: Path) -> None:
+    packages = scan(
+        write(
+            tmp_path,
+            {
+                "app/package.xml": xml("app", "<depend>rclcpp</depend><depend>lib</depend>"),
+                "lib/package.xml": xml("lib", "<depend>msgs</depend>"),
+                "msgs/package.xml": xml("msgs"),
+                "other/package.xml": xml("other", "<depend>app</depend>"),
+            },
+        )
+    )
+    assert [package.name for package in with_dependencies(packages, "app")] == [
+        *("msgs", "lib", "app")
+    ]
+
+
+def test_a_circle_of_dependencies_is_said(tmp_path: Path) -> None:
+    packages = scan(
+        write(
+            tmp_path,
+            {
+                "a/package.xml": xml("a", "<depend>b</depend>"),
+                "b/package.xml": xml("b", "<depend>c</depend>"),
+                "c/package.xml": xml("c", "<depend>b</depend>"),
+            },
+        )
+    )
+    with pytest.raises(SiteError) as caught:
+        with_dependencies(packages, "a")
+    assert caught.value.lines == [
+        "package.xml of 'b': packages depend on each other in a circle, b → c → b; "
+        "remove one <depend>"
+    ]
