@@ -37,7 +37,8 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(folder: Path, output: Path) -> None:
-    from sitegen.build import Report, build
+    from sitegen.build import build
+    from sitegen.report import Report
 
     build(folder, output=output, report=Report())
 

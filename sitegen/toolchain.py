@@ -51,7 +51,12 @@ class Toolchain:
     @property
     def platform_file(self) -> Path:
         """Emscripten's CMake toolchain file."""
-        return self.compiler.parent / "cmake" / "Modules" / "Platform" / "Emscripten.cmake"
+        return home(self.compiler) / "cmake" / "Modules" / "Platform" / "Emscripten.cmake"
+
+
+def home(compiler: Path) -> Path:
+    """Return Emscripten's folder: `em++` on the PATH is in it or links to it."""
+    return compiler.resolve().parent
 
 
 def _find(name: str, how: str) -> Path:
@@ -59,11 +64,11 @@ def _find(name: str, how: str) -> Path:
     found = shutil.which(name) or shutil.which(name, path=sysconfig.get_path("scripts"))
     if not found:
         raise ToolMissingError(f"{name} not found ({how})")
-    return Path(found).resolve()
+    return Path(found)
 
 
 def _identity(compiler: Path) -> str:
     """Tell one compiler from another without the fifth of a second that asking it takes."""
-    version = compiler.parent / "emscripten-version.txt"
+    version = home(compiler) / "emscripten-version.txt"
     text = version.read_text().strip() if version.exists() else ""
-    return f"{compiler} {text} {compiler.stat().st_mtime_ns}"
+    return f"{text} {compiler.stat().st_mtime_ns}"

@@ -1,0 +1,148 @@
+"""Turn a folder with a site.yaml into a folder with a web site."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from sitegen import assets, config, cpp, pages, workspace
+from sitegen.errors import SiteError
+from sitegen.model import Artifact, Node, Site
+from sitegen.report import Report, size
+
+# Also tells GitHub Pages to serve the files as they are.
+MARKER = ".nojekyll"
+
+
+def build(folder: Path, *, output: Path, report: Report) -> None:
+    """Build the site of `folder` into `output`, which stays as it was when anything is wrong."""
+    begun = time.monotonic()
+
+    # site.yaml is loaded into a Site, and the workspace it names is scanned.
+    site = config.load(folder / "site.yaml")
+    check_output(output)
+
+    # C++ nodes become WebAssembly.
+    engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
+    nodes = nodes_of(site)
+    builds = cpp.compile_nodes(
+        jobs_of(site, nodes), engines, root=site.root, cache=cache_folder(), report=report
+    )
+
+    # Markdown pages become HTML with a page.json each.
+    artifacts = pages.render(site)
+
+    # These, and what they use, are written.
+    artifacts += assets.runtime(site)
+    artifacts += assets.programs(builds.items())
+    artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    check_paths(artifacts)
+    write(artifacts, output)
+
+    summarize(site, nodes, builds, report)
+    seconds = time.monotonic() - begun
+    report.say(
+        f"built {count(len(site.pages), 'page')}, {count(len(builds), 'node')} in {seconds:.1f} s"
+        f" → {shown(output)} (python -m http.server --directory {shown(output)})"
+    )
+
+
+def nodes_of(site: Site) -> list[Node]:
+    """Return the nodes that the pages run, each program once."""
+    found = {(n.package, n.executable): n for page in site.pages for n in page.nodes.values()}
+    return list(found.values())
+
+
+def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
+    """Return what to compile, a job for each package."""
+    executables: dict[str, list[str]] = {}
+    for node in nodes:
+        executables.setdefault(node.package, []).append(node.executable)
+    jobs = []
+    for name, wanted in executables.items():
+        *needs, package = workspace.with_dependencies(site.packages, name)
+        jobs.append(cpp.Job(package, tuple(wanted), tuple(needs)))
+    return jobs
+
+
+def cache_folder() -> Path:
+    """Return where compiled nodes are kept for the next build."""
+    own = os.environ.get("SITEGEN_CACHE")
+    if own:
+        return Path(own).resolve()
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache").resolve() / "sitegen"
+
+
+def check_output(output: Path) -> None:
+    """Refuse to replace a folder that sitegen did not write."""
+    if output.exists() and not output.is_dir():
+        raise SiteError([f"{output} is a file; choose another --output"])
+    if output.is_dir() and any(output.iterdir()) and not (output / MARKER).exists():
+        raise SiteError(
+            [f"{output} holds files that sitegen did not write; empty it or choose another --output"]
+        )
+
+
+def check_paths(artifacts: Sequence[Artifact]) -> None:
+    """Refuse two artifacts on one path."""
+    first: dict[str, Artifact] = {}
+    problems = []
+    for artifact in artifacts:
+        if artifact.path in first:
+            sources = f"{origin(first[artifact.path])} and {origin(artifact)}"
+            problems.append(f"{artifact.path}: two files of the site want this path: {sources}")
+        first.setdefault(artifact.path, artifact)
+    if problems:
+        raise SiteError(problems)
+
+
+def origin(artifact: Artifact) -> str:
+    """Say where an artifact comes from."""
+    return str(artifact.source) if isinstance(artifact.source, Path) else "a generated one"
+
+
+def write(artifacts: Sequence[Artifact], output: Path) -> None:
+    """Write all artifacts to a new folder, then put it in place of the old one."""
+    output = output.resolve()
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=output.parent, prefix=f".{output.name}-") as temporary:
+        fresh = Path(temporary) / "new"
+        for artifact in artifacts:
+            file = fresh / artifact.path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            if isinstance(artifact.source, Path):
+                shutil.copyfile(artifact.source, file)
+            else:
+                file.write_bytes(artifact.source)
+        if output.exists():
+            output.rename(Path(temporary) / "old")
+        fresh.rename(output)
+
+
+def summarize(site: Site, nodes: Sequence[Node], builds: cpp.Builds, report: Report) -> None:
+    """Say what the site consists of."""
+    for note in site.notes:
+        report.say(note)
+    width = max(len(page.path) for page in site.pages) + 1
+    for page in site.pages:
+        report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
+    for node in nodes:
+        forms = builds[node.package, node.executable]
+        sizes = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)
+        report.say(f"  {node.package}/{node.executable}: {sizes}")
+
+
+def count(number: int, noun: str) -> str:
+    """Write `number` of `noun`."""
+    return f"{number} {noun}{'s'[: number != 1]}"
+
+
+def shown(folder: Path) -> str:
+    """Write a folder as one would type it here."""
+    here = Path.cwd()
+    path = folder.resolve()
+    return f"{path.relative_to(here)}" if path.is_relative_to(here) and path != here else str(path)
