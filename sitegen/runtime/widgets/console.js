@@ -125,13 +125,13 @@ function dropOldest(log, count, keepView) {
     log.replaceChildren();
     return;
   }
-  const before = keepView ? log.scrollHeight : 0;
-  const top = log.scrollTop;
+  // Measuring costs a layout, which a console that follows its end does not need.
+  const fromEnd = keepView ? log.scrollHeight - log.scrollTop : 0;
   const rows = document.createRange();
   rows.setStart(log, 0);
   rows.setEnd(log, count);
   rows.deleteContents();
-  if (keepView) log.scrollTop = top - (before - log.scrollHeight);
+  if (keepView) log.scrollTop = log.scrollHeight - fromEnd;
 }
 
 /**
