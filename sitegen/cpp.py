@@ -86,8 +86,9 @@ class Compiler:
         self._cache = cache
         self._report = report
         self._base = digest_of(
-            [CLIENT, Path(interfaces.__file__), interfaces.ROS / ".digest", Path(__file__)],
+            [CLIENT, Path(interfaces.__file__), interfaces.ROS / ".digest"],
             tools.identity,
+            *SETTINGS,
         )
         self._digests: dict[str, str] = {}
 
@@ -146,7 +147,7 @@ class Compiler:
             return error.lines
         finally:
             for executable in job.executables:
-                self._report.done(f"{executable} ({engine})")
+                self._report.done(f"{job.package.name}/{executable} ({engine})")
         return []
 
     def _compile_package(self, job: Job, engine: str) -> None:
@@ -155,14 +156,14 @@ class Compiler:
             self._configure(needed.path, self._tree(needed, engine), engine)
         tree = self._tree(job.package, engine)
         for executable in job.executables:
-            self._report.doing(f"{executable} ({engine})", f"compiling {job.package.name}")
+            self._report.doing(f"{job.package.name}/{executable} ({engine})", "compiling")
         self._configure(job.package.path, tree, engine)
         for executable in job.executables:
             done = self._tools.run(self._tools.ninja, "-C", tree, executable)
             if done.returncode:
                 raise SiteError(self._compile_error(job.package, executable, done.stdout))
             self._keep(tree / "bin" / executable, self.build(job, executable, engine))
-            self._report.done(f"{executable} ({engine})")
+            self._report.done(f"{job.package.name}/{executable} ({engine})")
 
     def _tree(self, package: Package, engine: str) -> Path:
         # By its place, so that a changed package compiles only what changed.
@@ -224,7 +225,7 @@ def compiler_words(output: str) -> str:
 
 def digest_of(paths: Iterable[Path], *words: str) -> str:
     """Return a digest of `words` and of the names and contents of all files at `paths`."""
-    digest = hashlib.sha256(OPTIMIZE.encode())
+    digest = hashlib.sha256()
     for word in words:
         digest.update(word.encode() + b"\0")
     for path in paths:
