@@ -1,0 +1,51 @@
+# Two commands do all of their own set-up: `make demo` and `make test`.
+PYTHON ?= python3
+BIN := .venv/bin
+PORT ?= 8000
+
+.PHONY: demo serve test lint bench clean
+
+demo: .venv/ready .venv/emscripten
+	$(BIN)/sitegen build
+	@echo
+	@echo "Now serve it:  make serve"
+
+serve:
+	@test -d dist || { echo "there is no dist/ yet: make demo"; exit 1; }
+	@echo "http://localhost:$(PORT)/ (Ctrl-C ends it)"
+	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
+
+test: .venv/ready .venv/emscripten .venv/chromium lint
+	$(BIN)/python -m pytest
+
+lint: .venv/ready node_modules/.package-lock.json
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	npm run --silent check
+
+bench: .venv/ready .venv/emscripten .venv/chromium
+	$(BIN)/python -m bench
+
+clean:
+	rm -rf .venv node_modules dist sitegen/ros
+
+# Stamps: each is made again when what it depends on has changed.
+
+.venv/ready: pyproject.toml constraints.txt ros.txt hatch_build.py
+	@$(PYTHON) -m ensurepip --version > /dev/null 2>&1 || ./install python3-venv
+	$(PYTHON) -m venv .venv
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	touch $@
+
+.venv/emscripten: | .venv/ready
+	@command -v em++ > /dev/null || ./install emscripten
+	touch $@
+
+.venv/chromium: | .venv/ready
+	@test -x /usr/bin/chromium || ./install chromium
+	touch $@
+
+node_modules/.package-lock.json: package.json package-lock.json
+	npm ci --silent --no-audit --no-fund
+	touch $@

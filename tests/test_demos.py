@@ -1,0 +1,233 @@
+"""The demos in a real browser, as the site of this repository publishes them."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from browser import serve
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, expect
+
+from sitegen.build import build
+from sitegen.report import Report
+
+ROOT = Path(__file__).parent.parent
+LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
+# A browser that lacks JSPI gets the other build of each node.
+WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    output = tmp_path_factory.mktemp("demos") / "dist"
+    build(ROOT, output=output, report=Report())
+    return output
+
+
+@pytest.fixture(scope="session", params=["/", "/my-robot/"], ids=["root", "sub-path"])
+def url(site: Path, request: pytest.FixtureRequest) -> Iterator[str]:
+    with serve(site, request.param) as address:
+        yield address
+
+
+@pytest.fixture(params=["jspi", "asyncify"])
+def page(browser: Browser, url: str, request: pytest.FixtureRequest) -> Iterator[Page]:
+    """A tab in a browser of either engine; the test fails on an error or a foreign request."""
+    context = browser.new_context()
+    if request.param == "asyncify":
+        context.add_init_script(WITHOUT_JSPI)
+    page = context.new_page()
+    wrong: list[str] = []
+    loaded: list[str] = []
+
+    def note(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            wrong.append(message.text)
+
+    page.on("console", note)
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    context.on("request", lambda request: loaded.append(request.url))
+    yield page
+    context.close()
+    assert wrong == []
+    assert [address for address in loaded if not address.startswith(url)] == []
+    built = {address.split(".")[-2] for address in loaded if address.endswith(".wasm")}
+    assert built <= {request.param}
+
+
+class Panel:
+    """The buttons and the console of one node."""
+
+    def __init__(self, page: Page, node: str) -> None:
+        self._page = page
+        self.node = node
+        self.panel = page.get_by_role("region", name=node, exact=True)
+        self.console = self.panel.get_by_role("log")
+
+    def button(self, name: str) -> Locator:
+        return self.panel.get_by_role("button", name=name)
+
+    def start(self) -> None:
+        self.button("Start").click()
+
+    def stop(self) -> None:
+        self.button("Stop").click()
+        self.expect_state("stopped")
+
+    def expect_state(self, state: str) -> None:
+        expect(self.panel).to_contain_text(state)
+
+    def lines(self) -> list[str]:
+        return [line for line in self.console.inner_text().split("\n") if line]
+
+    def messages(self) -> list[str]:
+        """What the node logged, each line checked for its form; ROS's own words left out."""
+        found = [LINE.match(line) for line in self.lines()]
+        assert all(found), self.lines()
+        return [match[3] for match in found if match and match[2] != "rclcpp"]
+
+    def wait_for(self, text: str) -> None:
+        expect(self.console).to_contain_text(text, timeout=15_000)
+
+
+def numbers(panel: Panel, before: str) -> list[int]:
+    """The numbers of the greetings in a console."""
+    greetings = (re.fullmatch(rf"{before}: 'Hello, world! (\d+)'", m) for m in panel.messages())
+    return [int(match[1]) for match in greetings if match]
+
+
+def graph(page: Page) -> dict[str, list[str]]:
+    """Who is in the graph of the page: nodes, and what each topic connects."""
+    found: dict[str, list[str]] = page.evaluate(
+        """async () => {
+          const src = document.querySelector("script[type=module]").src;
+          const { ros } = await import(src);
+          const ends = ros.graph.topics().map(
+            (t) => `${t.publishers} > ${t.name} (${t.types}) > ${t.subscriptions}`);
+          return { nodes: ros.graph.nodes(), topics: ends };
+        }"""
+    )
+    return found
+
+
+def expect_nothing_left(page: Page) -> None:
+    """After Stop nothing is in the graph and no worker runs."""
+    assert graph(page) == {"nodes": [], "topics": []}
+    deadline = time.monotonic() + 5
+    while page.workers and time.monotonic() < deadline:
+        page.wait_for_timeout(50)  # the browser tells of a worker's end a moment later
+    assert page.workers == []
+
+
+def test_demo01_talks_by_itself(page: Page, url: str) -> None:
+    page.goto(f"{url}demo01/")
+    talker = Panel(page, "talker")
+    talker.wait_for("Hello, world! 2")
+    assert numbers(talker, "Publishing")[:3] == [0, 1, 2]
+    assert page.get_by_role("button", name="Start").count() == 0
+    assert graph(page) == {
+        "nodes": ["/minimal_publisher"],
+        "topics": ["/minimal_publisher > /chatter (std_msgs/msg/String) > "],
+    }
+    page.reload()
+    talker.wait_for("Hello, world! 1")
+    assert numbers(talker, "Publishing")[:2] == [0, 1]
+
+
+def test_demo02_starts_and_stops(page: Page, url: str) -> None:
+    page.goto(f"{url}demo02/")
+    talker = Panel(page, "talker")
+    talker.expect_state("stopped")
+    assert page.workers == []
+    for _ in range(3):
+        talker.start()
+        talker.wait_for("Hello, world! 1")
+        assert len(page.workers) == 1
+        talker.stop()
+        assert talker.messages() == [
+            *(f"Publishing: 'Hello, world! {n}'" for n in numbers(talker, "Publishing")),
+            f"Goodbye after {len(numbers(talker, 'Publishing'))} greetings",
+        ]
+        expect_nothing_left(page)
+        talker.button("Clear").click()
+        assert talker.lines() == []
+
+
+def test_demo02_can_be_stopped_while_it_starts(page: Page, url: str) -> None:
+    page.goto(f"{url}demo02/")
+    talker = Panel(page, "talker")
+    talker.expect_state("stopped")
+    for pause in (0, 1, 5, 20, 60):
+        page.evaluate(
+            """async (pause) => {
+              const src = document.querySelector("script[type=module]").src;
+              const { ros } = await import(src);
+              const talker = ros.nodes.get("talker");
+              talker.start();
+              await new Promise((resolve) => setTimeout(resolve, pause));
+              talker.stop();
+            }""",
+            pause,
+        )
+        talker.expect_state("stopped")
+        expect_nothing_left(page)
+    talker.start()
+    talker.wait_for("Hello, world! 0")
+
+
+def test_demo03_talks_and_listens_in_any_order(page: Page, url: str) -> None:
+    page.goto(f"{url}demo03/")
+    talker, listener = Panel(page, "talker"), Panel(page, "listener")
+
+    listener.start()
+    listener.expect_state("running")
+    talker.start()
+    listener.wait_for("Hello, world! 3")
+    heard = numbers(listener, "I heard")
+    assert heard == list(range(heard[0], heard[-1] + 1))
+    assert graph(page)["topics"] == [
+        "/minimal_publisher > /chatter (std_msgs/msg/String) > /minimal_subscriber"
+    ]
+
+    # The listener alone, again: it hears what is said from now on, with nothing missing.
+    listener.stop()
+    listener.button("Clear").click()
+    missed = numbers(talker, "Publishing")[-1]
+    listener.start()
+    listener.wait_for("I heard")
+    page.wait_for_timeout(1200)
+    heard = numbers(listener, "I heard")
+    assert heard[0] > missed
+    assert heard == list(range(heard[0], heard[-1] + 1))
+
+    # The talker alone, again: it is heard from its beginning, or from a moment after.
+    talker.stop()
+    assert graph(page)["nodes"] == ["/minimal_subscriber"]
+    listener.button("Clear").click()
+    talker.start()
+    listener.wait_for("Hello, world! 2")
+    heard = numbers(listener, "I heard")
+    assert heard[0] <= 1
+    assert heard == list(range(heard[0], heard[-1] + 1))
+
+    talker.stop()
+    listener.stop()
+    expect_nothing_left(page)
+
+
+def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
+    page.goto(url)
+    page.get_by_role("table").get_by_role("link", name="Start and stop").click()
+    expect(page).to_have_url(f"{url}demo02/")
+    page.get_by_role("link", name="Next").click()
+    expect(page).to_have_url(f"{url}demo03/")
+
+
+@pytest.mark.parametrize("demo", ["demo01", "demo02", "demo03"])
+def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
+    build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
+    assert (tmp_path / "dist" / "index.html").exists()
+    assert (tmp_path / "dist" / "page.json").exists()
