@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
+
+# What the fixture `serve` is: it takes a folder and a prefix, and gives the URL.
+Serve = Callable[..., str]
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 FLAGS = [
@@ -34,7 +37,7 @@ def chromium() -> Iterator[Browser]:
 
 
 @contextmanager
-def serve(folder: Path, prefix: str = "/") -> Iterator[str]:
+def serving(folder: Path, prefix: str = "/") -> Iterator[str]:
     """Serve `folder` below `prefix` as GitHub Pages would, without special headers."""
     handler = partial(_Handler, prefix=prefix, directory=str(folder))
     server = _Server(("127.0.0.1", 0), handler)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
 
 import pytest
-from browser import chromium
+from browser import Serve, chromium, serving
 from playwright.sync_api import Browser, ConsoleMessage, Page
 
 
@@ -17,7 +19,19 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture
-def tab(browser: Browser) -> Iterator[Page]:
+def serve() -> Iterator[Serve]:
+    """A function that serves a folder, below a prefix if given, until the test is over."""
+    with ExitStack() as servers:
+
+        def start(folder: Path, prefix: str = "/") -> str:
+            return servers.enter_context(serving(folder, prefix))
+
+        yield start
+
+
+# It asks for `serve` so that it closes before the servers: what still loads would be an error.
+@pytest.fixture
+def tab(browser: Browser, serve: Serve) -> Iterator[Page]:
     """An empty tab; the test fails when its console shows an error."""
     context = browser.new_context()
     errors: list[str] = []

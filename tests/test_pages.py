@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 import pytest
-from browser import serve
+from browser import Serve
 from playwright.sync_api import Browser
 from playwright.sync_api import Page as Tab
 
@@ -333,7 +333,9 @@ def test_the_menu_opens_the_branch_of_the_page(author: Author) -> None:
     assert menu("a/") == menu("a/y/") == [*top[:2], *inside, top[2]]
 
 
-def test_a_page_from_a_subfolder_of_a_server(author: Author, tab: Tab, tmp_path: Path) -> None:
+def test_a_page_from_a_subfolder_of_a_server(
+    author: Author, tab: Tab, serve: Serve, tmp_path: Path
+) -> None:
     (author.root / "x.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     author.page("", "![x](x.svg)")
     author.page("a/", "Text", author.widget("console", "talker"), level="I1")
@@ -345,14 +347,14 @@ def test_a_page_from_a_subfolder_of_a_server(author: Author, tab: Tab, tmp_path:
     )
     answers: dict[str, int] = {}
     tab.on("response", lambda response: answers.update({response.url: response.status}))
-    with serve(dist, "/me/robots/") as url:
-        tab.goto(url)
-        assert tab.evaluate("document.querySelector('main img').complete")
-        tab.get_by_role("link", name="Next").click()
-        tab.wait_for_selector("body[data-nodes=talker]")
-        assert tab.is_hidden("#file-note")
-        tab.get_by_role("link", name="Previous").click()
-        tab.wait_for_url(url)
+    url = serve(dist, "/me/robots/")
+    tab.goto(url)
+    assert tab.evaluate("document.querySelector('main img').complete")
+    tab.get_by_role("link", name="Next").click()
+    tab.wait_for_selector("body[data-nodes=talker]")
+    assert tab.is_hidden("#file-note")
+    tab.get_by_role("link", name="Previous").click()
+    tab.wait_for_url(url)
     assert [url for url, status in answers.items() if status >= 400] == []
 
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import serve
+from browser import Serve
 from playwright.sync_api import Page as Tab
 
 ROOT = Path(__file__).parent.parent
@@ -55,14 +54,13 @@ document.body.dataset.ready = "";
 
 
 @pytest.fixture
-def page(tab: Tab, tmp_path: Path) -> Iterator[Tab]:
+def page(tab: Tab, serve: Serve, tmp_path: Path) -> Tab:
     shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
     shutil.copytree(ROOT / "themes/default", tmp_path / "theme")
     (tmp_path / "index.html").write_text(PAGE)
-    with serve(tmp_path) as url:
-        tab.goto(url)
-        tab.wait_for_selector("body[data-ready]")
-        yield tab
+    tab.goto(serve(tmp_path))
+    tab.wait_for_selector("body[data-ready]")
+    return tab
 
 
 def lines(page: Tab) -> list[str]:
@@ -252,9 +250,9 @@ def test_buttons_call_the_node_and_are_big_enough(page: Tab) -> None:
 def test_nothing_moves_when_widgets_come_and_nothing_stays_when_they_go(page: Tab) -> None:
     measure = "() => [...document.querySelectorAll('.ros-widget')].map((e) => e.offsetHeight)"
     mounted = page.evaluate(measure)
+    page.evaluate("window.left = document.querySelector('#console .ros-state')")
     page.evaluate("node.say('pending'); unmount.forEach((leave) => leave())")
-    page.evaluate("window.requestAnimationFrame = () => { window.asked = true; }")
     page.evaluate("node.say('late'); node.become('running'); node.clear()")
-    assert page.evaluate("window.asked") is None
+    assert page.evaluate("left.textContent") == "stopped"
     assert page.locator(".ros-widget > *").count() == 0
     assert page.evaluate(measure) == mounted
