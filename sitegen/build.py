@@ -83,7 +83,9 @@ def check_output(output: Path) -> None:
         raise SiteError([f"{output} is a file; choose another --output"])
     if output.is_dir() and any(output.iterdir()) and not (output / MARKER).exists():
         raise SiteError(
-            [f"{output} holds files that sitegen did not write; empty it or choose another --output"]
+            [
+                f"{output} holds files that sitegen did not write; empty it or choose another --output"
+            ]
         )
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import serve
+from browser import serving
 from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, expect
 
 from sitegen.build import build
@@ -29,7 +29,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session", params=["/", "/my-robot/"], ids=["root", "sub-path"])
 def url(site: Path, request: pytest.FixtureRequest) -> Iterator[str]:
-    with serve(site, request.param) as address:
+    with serving(site, request.param) as address:
         yield address
 
 
@@ -78,7 +78,7 @@ class Panel:
         self.expect_state("stopped")
 
     def expect_state(self, state: str) -> None:
-        expect(self.panel).to_contain_text(state)
+        expect(self.panel.locator("[aria-live=polite]")).to_have_text(state)
 
     def lines(self) -> list[str]:
         return [line for line in self.console.inner_text().split("\n") if line]
@@ -147,6 +147,7 @@ def test_demo02_starts_and_stops(page: Page, url: str) -> None:
         talker.wait_for("Hello, world! 1")
         assert len(page.workers) == 1
         talker.stop()
+        talker.wait_for("Goodbye")  # consoles draw once a frame
         assert talker.messages() == [
             *(f"Publishing: 'Hello, world! {n}'" for n in numbers(talker, "Publishing")),
             f"Goodbye after {len(numbers(talker, 'Publishing'))} greetings",

@@ -86,5 +86,7 @@ function end(code, error) {
 /** @param {unknown} error */
 function describe(error) {
   if (!(error instanceof Error)) return String(error);
-  return error.name === "RuntimeError" ? error.message : `${error.name}: ${error.message}`;
+  // Emscripten adds advice for those who built the program.
+  if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
+  return `${error.name}: ${error.message}`;
 }

@@ -1,0 +1,102 @@
+// Ends, or does not, in the way that its argument names.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+
+using namespace std::chrono_literals;
+
+namespace robot
+{
+struct BatteryError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+}  // namespace robot
+
+using NodePtr = rclcpp::Node::SharedPtr;
+
+static volatile int zero = 0;
+
+static const std::map<std::string, void (*)(NodePtr)> kFaults = {
+  {"throw", [](NodePtr) {throw robot::BatteryError("battery <b>low</b>");}},
+  {"throw-in-callback", [](NodePtr node) {
+      auto timer = node->create_wall_timer(20ms, []() {throw std::out_of_range("no such wheel");});
+      rclcpp::spin(node);
+    }},
+  {"catch", [](NodePtr node) {
+      auto timer = node->create_wall_timer(20ms, []() {throw std::runtime_error("a small thing");});
+      try {
+        rclcpp::spin(node);
+      } catch (const std::exception & error) {
+        RCLCPP_WARN(node->get_logger(), "caught: %s", error.what());
+      }
+    }},
+  {"abort", [](NodePtr) {std::abort();}},
+  {"trap", [](NodePtr) {__builtin_trap();}},
+  {"trap-after-wait", [](NodePtr) {
+      std::this_thread::sleep_for(20ms);
+      __builtin_trap();
+    }},
+  {"exit", [](NodePtr) {std::exit(3);}},
+  {"busy", [](NodePtr node) {
+      RCLCPP_INFO(node->get_logger(), "busy");
+      while (zero == 0) {}
+    }},
+  {"sleep", [](NodePtr node) {
+      const auto begin = node->now();
+      std::this_thread::sleep_for(300ms);
+      const auto slept = (node->now() - begin).seconds();
+      std::cout << "slept " << (slept >= 0.3 && slept < 1.3) << std::endl;
+      std::printf("no newline at the end");
+    }},
+  {"steps", [](NodePtr node) {
+      auto future = std::promise<int>();
+      auto timer = node->create_wall_timer(50ms, [&]() {future.set_value(7); throw 1;});
+      try {
+        rclcpp::spin_until_future_complete(node, future.get_future().share());
+      } catch (int) {
+      }
+      RCLCPP_INFO(node->get_logger(), "never waited for anything else");
+      std::promise<int> never;
+      const auto result = rclcpp::spin_until_future_complete(
+        rclcpp::Node::make_shared("other"), never.get_future().share(), 30ms);
+      RCLCPP_ERROR(
+        node->get_logger(), "timeout: %d", result == rclcpp::FutureReturnCode::TIMEOUT);
+    }},
+  {"flood", [](NodePtr node) {
+      for (int i = 0; i < 100000; ++i) {std::cout << "line " << i << "\n";}
+      std::cout << std::flush;
+      rclcpp::spin(node);
+    }},
+  {"levels", [](NodePtr node) {
+      auto logger = node->get_logger();
+      RCLCPP_DEBUG(logger, "not shown");
+      logger.set_level(rclcpp::Logger::Level::Debug);
+      RCLCPP_DEBUG(logger, "%s %5.2f %ld %zu %x %c %%", "shown", 3.14159, INT64_C(-5000000000),
+        sizeof(int), 255u, 'z');
+      RCLCPP_FATAL_STREAM(logger, "stream " << 1 << ' ' << true);
+      for (int i = 0; i < 3; ++i) {RCLCPP_INFO_ONCE(logger, "once %d", i);}
+      for (int i = 0; i < 3; ++i) {RCLCPP_INFO_SKIPFIRST(logger, "skipped first %d", i);}
+      for (int i = 0; i < 3; ++i) {
+        RCLCPP_WARN_THROTTLE(logger, *node->get_clock(), 60000, "throttled %d", i);
+      }
+    }},
+};
+
+int main(int argc, char ** argv)
+{
+  const auto arguments = rclcpp::init_and_remove_ros_arguments(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("fault");
+  auto publisher = node->create_publisher<std_msgs::msg::String>("~/status", 10);
+  kFaults.at(arguments.at(1))(node);
+  return 0;
+}

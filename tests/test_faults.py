@@ -1,0 +1,112 @@
+"""Programs that fail, never end, or wait in the middle of main(), in a real browser."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Browser, Page
+from test_demos import WITHOUT_JSPI, Panel, expect_nothing_left
+
+from sitegen.build import build
+from sitegen.report import Report
+
+SITE = Path(__file__).parent / "sites" / "faults"
+
+# What the console of each node shows in the end, without the log's head, and the node's state.
+ENDS = {
+    "throw": (["throw: robot::BatteryError: battery <b>low</b>"], "failed"),
+    "throw_in_callback": (["throw_in_callback: std::out_of_range: no such wheel"], "failed"),
+    "abort": (["Aborted()", "abort: Aborted()."], "failed"),
+    "trap": (["trap: unreachable"], "failed"),
+    "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
+    "exit": (["exit: exited with code 3"], "failed"),
+    "unknown_argument": (
+        [
+            "unknown_argument: rclcpp::exceptions::UnknownROSArgsError: "
+            "found unknown ROS arguments: '--paint' 'red'"
+        ],
+        "failed",
+    ),
+    "catch": (["WARN caught: a small thing"], "stopped"),
+    "sleep": (["slept 1", "no newline at the end"], "stopped"),
+    "steps": (["INFO never waited for anything else", "ERROR timeout: 1"], "stopped"),
+    "levels": (
+        [
+            "DEBUG shown  3.14 -5000000000 4 ff z %",
+            "FATAL stream 1 1",
+            "INFO once 0",
+            "INFO skipped first 1",
+            "INFO skipped first 2",
+            "WARN throttled 0",
+        ],
+        "stopped",
+    ),
+}
+
+
+@pytest.fixture(scope="session")
+def faults(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    output = tmp_path_factory.mktemp("faults") / "dist"
+    build(SITE, output=output, report=Report())
+    return output
+
+
+@pytest.fixture(params=["jspi", "asyncify"])
+def page(
+    browser: Browser, serve: Serve, faults: Path, request: pytest.FixtureRequest
+) -> Iterator[Page]:
+    context = browser.new_context()
+    if request.param == "asyncify":
+        context.add_init_script(WITHOUT_JSPI)
+    page = context.new_page()
+    uncaught: list[str] = []
+    page.on("pageerror", lambda error: uncaught.append(str(error)))
+    page.goto(serve(faults))
+    yield page
+    context.close()
+    assert uncaught == []
+
+
+def test_each_end_is_told_and_leaves_nothing(page: Page) -> None:
+    panels = {name: Panel(page, name) for name in ENDS}
+    for panel in panels.values():
+        panel.start()
+    for name, (lines, state) in ENDS.items():
+        panels[name].expect_state(state)
+        panels[name].wait_for(lines[-1].split(" ", 1)[-1])
+        head = re.compile(r"^\[(\w+)\] \[[\d.]+\] \[fault\]: ")
+        assert [head.sub(r"\1 ", line) for line in panels[name].lines()] == lines
+    expect_nothing_left(page)
+
+
+def test_a_failure_is_red(page: Page) -> None:
+    panel = Panel(page, "trap")
+    panel.start()
+    panel.expect_state("failed")
+    line = panel.console.get_by_text("trap: unreachable")
+    red, green, blue = map(
+        int, re.findall(r"\d+", line.evaluate("element => getComputedStyle(element).color"))[:3]
+    )
+    assert red > 1.5 * max(green, blue)
+
+
+def test_a_program_that_never_waits_is_terminated(page: Page) -> None:
+    panel = Panel(page, "busy")
+    panel.start()
+    panel.wait_for("busy")
+    panel.stop()
+    panel.wait_for("busy: did not end within a second and was terminated")
+    expect_nothing_left(page)
+
+
+def test_a_flood_of_lines_keeps_the_last(page: Page) -> None:
+    panel = Panel(page, "flood")
+    panel.start()
+    panel.wait_for("line 99999")
+    assert panel.lines() == [f"line {number}" for number in range(99_000, 100_000)]
+    panel.stop()
+    expect_nothing_left(page)
