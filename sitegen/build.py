@@ -16,6 +16,7 @@ from sitegen.report import Report, size
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
+FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
 
 
 def build(folder: Path, *, output: Path, report: Report) -> None:
@@ -82,11 +83,7 @@ def check_output(output: Path) -> None:
     if output.exists() and not output.is_dir():
         raise SiteError([f"{output} is a file; choose another --output"])
     if output.is_dir() and any(output.iterdir()) and not (output / MARKER).exists():
-        raise SiteError(
-            [
-                f"{output} holds files that sitegen did not write; empty it or choose another --output"
-            ]
-        )
+        raise SiteError([f"{output} {FOREIGN}"])
 
 
 def check_paths(artifacts: Sequence[Artifact]) -> None:
@@ -94,17 +91,17 @@ def check_paths(artifacts: Sequence[Artifact]) -> None:
     first: dict[str, Artifact] = {}
     problems = []
     for artifact in artifacts:
-        if artifact.path in first:
-            sources = f"{origin(first[artifact.path])} and {origin(artifact)}"
+        other = first.setdefault(artifact.path, artifact)
+        if other.source != artifact.source:
+            sources = f"{origin(other)} and {origin(artifact)}"
             problems.append(f"{artifact.path}: two files of the site want this path: {sources}")
-        first.setdefault(artifact.path, artifact)
     if problems:
         raise SiteError(problems)
 
 
 def origin(artifact: Artifact) -> str:
     """Say where an artifact comes from."""
-    return str(artifact.source) if isinstance(artifact.source, Path) else "a generated one"
+    return str(artifact.source) if isinstance(artifact.source, Path) else "one that sitegen writes"
 
 
 def write(artifacts: Sequence[Artifact], output: Path) -> None:

@@ -72,7 +72,7 @@ def render(site: Site, *, modules: Mapping[str, Sequence[str]] | None = None) ->
     template = environment.get_template("page.html")
     shown = sources(site)
     menu = Menu(site)
-    artifacts: dict[str, Artifact] = {}
+    artifacts: list[Artifact] = []
     neighbours = zip((None, *site.pages), site.pages, (*site.pages[1:], None), strict=False)
     for previous, page, following in neighbours:
         prose = Prose(site, page, shown, problems)
@@ -96,13 +96,12 @@ def render(site: Site, *, modules: Mapping[str, Sequence[str]] | None = None) ->
             policy=_policy(live=live, media="<video" in text or "<audio" in text),
             file_note=Markup(FILE_NOTE),
         )
-        made = [Artifact(f"{page.path}index.html", html.encode())]
+        artifacts.append(Artifact(f"{page.path}index.html", html.encode()))
         if live:
-            made.append(Artifact(f"{page.path}page.json", _page_json(site, page)))
-        made += [Artifact(path, file) for path, file in prose.files.items()]
-        artifacts.update((artifact.path, artifact) for artifact in made)
+            artifacts.append(Artifact(f"{page.path}page.json", _page_json(site, page)))
+        artifacts += [Artifact(path, file) for path, file in prose.files.items()]
     problems.raise_if_any()
-    return [*artifacts.values(), *_theme_files(site)]
+    return artifacts + _theme_files(site)
 
 
 class Menu:

@@ -1,0 +1,126 @@
+"""What is written, what is not, and what is said of it."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import pytest
+
+from sitegen.build import MARKER, build, check_paths
+from sitegen.errors import SiteError
+from sitegen.model import Artifact
+from sitegen.report import Report, size
+
+SITE = "site:\n  title: Notes\npages:\n  - path: /\n    title: Notes\n    content:\n"
+
+
+def notes(folder: Path, content: str) -> Path:
+    """A site without nodes."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "site.yaml").write_text(SITE + content)
+    return folder
+
+
+def problems(folder: Path, output: Path) -> list[str]:
+    with pytest.raises(SiteError) as wrong:
+        build(folder, output=output, report=Report(io.StringIO()))
+    return wrong.value.lines
+
+
+def test_a_build_says_what_it_made_and_what_to_do_next(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    said = io.StringIO()
+    build(
+        notes(tmp_path, "      - markdown: Hello\n"), output=tmp_path / "dist", report=Report(said)
+    )
+    first, last = said.getvalue().splitlines()
+    assert first.split() == ["/", "Notes"]
+    assert last.startswith("built 1 page, 0 nodes in ")
+    assert last.endswith(" → dist (python -m http.server --directory dist)")
+
+
+def test_pages_without_nodes_have_no_script(tmp_path: Path) -> None:
+    build(notes(tmp_path, "      - markdown: Hello\n"), output=tmp_path / "dist", report=Report())
+    assert not (tmp_path / "dist" / "runtime").exists()
+    assert "<script" not in (tmp_path / "dist" / "index.html").read_text()
+
+
+def test_a_failed_build_leaves_the_old_site(tmp_path: Path) -> None:
+    output = tmp_path / "dist"
+    build(notes(tmp_path, "      - markdown: Before\n"), output=output, report=Report())
+    notes(tmp_path, "      - markdown: After ![a](gone.png)\n")
+    assert problems(tmp_path, output) == [
+        "site.yaml:7: image: no file 'gone.png' in .; there are none"
+    ]
+    assert "Before" in (output / "index.html").read_text()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["dist", "site.yaml"]
+
+
+def test_a_new_build_replaces_the_old_one_as_a_whole(tmp_path: Path) -> None:
+    output = tmp_path / "dist"
+    build(notes(tmp_path, "      - markdown: Before\n"), output=output, report=Report())
+    (output / "left-over.html").write_text("")
+    build(notes(tmp_path, "      - markdown: After\n"), output=output, report=Report())
+    assert not (output / "left-over.html").exists()
+    assert "After" in (output / "index.html").read_text()
+
+
+def test_a_folder_of_the_author_is_not_replaced(tmp_path: Path) -> None:
+    output = tmp_path / "precious"
+    output.mkdir()
+    (output / "thesis.tex").write_text("years of work")
+    assert problems(notes(tmp_path / "site", "      - markdown: Hello\n"), output) == [
+        f"{output} holds files that sitegen did not write; empty it or choose another --output"
+    ]
+    assert (output / "thesis.tex").exists()
+    assert not (output / MARKER).exists()
+
+
+def test_two_artifacts_on_one_path_are_an_error(tmp_path: Path) -> None:
+    theme = tmp_path / "style.css"
+    with pytest.raises(SiteError) as wrong:
+        check_paths([Artifact("theme/style.css", theme), Artifact("theme/style.css", b"")])
+    assert wrong.value.lines == [
+        "theme/style.css: two files of the site want this path: "
+        f"{theme} and one that sitegen writes"
+    ]
+
+
+def test_a_page_where_the_theme_lies_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "style.css").write_text("")
+    site = notes(tmp_path, "      - markdown: Hello\n")
+    text = "  - path: theme/\n    title: Theme\n    content: [{markdown: '[a](style.css)'}]\n"
+    (site / "site.yaml").write_text((site / "site.yaml").read_text() + text)
+    [line] = problems(site, tmp_path / "dist")
+    assert line.startswith("theme/style.css: two files of the site want this path: ")
+
+
+def test_pages_may_share_a_file(tmp_path: Path) -> None:
+    site = notes(tmp_path / "site", "      - markdown: '[a](demo/data.csv)'\n")
+    (site / "demo").mkdir()
+    (site / "demo" / "page.md").write_text("# Demo\n\n[a](data.csv)\n")
+    (site / "demo" / "data.csv").write_text("1,2\n")
+    text = "  - {path: demo/, file: demo/page.md}\n"
+    (site / "site.yaml").write_text((site / "site.yaml").read_text() + text)
+    build(site, output=tmp_path / "dist", report=Report())
+    assert (tmp_path / "dist" / "demo" / "data.csv").read_text() == "1,2\n"
+
+
+def test_a_terminal_gets_a_live_line_for_each_thing_under_way() -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    screen = Terminal()
+    report = Report(screen)
+    report.doing("talker", "compiling")
+    report.doing("listener", "compiling")
+    report.done("talker")
+    assert screen.getvalue().endswith("\x1b[2A\x1b[J  listener: compiling\n")
+
+
+def test_sizes_are_written_for_people() -> None:
+    assert [size(68_971), size(1_250_000)] == ["69 kB", "1.2 MB"]

@@ -1,0 +1,77 @@
+"""The direction of imports, as docs/architecture.md draws it."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGE = ROOT / "sitegen"
+RUNTIME = PACKAGE / "runtime"
+
+# What each module of the generator may import of the others; all of config is one module here.
+ALLOWED = {
+    "__main__": {"build", "errors", "report"},
+    "build": {"assets", "config", "cpp", "errors", "model", "pages", "report", "workspace"},
+    "assets": {"model"},
+    "config": {"errors", "model", "workspace"},
+    "cmakelists": set(),
+    "cpp": {"errors", "interfaces", "model", "report", "toolchain"},
+    "errors": set(),
+    "interfaces": {"errors"},
+    "model": {"errors"},
+    "pages": {"errors", "model", "prose"},
+    "prose": {"errors", "model"},
+    "report": set(),
+    "toolchain": set(),
+    "workspace": {"cmakelists", "errors", "model"},
+}
+
+# The same for the browser's modules; a folder stands for all that is in it.
+RUNTIME_ALLOWED = {
+    "rosMain.js": {"graph.js", "nodeProcess.js", "protocol.js"},
+    "nodeProcess.js": {"graph.js", "protocol.js"},
+    "graph.js": {"protocol.js"},
+    "protocol.js": set(),
+    "workers": {"protocol.js", "workers"},
+    "widgets": {"protocol.js"},
+}
+
+
+def modules() -> dict[str, list[Path]]:
+    """The generator's modules by name, a package with all of its files."""
+    found = {file.stem: [file] for file in PACKAGE.glob("*.py") if file.stem != "__init__"}
+    found["config"] = sorted((PACKAGE / "config").glob("*.py"))
+    return found
+
+
+def imported(files: list[Path]) -> set[str]:
+    names: set[str] = set()
+    for file in files:
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.ImportFrom) and node.module == "sitegen":
+                names |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("sitegen."):
+                names.add((node.module or "").split(".")[1])
+    return names - {"__version__"}
+
+
+@pytest.mark.parametrize("name", sorted(modules()))
+def test_modules_import_only_what_they_may(name: str) -> None:
+    assert imported(modules()[name]) - {name} <= ALLOWED[name]
+
+
+@pytest.mark.parametrize("file", sorted(RUNTIME.rglob("*.js")), ids=lambda file: file.name)
+def test_runtime_imports_only_what_it_may(file: Path) -> None:
+    def room(path: Path) -> str:
+        return path.relative_to(RUNTIME).parts[0]
+
+    paths = re.findall(r'(?:from|import)\(?\s*"(\.[^"]+)"', file.read_text())
+    used = {room((file.parent / path).resolve()) for path in paths}
+    assert used <= RUNTIME_ALLOWED[room(file)]
+    # Types count too: one of a comment is one that a reader has to follow.
+    widgets = [path for path in paths if room(file) == "widgets" and path.startswith("./")]
+    assert widgets == [], "widgets do not know one another"
