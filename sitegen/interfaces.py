@@ -1,168 +1,27 @@
-"""Turn ROS interface definitions into the C++ headers that nodes compile against.
+"""Turn ROS interface definitions into CMake packages of C++ headers that nodes compile against.
 
-The message classes come from the real rosidl generator. What sitegen adds is a type support: how to
-walk over the fields of a message, from the type description (`*.json`) that rosidl gives each type.
+The message classes come from the real rosidl generator; sitegen adds its own type support.
 """
 
 from __future__ import annotations
 
 import importlib
 import json
-import re
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
+
+from sitegen import definitions, typesupport
+from sitegen.errors import SiteError
 
 ROS = Path(__file__).parent / "ros"
 KINDS = ("msg", "srv", "action")
 RUNTIME = ("rcutils", "rosidl_runtime_c", "rosidl_runtime_cpp", "rosidl_typesupport_interface")
 
-# type_description_interfaces/msg/FieldType: a scalar's number, plus 48 for an array of it, 96 for a
-# bounded and 144 for an unbounded sequence.
-NESTED = 1
-BOUNDED_TEXT = (21, 22)
-SCALARS = 48
-
-
-@dataclass(frozen=True)
-class Field:
-    """A field of a message: its C++ name, the message it nests if any, its bound if a text."""
-
-    name: str
-    nested: str
-    bound: int
-
-
-@dataclass(frozen=True)
-class Message:
-    """One message class: `std_msgs/msg/Header`, or a part of a service or an action."""
-
-    name: str
-    hash: str
-    fields: tuple[Field, ...]
-
-    @property
-    def package(self) -> str:
-        """The package that defines it."""
-        return self.name.split("/")[0]
-
-    @property
-    def cpp(self) -> str:
-        """Its C++ class."""
-        return self.name.replace("/", "::")
-
-
-def read_description(file: Path) -> Iterator[Message]:
-    """Yield the messages that the interface of a type description consists of, nested first.
-
-    A message is one; the `.json` of a service also describes its request, response and event.
-    """
-    data = json.loads(file.read_text())
-    description = data["type_description_msg"]
-    own = description["type_description"]["type_name"]
-    hashes = {entry["type_name"]: entry["hash_string"] for entry in data["type_hashes"]}
-    parts = [*description["referenced_type_descriptions"], description["type_description"]]
-    messages = [_message(part, hashes) for part in parts]
-    mine = {m.name: m for m in messages if m.name == own or m.name.startswith(f"{own}_")}
-    if own.split("/")[1] != "msg":
-        del mine[own]  # a service or an action is no message itself
-    yield from _nested_first(mine)
-
-
-def _message(part: dict[str, Any], hashes: dict[str, str]) -> Message:
-    fields = tuple(_field(field) for field in part["fields"])
-    return Message(part["type_name"], hashes[part["type_name"]], fields)
-
-
-def _field(field: dict[str, Any]) -> Field:
-    kind = field["type"]
-    scalar = kind["type_id"] % SCALARS
-    nested = kind["nested_type_name"] if scalar == NESTED else ""
-    bound = kind["string_capacity"] if kind["type_id"] in BOUNDED_TEXT else 0
-    return Field(field["name"], nested, bound)
-
-
-def _nested_first(messages: dict[str, Message]) -> Iterator[Message]:
-    done: set[str] = set()
-
-    def visit(message: Message) -> Iterator[Message]:
-        if message.name in done:
-            return
-        done.add(message.name)
-        for field in message.fields:
-            # An action's services are nested by name only: they are services, no messages.
-            if field.nested in messages:
-                yield from visit(messages[field.nested])
-        yield message
-
-    for message in messages.values():
-        yield from visit(message)
-
-
-def header_name(interface: str) -> str:
-    """Return the header stem of `pkg/msg/InterfaceName` as rosidl forms it."""
-    package, folder, name = interface.split("/")
-    snake = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
-    snake = re.sub("([a-z0-9])([A-Z])", r"\1_\2", snake).lower()
-    return f"{package}/{folder}/detail/{snake}"
-
-
-def interface_of(message: str) -> str:
-    """Return the interface that defines `message`: `a/srv/B` for `a/srv/B_Request`."""
-    package, folder, name = message.split("/")
-    return f"{package}/{folder}/{name if folder == 'msg' else name.split('_')[0]}"
-
-
-def type_support(interface: str, messages: Sequence[Message]) -> str:
-    """Write the header `<interface>__type_support.hpp`, in place of rosidl's own."""
-    own = {message.name for message in messages}
-    nested = {field.nested for message in messages for field in message.fields if field.nested}
-    includes = sorted({header_name(interface_of(name)) for name in nested - own})
-    lines = [
-        f"// generated from {interface}.json by sitegen",
-        "#pragma once",
-        "",
-        f'#include "{header_name(interface)}__struct.hpp"',
-        *(f'#include "{include}__type_support.hpp"' for include in includes),
-        '#include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"',
-    ]
-    for message in messages:
-        lines += _message_support(message)
-    return "\n".join(lines) + "\n"
-
-
-def _message_support(message: Message) -> list[str]:
-    space, name = message.cpp.rsplit("::", 1)
-    return [
-        "",
-        f"namespace {space}",
-        "{",
-        f"inline void visit_fields(rosidl_typesupport_sitegen_cpp::Cdr & cdr, {name} & message)",
-        "{",
-        *(f"  {_visit(field)};" for field in message.fields),
-        "}",
-        f"}}  // namespace {space}",
-        "",
-        "namespace rosidl_typesupport_cpp",
-        "{",
-        "template<>",
-        "inline const rosidl_message_type_support_t *",
-        f"get_message_type_support_handle<{message.cpp}>()",
-        "{",
-        f"  return rosidl_typesupport_sitegen_cpp::handle_of<{message.cpp}>(",
-        f'    "{message.name}", "{message.hash}");',
-        "}",
-        "}  // namespace rosidl_typesupport_cpp",
-    ]
-
-
-def _visit(field: Field) -> str:
-    if field.bound:
-        return f"cdr.bounded(message.{field.name}, {field.bound})"
-    return f"cdr(message.{field.name})"
+# What begins a line that tells the author of a package what is wrong with it.
+PROBLEM = "sitegen: "
 
 
 def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> None:
@@ -173,21 +32,28 @@ def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> N
     depends: set[str] = set()
     for file in sorted(descriptions):
         interface = f"{package}/{file.parent.name}/{file.stem}"
-        messages = list(read_description(file))
-        header = prefix / "include" / package / f"{header_name(interface)}__type_support.hpp"
+        messages = list(typesupport.read_description(file))
+        stem = typesupport.header_name(interface)
+        header = prefix / "include" / package / f"{stem}__type_support.hpp"
         header.parent.mkdir(parents=True, exist_ok=True)
-        header.write_text(type_support(interface, messages))
+        header.write_text(typesupport.type_support(interface, messages))
         depends |= {field.nested.split("/")[0] for m in messages for field in m.fields}
+        if file.parent.name == "action":
+            depends.add("action_msgs")  # rosidl's header of an action includes its services
     config = prefix / "share" / package / "cmake" / f"{package}Config.cmake"
     config.parent.mkdir(parents=True, exist_ok=True)
-    config.write_text(_cmake_config(prefix, package, sorted(depends - {package, ""})))
+    config.write_text(_cmake_config(package, sorted(depends - {package, ""})))
 
 
-def _cmake_config(prefix: Path, package: str, depends: Sequence[str]) -> str:
-    # Ours first: it has the type supports in place of rosidl's.
-    folders = [prefix / "include" / package, ROS / "include" / package]
-    folders += [ROS / "include" / runtime for runtime in RUNTIME]
-    include = ";".join(folder.as_posix() for folder in folders if folder.exists())
+def _cmake_config(package: str, depends: Sequence[str]) -> str:
+    # That of its prefix first: it has the type supports in place of rosidl's.
+    folders = [ROS / "include" / name for name in (package, *RUNTIME)]
+    include = ";".join(
+        [
+            f"${{include}}/{package}",
+            *(folder.as_posix() for folder in folders if folder.exists()),
+        ]
+    )
     target = f"{package}::{package}"
     typesupport = f"{target}__rosidl_typesupport_cpp"
     return "\n".join(
@@ -195,14 +61,17 @@ def _cmake_config(prefix: Path, package: str, depends: Sequence[str]) -> str:
             "include_guard(GLOBAL)",
             "include(CMakeFindDependencyMacro)",
             *(f"find_dependency({depend})" for depend in depends),
+            'get_filename_component(include "${CMAKE_CURRENT_LIST_DIR}/../../../include" ABSOLUTE)',
+            f'set({package}_INCLUDE_DIRS "{include}")',
             f"add_library({target} INTERFACE IMPORTED GLOBAL)",
             f"set_target_properties({target} PROPERTIES",
-            f'  INTERFACE_INCLUDE_DIRECTORIES "{include}"',
+            f'  INTERFACE_INCLUDE_DIRECTORIES "${{{package}_INCLUDE_DIRS}}"',
             f'  INTERFACE_LINK_LIBRARIES "{";".join(f"{d}::{d}" for d in depends)}")',
             f"add_library({typesupport} ALIAS {target})",
             f"set({package}_TARGETS {target})",
             f"set({package}_LIBRARIES {target})",
-            f'set({package}_INCLUDE_DIRS "{include}")',
+            # Written by ament_package() if the package has libraries too.
+            f'include("${{CMAKE_CURRENT_LIST_DIR}}/{package}Libraries.cmake" OPTIONAL)',
             "",
         ]
     )
@@ -216,17 +85,34 @@ def write_ros(prefix: Path) -> None:
             write_package(prefix, share.name, descriptions)
 
 
-def generate(prefix: Path, package: str, folder: Path, files: Sequence[str]) -> None:
+def generate(
+    prefix: Path, others: Sequence[Path], package: str, folder: Path, files: Sequence[str]
+) -> None:
     """Generate the C++ headers of a workspace package and add it to the CMake prefix.
 
-    `files` are its `.msg`, `.srv`, `.action` and `.idl` files, relative to `folder`.
+    `files` are its `.msg`, `.srv`, `.action` and `.idl` files, relative to `folder`; `others` are
+    the prefixes of packages that they may use. Raises a SiteError that says what is wrong in which.
     """
     sys.path.insert(0, str(ROS / "python"))  # rosidl is vendored, as its wheels name one platform
+    packages = {path.name: path for path in _shares([ROS, *others]) if path.name != package}
+    problems = definitions.check(package, folder, files, packages)
+    if problems:
+        raise SiteError(problems)
+    with tempfile.TemporaryDirectory() as folder_of_new:
+        fresh = Path(folder_of_new)
+        _generate(fresh, package, folder, files, packages)
+        for part in ("include", "share"):
+            _update(fresh / part / package, prefix / part / package)
+
+
+def _generate(
+    prefix: Path, package: str, folder: Path, files: Sequence[str], packages: Mapping[str, Path]
+) -> None:
     adapter = importlib.import_module("rosidl_adapter")
     description = importlib.import_module("rosidl_generator_type_description")
     cpp = importlib.import_module("rosidl_generator_cpp")
     share = prefix / "share" / package
-    share.mkdir(parents=True, exist_ok=True)
+    share.mkdir(parents=True)
     idls = []
     for name in files:
         if name.endswith(".idl"):
@@ -237,12 +123,7 @@ def generate(prefix: Path, package: str, folder: Path, files: Sequence[str]) -> 
     arguments = {
         "package_name": package,
         "idl_tuples": idls,
-        "include_paths": [
-            f"{path.name}:{path}"
-            for shares in (ROS / "share", prefix / "share")
-            for path in sorted(shares.iterdir())
-            if path.name != package
-        ],
+        "include_paths": [f"{name}:{path}" for name, path in packages.items()],
         "output_dir": str(share),
         "template_dir": str(ROS / "share" / "rosidl_generator_cpp" / "resource"),
         "target_dependencies": [],
@@ -254,13 +135,47 @@ def generate(prefix: Path, package: str, folder: Path, files: Sequence[str]) -> 
     write_package(prefix, package, (file.with_suffix(".json") for file in descriptions))
 
 
-def _run(generator: Any, arguments: dict[str, Any]) -> None:
+def _update(fresh: Path, folder: Path) -> None:
+    """Make `folder` hold what `fresh` holds.
+
+    What did not change keeps its time, so that whatever includes it is not compiled again.
+    """
+    names = {file.relative_to(fresh) for file in fresh.rglob("*") if file.is_file()}
+    for name in names:
+        file, content = folder / name, (fresh / name).read_bytes()
+        if not file.exists() or file.read_bytes() != content:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+    for file in folder.rglob("*"):
+        if file.is_file() and file.relative_to(folder) not in names:
+            file.unlink()  # of an interface that the package no longer has
+
+
+def _shares(prefixes: Iterable[Path]) -> Iterator[Path]:
+    """Yield the folders of packages that have type descriptions."""
+    for prefix in prefixes:
+        for share in sorted((prefix / "share").glob("*")):
+            if any((share / kind).is_dir() for kind in KINDS):
+                yield share
+
+
+def _run(generator: Any, arguments: dict[str, Any]) -> Any:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "arguments.json"
         file.write_text(json.dumps(arguments))
-        generator(str(file))
+        return generator(str(file))
+
+
+def main() -> int:
+    """Do what rosidl_generate_interfaces() asks for while CMake configures a package."""
+    prefix, others, package, folder, *files = sys.argv[1:]
+    try:
+        generate(Path(prefix), list(map(Path, others.split(";"))), package, Path(folder), files)
+    except SiteError as error:
+        print(*(f"{PROBLEM}{line}" for line in error.lines), sep="\n", file=sys.stderr)
+        return 1
+    return 0
 
 
 if __name__ == "__main__":
-    # Called by rosidl_generate_interfaces() while CMake configures a package.
-    generate(Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3]), sys.argv[4:])
+    sys.exit(main())

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 #include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"
 
@@ -40,9 +42,15 @@ void Cdr::align(std::size_t size)
   position_ += padding;
 }
 
+void Cdr::too_long(std::size_t size, std::size_t bound)
+{
+  throw std::length_error(
+    "a text of " + std::to_string(size) + " where its type allows " + std::to_string(bound));
+}
+
 bool Cdr::room(std::size_t size)
 {
-  if (mode_ == Mode::kRead) {ok_ = ok_ && position_ <= end_ && size <= end_ - position_;}
+  if (mode_ == Mode::kRead) {ok_ = ok_ && position_ <= end_ && size <= left();}
   return ok_;
 }
 
@@ -91,7 +99,9 @@ void Cdr::operator()(std::string & value)
   if (mode_ != Mode::kRead) {
     bytes(const_cast<char *>(value.c_str()), size);
   } else if (room(size)) {
-    value.assign(reinterpret_cast<const char *>(in_ + position_), size ? size - 1 : 0);
+    const char * text = reinterpret_cast<const char *>(in_ + position_);
+    // The zero at its end counts, though native ROS 2 does without one.
+    value.assign(text, size && text[size - 1] == '\0' ? size - 1 : size);
     position_ += size;
   }
 }
@@ -100,7 +110,7 @@ void Cdr::operator()(std::u16string & value)
 {
   const std::size_t size = length(value.size());
   if (mode_ == Mode::kRead) {
-    if (size > (end_ - std::min(position_, end_)) / sizeof(std::uint32_t)) {
+    if (size > left() / sizeof(std::uint32_t)) {
       ok_ = false;
       return;
     }

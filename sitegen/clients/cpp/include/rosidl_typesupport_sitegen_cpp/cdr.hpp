@@ -1,6 +1,7 @@
 // Messages to and from CDR: XCDR1, little-endian, with its header of four bytes, as native ROS 2.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,10 +54,11 @@ public:
   template<class T, std::size_t N, class A>
   void operator()(rosidl_runtime_cpp::BoundedVector<T, N, A> & values) {sequence(values, N);}
 
-  /// A bounded string: longer ones are refused.
+  /// A bounded string: a longer one is refused.
   template<class String>
   void bounded(String & value, std::size_t bound)
   {
+    if (mode_ != Mode::kRead && value.size() > bound) {too_long(value.size(), bound);}
     (*this)(value);
     ok_ = ok_ && value.size() <= bound;
   }
@@ -72,14 +74,27 @@ private:
   template<class Sequence>
   void sequence(Sequence & values, std::size_t bound)
   {
-    std::size_t count = length(values.size());
-    if (mode_ == Mode::kRead) {
-      // Every element takes a byte at least: a length beyond that is not worth an allocation.
-      ok_ = ok_ && count <= bound && count <= end_ - position_;
+    using T = typename Sequence::value_type;
+    const std::size_t count = length(values.size());
+    if (mode_ != Mode::kRead) {
+      elements(values, count);
+      return;
+    }
+    // A length is believed as far as there are bytes for it.
+    ok_ = ok_ && count <= bound;
+    if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, char16_t>) {
+      ok_ = ok_ && count <= left() / sizeof(T);
       if (!ok_) {return;}
       values.resize(count);
+      elements(values, count);
+    } else {
+      values.clear();
+      values.reserve(std::min(ok_ ? count : 0, left() / sizeof(T) + 1));
+      for (std::size_t i = 0; i < count && ok_; ++i) {
+        values.emplace_back();
+        (*this)(values.back());
+      }
     }
-    elements(values, count);
   }
 
   template<class Sequence>
@@ -99,8 +114,10 @@ private:
     }
   }
 
+  [[noreturn]] static void too_long(std::size_t size, std::size_t bound);
   void wide(char16_t & value);
   std::size_t length(std::size_t count);
+  std::size_t left() const {return position_ < end_ ? end_ - position_ : 0;}
   void align(std::size_t size);
   bool room(std::size_t size);
   void block(void * data, std::size_t size, std::size_t count);

@@ -27,15 +27,106 @@ function(ament_target_dependencies target)
   endforeach()
 endfunction()
 
-# What matters to colcon, to other packages' installs or to tests, and not to a page.
+# What matters to colcon, to installs or to tests, and not to a page.
 foreach(command
   ament_add_gmock ament_add_gtest ament_add_pytest_test ament_add_test
-  ament_environment_hooks ament_export_definitions ament_export_dependencies
-  ament_export_include_directories ament_export_interfaces ament_export_libraries
-  ament_export_link_flags ament_export_targets ament_index_register_resource
-  ament_lint_auto_find_test_dependencies)
+  ament_environment_hooks ament_export_definitions ament_export_link_flags
+  ament_index_register_resource ament_lint_auto_find_test_dependencies)
   cmake_language(EVAL CODE "macro(${command})\nendmacro()")
 endforeach()
 
+# What a package has for others: noted here, written by ament_package().
+foreach(kind dependencies include_directories libraries targets)
+  cmake_language(EVAL CODE
+    "macro(ament_export_${kind})
+      set_property(GLOBAL APPEND PROPERTY SITEGEN_EXPORT_${kind} \${ARGN})
+    endmacro()")
+endforeach()
+macro(ament_export_interfaces)  # the former name
+  ament_export_targets(${ARGN})
+endmacro()
+
+function(sitegen_libraries_below folder result)
+  get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+  get_property(folders DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
+  set(found "")
+  foreach(target IN LISTS targets)
+    get_target_property(type ${target} TYPE)
+    if(type MATCHES "^(STATIC|SHARED|OBJECT|INTERFACE)_LIBRARY$")
+      list(APPEND found ${target})
+    endif()
+  endforeach()
+  foreach(subfolder IN LISTS folders)
+    sitegen_libraries_below("${subfolder}" more)
+    list(APPEND found ${more})
+  endforeach()
+  set(${result} "${found}" PARENT_SCOPE)
+endfunction()
+
+# Let other packages use the libraries and headers of this one, where they are.
 function(ament_package)
+  foreach(kind dependencies include_directories libraries targets)
+    get_property(${kind} GLOBAL PROPERTY SITEGEN_EXPORT_${kind})
+  endforeach()
+  set(exported "")
+  if(libraries OR targets)
+    sitegen_libraries_below("${PROJECT_SOURCE_DIR}" exported)
+  endif()
+  set(compiled "")
+  set(names "")
+  foreach(target IN LISTS exported)
+    get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL "INTERFACE_LIBRARY")
+      list(APPEND compiled ${target})
+    endif()
+    get_target_property(name ${target} EXPORT_NAME)
+    if(NOT name)
+      set(name ${target})
+    endif()
+    list(APPEND names ${PROJECT_NAME}::${name})
+  endforeach()
+  add_custom_target(sitegen_libraries DEPENDS ${compiled})
+
+  # Installed headers are below include/ or include/<package>/: in the sources both are include/.
+  set(include "")
+  if(include_directories OR exported)
+    foreach(folder IN ITEMS include ${include_directories})
+      get_filename_component(folder "${folder}" ABSOLUTE)
+      if(IS_DIRECTORY "${folder}")
+        list(APPEND include "${folder}")
+      endif()
+    endforeach()
+    list(REMOVE_DUPLICATES include)
+  endif()
+
+  # Our libraries are static, so whoever links them needs all that they were linked with.
+  get_property(packages GLOBAL PROPERTY PACKAGES_FOUND)
+  list(APPEND packages ${dependencies})
+  list(REMOVE_DUPLICATES packages)
+  list(REMOVE_ITEM packages ${PROJECT_NAME})
+  set(folder "${SITEGEN_PREFIX}/share/${PROJECT_NAME}/cmake")
+  set(text "include(CMakeFindDependencyMacro)\n")
+  foreach(package IN LISTS packages)
+    string(APPEND text "find_dependency(${package})\n")
+  endforeach()
+  string(APPEND text "list(APPEND ${PROJECT_NAME}_INCLUDE_DIRS ${include})\n")
+  if(exported)
+    export(TARGETS ${exported} NAMESPACE "${PROJECT_NAME}::" FILE "${folder}/targets.cmake")
+    string(APPEND text "include(\"\${CMAKE_CURRENT_LIST_DIR}/targets.cmake\")\n")
+  elseif(include)
+    set(names ${PROJECT_NAME}::headers)
+    string(APPEND text "add_library(${names} INTERFACE IMPORTED GLOBAL)\n")
+  endif()
+  foreach(name IN LISTS names)
+    string(APPEND text "target_include_directories(${name} INTERFACE ${include})\n")
+    string(APPEND text "list(APPEND ${PROJECT_NAME}_TARGETS ${name})\n")
+    string(APPEND text "list(APPEND ${PROJECT_NAME}_LIBRARIES ${name})\n")
+  endforeach()
+  file(WRITE "${folder}/${PROJECT_NAME}Libraries.cmake" "${text}")
+  get_property(interfaces GLOBAL PROPERTY SITEGEN_INTERFACES)
+  if(NOT interfaces)  # else the generator wrote one, which includes the other
+    file(WRITE "${folder}/${PROJECT_NAME}Config.cmake"
+      "include_guard(GLOBAL)\n"
+      "include(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Libraries.cmake\")\n")
+  endif()
 endfunction()

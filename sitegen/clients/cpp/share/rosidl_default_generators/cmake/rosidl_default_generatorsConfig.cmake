@@ -12,14 +12,16 @@ function(rosidl_generate_interfaces target)
       CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
   endforeach()
   execute_process(
-    COMMAND "${SITEGEN_PYTHON}" -m sitegen.interfaces
-      "${SITEGEN_PREFIX}" "${PROJECT_NAME}" "${CMAKE_CURRENT_SOURCE_DIR}" ${files}
+    COMMAND "${SITEGEN_PYTHON}" -m sitegen.interfaces "${SITEGEN_PREFIX}" "${CMAKE_PREFIX_PATH}"
+      "${PROJECT_NAME}" "${CMAKE_CURRENT_SOURCE_DIR}" ${files}
+    OUTPUT_QUIET
     RESULT_VARIABLE failed)
   if(failed)
     message(FATAL_ERROR "the interfaces of '${PROJECT_NAME}' could not be generated")
   endif()
   find_package(${PROJECT_NAME} REQUIRED PATHS "${SITEGEN_PREFIX}/share/${PROJECT_NAME}/cmake"
     NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+  set_property(GLOBAL PROPERTY SITEGEN_INTERFACES ON)
   add_custom_target(${target})
   add_library(${target}__rosidl_typesupport_cpp ALIAS ${PROJECT_NAME}::${PROJECT_NAME})
   add_library(${target}__rosidl_generator_cpp ALIAS ${PROJECT_NAME}::${PROJECT_NAME})

@@ -1,0 +1,91 @@
+"""Configure and build the CMake projects of ROS packages, for one engine of the page."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen.model import Package
+from sitegen.toolchain import Toolchain
+
+CLIENT = Path(__file__).parent / "clients" / "cpp"
+OPTIMIZE = "-O2"
+SETTINGS = [
+    "-DCMAKE_BUILD_TYPE=Release",
+    *(f"-DCMAKE_{language}_FLAGS_RELEASE={OPTIMIZE}" for language in ("C", "CXX")),
+    # Emscripten's own file lets CMake find packages in its system root only.
+    "-DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH",
+    # A program of the page cannot be run to try the compiler out, and need not be.
+    "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+    # Advice for the authors of CMake files would hide what stopped it.
+    *("-Wno-dev", "-Wno-deprecated", "--no-warn-unused-cli"),
+    # Packages are looked for anew: they may have moved.
+    *("-U", "*_DIR"),
+]
+
+Done = subprocess.CompletedProcess[str]
+
+
+@dataclass(frozen=True)
+class CMake:
+    """What CMake makes of packages for `engine`, all of it below `work`."""
+
+    tools: Toolchain
+    work: Path
+    engine: str
+
+    @property
+    def ros(self) -> Path:
+        """The prefix of the interface packages of ROS, which suits all engines."""
+        return self.work / "ros"
+
+    @property
+    def library(self) -> Path:
+        """The rclcpp library of this engine."""
+        return self.work / self.engine / "rclcpp" / "librclcpp.a"
+
+    def tree(self, package: Package) -> Path:
+        """The build folder of `package`: by its place, so that a change compiles what changed."""
+        place = hashlib.sha256(str(package.path).encode()).hexdigest()[:12]
+        return self.work / self.engine / "packages" / f"{package.name}-{place}"
+
+    def prefix(self, package: Package) -> Path:
+        """Where `package` puts what other packages use of it."""
+        return self.tree(package) / "prefix"
+
+    def program(self, package: Package, executable: str) -> Path:
+        """Where the build leaves `executable`, less its suffix."""
+        return self.tree(package) / "bin" / executable
+
+    def make_library(self) -> Done:
+        """Compile the rclcpp library."""
+        tree = self.library.parent
+        done = self._configure(CLIENT, tree, [])
+        return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
+
+    def configure(self, package: Package, needs: Sequence[Package]) -> Done:
+        """Configure `package`, with what the packages `needs` have for others."""
+        return self._configure(package.path, self.tree(package), list(map(self.prefix, needs)))
+
+    def make(self, package: Package, target: str) -> Done:
+        """Build one target of a configured package."""
+        return self.tools.run(self.tools.ninja, "-C", self.tree(package), target)
+
+    def _configure(self, source: Path, tree: Path, prefixes: Sequence[Path]) -> Done:
+        defines = {
+            "CMAKE_TOOLCHAIN_FILE": self.tools.platform_file,
+            "CMAKE_MAKE_PROGRAM": self.tools.ninja,
+            "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
+            "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
+            "SITEGEN_ENGINE": self.engine,
+            "SITEGEN_PREFIX": tree / "prefix",
+            "SITEGEN_PYTHON": sys.executable,
+            "SITEGEN_RCLCPP": self.library,
+        }
+        words = [f"-D{name}={value}" for name, value in defines.items()]
+        command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
+        return self.tools.run(*command, *SETTINGS, *words)

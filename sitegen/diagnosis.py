@@ -1,0 +1,69 @@
+"""Turn what CMake, Ninja and the compiler print into problems of the site."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen.errors import relative
+from sitegen.interfaces import PROBLEM
+from sitegen.model import Package
+
+NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
+# The command lines of a build, and what Ninja and em++ say about them.
+COMMANDS = re.compile(
+    r"ninja: |\[\d+/\d+\] |FAILED: |em(\+\+|cc): error: '|: && |\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s"
+    r"|\S*cmake -E |See also \"|Call Stack \(most recent call first\):$"
+)
+FAILED_SOURCE = re.compile(r"^FAILED: (?:\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Says what is wrong with `package`; files are shown as one types them from `root`."""
+
+    root: Path
+    package: Package
+
+    def missing(self, output: str) -> str:
+        """Return the package that CMake did not find, empty if it failed by something else."""
+        found = NOT_FOUND.search(output)
+        return found[1] if found else ""
+
+    def of_cmake(self, output: str) -> list[str]:
+        """Say why CMake could not configure the package."""
+        own = re.findall(rf"^{PROBLEM}(.+)$", output, re.M)
+        if own:
+            return [line.replace(f"{self.root}/", "") for line in own]
+        missing = self.missing(output)
+        if missing:
+            return [f"{self._cmake}: '{self.package.name}' needs '{missing}', {self._no_build}"]
+        return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
+
+    def of_build(self, executable: str, output: str) -> list[str]:
+        """Say why `executable` could not be compiled."""
+        if f"unknown target '{executable}'" in output:
+            return [
+                f"{self._cmake}: package '{self.package.name}' has no executable '{executable}'"
+            ]
+        source = FAILED_SOURCE.search(output)
+        file = self._show(self.package.path / source[1]) if source else self._cmake
+        what = "em++ failed" if source else f"em++ could not link '{executable}'"
+        return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
+
+    _no_build = "which has no build for the page"
+
+    @property
+    def _cmake(self) -> str:
+        return self._show(self.package.path / "CMakeLists.txt")
+
+    def _show(self, file: Path) -> str:
+        return relative(file, self.root)
+
+    def _quote(self, output: str) -> str:
+        """Return a tool's own words, without the command lines around them."""
+        shown = [line.rstrip() for line in output.splitlines() if not COMMANDS.match(line)]
+        shown = [line for line in shown if not line.startswith("-- ")]
+        text = re.sub(r"\n{3,}", "\n\n", "\n".join(shown)).strip()
+        return text.replace(f"{self.root}/", "")

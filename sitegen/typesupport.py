@@ -1,0 +1,160 @@
+"""Turn type descriptions of ROS interfaces into type supports: how to walk over a message's fields.
+
+rosidl writes a type description (`*.json`) for each interface. Nothing else is needed to read and
+write its messages.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+# type_description_interfaces/msg/FieldType: a scalar's number, plus 48 for an array of it, 96 for a
+# bounded and 144 for an unbounded sequence.
+NESTED = 1
+BOUNDED_TEXT = (21, 22)
+SCALARS = 48
+
+
+@dataclass(frozen=True)
+class Field:
+    """A field of a message: its C++ name, the message it nests if any, its bound if a text."""
+
+    name: str
+    nested: str
+    bound: int
+
+
+@dataclass(frozen=True)
+class Message:
+    """One message class: `std_msgs/msg/Header`, or a part of a service or an action."""
+
+    name: str
+    hash: str
+    fields: tuple[Field, ...]
+
+    @property
+    def package(self) -> str:
+        """The package that defines it."""
+        return self.name.split("/")[0]
+
+    @property
+    def cpp(self) -> str:
+        """Its C++ class."""
+        return self.name.replace("/", "::")
+
+
+def read_description(file: Path) -> Iterator[Message]:
+    """Yield the messages that the interface of a type description consists of, nested first.
+
+    A message is one; the `.json` of a service also describes its request, response and event.
+    """
+    data = json.loads(file.read_text())
+    description = data["type_description_msg"]
+    own = description["type_description"]["type_name"]
+    hashes = {entry["type_name"]: entry["hash_string"] for entry in data["type_hashes"]}
+    parts = [*description["referenced_type_descriptions"], description["type_description"]]
+    messages = [_message(part, hashes) for part in parts]
+    mine = {m.name: m for m in messages if m.name == own or m.name.startswith(f"{own}_")}
+    for name in list(mine):
+        # Services and actions are described too, as types with their parts for fields.
+        if f"{name}_Request" in mine or f"{name}_Goal" in mine:
+            del mine[name]
+    yield from _nested_first(mine)
+
+
+def _message(part: dict[str, Any], hashes: dict[str, str]) -> Message:
+    fields = tuple(_field(field) for field in part["fields"])
+    return Message(part["type_name"], hashes[part["type_name"]], fields)
+
+
+def _field(field: dict[str, Any]) -> Field:
+    kind = field["type"]
+    scalar = kind["type_id"] % SCALARS
+    nested = kind["nested_type_name"] if scalar == NESTED else ""
+    bound = kind["string_capacity"] if kind["type_id"] in BOUNDED_TEXT else 0
+    return Field(field["name"], nested, bound)
+
+
+def _nested_first(messages: dict[str, Message]) -> Iterator[Message]:
+    done: set[str] = set()
+
+    def visit(message: Message) -> Iterator[Message]:
+        if message.name in done:
+            return
+        done.add(message.name)
+        for field in message.fields:
+            # Those of other interfaces have headers of their own.
+            if field.nested in messages:
+                yield from visit(messages[field.nested])
+        yield message
+
+    for message in messages.values():
+        yield from visit(message)
+
+
+def header_name(interface: str) -> str:
+    """Return the header stem of `pkg/msg/InterfaceName` as rosidl forms it."""
+    package, folder, name = interface.split("/")
+    snake = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
+    snake = re.sub("([a-z0-9])([A-Z])", r"\1_\2", snake).lower()
+    return f"{package}/{folder}/detail/{snake}"
+
+
+def interface_of(message: str) -> str:
+    """Return the interface that defines `message`: `a/srv/B` for `a/srv/B_Request`."""
+    package, folder, name = message.split("/")
+    return f"{package}/{folder}/{name if folder == 'msg' else name.split('_')[0]}"
+
+
+def type_support(interface: str, messages: Sequence[Message]) -> str:
+    """Write the header `<interface>__type_support.hpp`, in place of rosidl's own."""
+    own = {message.name for message in messages}
+    nested = {field.nested for message in messages for field in message.fields if field.nested}
+    includes = sorted({header_name(interface_of(name)) for name in nested - own})
+    lines = [
+        f"// generated from {interface}.json by sitegen",
+        "#pragma once",
+        "",
+        f'#include "{header_name(interface)}__struct.hpp"',
+        *(f'#include "{include}__type_support.hpp"' for include in includes),
+        '#include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"',
+    ]
+    for message in messages:
+        lines += _message_support(message)
+    return "\n".join(lines) + "\n"
+
+
+def _message_support(message: Message) -> list[str]:
+    space, name = message.cpp.rsplit("::", 1)
+    return [
+        "",
+        f"namespace {space}",
+        "{",
+        f"inline void visit_fields(rosidl_typesupport_sitegen_cpp::Cdr & cdr, {name} & message)",
+        "{",
+        *(f"  {_visit(field)};" for field in message.fields),
+        "}",
+        f"}}  // namespace {space}",
+        "",
+        "namespace rosidl_typesupport_cpp",
+        "{",
+        "template<>",
+        "inline const rosidl_message_type_support_t *",
+        f"get_message_type_support_handle<{message.cpp}>()",
+        "{",
+        f"  return rosidl_typesupport_sitegen_cpp::handle_of<{message.cpp}>(",
+        f'    "{message.name}", "{message.hash}");',
+        "}",
+        "}  // namespace rosidl_typesupport_cpp",
+    ]
+
+
+def _visit(field: Field) -> str:
+    if field.bound:
+        return f"cdr.bounded(message.{field.name}, {field.bound})"
+    return f"cdr(message.{field.name})"

@@ -1,0 +1,69 @@
+"""Native ROS 2 to compare with: an environment of its own with the wheels of PyPI."""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+HERE = Path(__file__).parent / "ros2"
+REQUIREMENTS = HERE / "requirements.txt"
+
+
+class Native:
+    """An environment with rclpy, made once for one state of the pins and kept between runs."""
+
+    def __init__(self) -> None:
+        pins = REQUIREMENTS.read_bytes() + sys.version.encode()
+        name = f"ros2-{hashlib.sha256(pins).hexdigest()[:12]}"
+        self._folder = test_cache() / name
+        self._python = self._folder / "bin" / "python"
+        self._folder.parent.mkdir(parents=True, exist_ok=True)
+        with Path(f"{self._folder}.lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not (self._folder / "complete").exists():
+                self._install()
+
+    def _install(self) -> None:
+        shutil.rmtree(self._folder, ignore_errors=True)
+        venv.create(self._folder, with_pip=True)
+        pip: list[str | Path] = [
+            self._python,
+            "-m",
+            "pip",
+            "install",
+            "-qq",
+            "--disable-pip-version-check",
+        ]
+        subprocess.run([*pip, "--requirement", REQUIREMENTS], check=True)
+        (self._folder / "complete").touch()
+
+    @property
+    def share(self) -> Path:
+        """Where its packages keep their interface definitions."""
+        return self._folder / "share"
+
+    def run(self, program: str, *arguments: str, stdin: str = "") -> list[str]:
+        """Run a program of tests/ros2 and return the lines that it prints."""
+        # The wheels' start-up hook sets library paths and then this, which a child must not see.
+        env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
+        done = subprocess.run(
+            [self._python, HERE / program, *arguments],
+            env=env | {"AMENT_PREFIX_PATH": str(self._folder)},
+            input=stdin,
+            text=True,
+            capture_output=True,
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.splitlines()
+
+
+def test_cache() -> Path:
+    """Return the folder for what tests keep between runs."""
+    own = os.environ.get("SITEGEN_TEST_CACHE")
+    return Path(own) if own else Path.home() / ".cache" / "sitegen-tests"
