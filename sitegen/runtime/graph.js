@@ -49,7 +49,7 @@ export class Graph extends EventTarget {
       const member = { owner, endpoint };
       const { mine, others } = this.#sides(endpoint);
       mine.add(member);
-      for (const other of others) if (matches(member, other)) this.#match(member, other);
+      for (const other of others) this.#meet(member, other);
     }
     this.#changed();
   }
@@ -65,7 +65,7 @@ export class Graph extends EventTarget {
       const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
       if (member) {
         mine.delete(member);
-        for (const other of others) if (matches(member, other)) this.#unmatch(member, other);
+        for (const other of others) this.#part(member, other);
       }
       if (mine.size + others.size === 0) this.#topics.delete(endpoint.name);
     }
@@ -100,17 +100,27 @@ export class Graph extends EventTarget {
       : { mine: topic.subscriptions, others: topic.publishers };
   }
 
-  /** @param {Member} a @param {Member} b */
-  #match(a, b) {
+  /** A publisher and a subscription of one topic, in either order. @param {Member} a @param {Member} b */
+  #meet(a, b) {
+    if (a.endpoint.type !== b.endpoint.type) return;
+    const policy = incompatibility(...inOrder(a, b));
+    if (policy) {
+      for (const { owner, endpoint } of [a, b]) {
+        owner.post({ op: "incompatible", local: endpoint.id, policy });
+      }
+      return;
+    }
     this.#link(a.owner, b.owner);
-    tell("match", a, b);
-    tell("match", b, a);
+    const durable = a.endpoint.qos.transientLocal && b.endpoint.qos.transientLocal;
+    for (const [to, about] of bothWays(a, b)) {
+      to.owner.post({ op: "match", ...pair(to, about), durable });
+    }
   }
 
   /** @param {Member} a @param {Member} b */
-  #unmatch(a, b) {
-    tell("unmatch", a, b);
-    tell("unmatch", b, a);
+  #part(a, b) {
+    if (a.endpoint.type !== b.endpoint.type || incompatibility(...inOrder(a, b))) return;
+    for (const [to, about] of bothWays(a, b)) to.owner.post({ op: "unmatch", ...pair(to, about) });
   }
 
   /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
@@ -128,12 +138,29 @@ export class Graph extends EventTarget {
   }
 }
 
-/** Whether messages flow between two endpoints of a topic. @param {Member} a @param {Member} b */
-function matches(a, b) {
-  return a.endpoint.type === b.endpoint.type;
+/**
+ * The policy of which the publisher offers less than the subscription asks for, or "".
+ * @param {Member} publisher @param {Member} subscription
+ */
+function incompatibility(publisher, subscription) {
+  const offered = publisher.endpoint.qos;
+  const requested = subscription.endpoint.qos;
+  if (requested.reliable && !offered.reliable) return "RELIABILITY_QOS_POLICY";
+  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY_QOS_POLICY";
+  return "";
 }
 
-/** @param {"match" | "unmatch"} op @param {Member} to @param {Member} about */
-function tell(op, to, about) {
-  to.owner.post({ op, local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id });
+/** The publisher first. @param {Member} a @param {Member} b @returns {[Member, Member]} */
+function inOrder(a, b) {
+  return a.endpoint.kind === "publisher" ? [a, b] : [b, a];
+}
+
+/** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */
+function bothWays(a, b) {
+  return [[a, b], [b, a]];
+}
+
+/** @param {Member} to @param {Member} about */
+function pair(to, about) {
+  return { local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id };
 }

@@ -46,13 +46,15 @@
 
 /**
  * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`;
- * `peer` is the worker's own id when both live in it.
+ * `peer` is the worker's own id when both live in it; a `durable` match is one of transient local
+ * endpoints, and begins with what the publisher keeps.
  * @typedef {{op: "start", id: number, engine: Engine, script: string, module: WebAssembly.Module,
  *     name: string, arguments: string[]}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
- *   | {op: "match", local: number, peer: number, remote: number}
+ *   | {op: "match", local: number, peer: number, remote: number, durable: boolean}
  *   | {op: "unmatch", local: number, peer: number, remote: number}
+ *   | {op: "incompatible", local: number, policy: string}
  *   | {op: "stop"}} ToWorker
  */
 

@@ -75,10 +75,7 @@ export function cppHost(participant, printer, args, fail, ended) {
     now,
     /** @param {Uint8Array} heap @param {number} severity @param {number} logger @param {number} line */
     log(heap, severity, logger, line) {
-      const name = SEVERITIES[severity] ?? "info";
-      const seconds = (now() / 1000).toFixed(9);
-      const head = `[${name.toUpperCase()}] [${seconds}] [${text(heap, logger)}]: `;
-      printer.print(name, head + text(heap, line));
+      printer.log(SEVERITIES[severity] ?? "info", text(heap, logger), text(heap, line));
     },
     /** @param {Uint8Array} heap @param {number} index @param {number} to @param {number} capacity */
     argument(heap, index, to, capacity) {

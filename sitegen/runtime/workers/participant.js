@@ -9,7 +9,10 @@ import { Queue } from "./queue.js";
 
 /**
  * @typedef {{peer: number, id: number}} Remote an endpoint that matches one of ours
- * @typedef {{endpoint: Endpoint, remotes: Remote[], queue: Queue, sequence: number}} Local
+ * @typedef {{sequence: number, timestamp: number, message: Uint8Array}} Kept
+ * @typedef {{
+ *   endpoint: Endpoint, remotes: Remote[], queue: Queue, sequence: number, kept: Kept[],
+ * }} Local with the messages that a transient local publisher keeps for those who come late
  */
 
 const SIGINT = 2;
@@ -19,6 +22,7 @@ const TIMER_CLAMP = 5;
 export class Participant {
   #id;
   #post;
+  #warn;
   /** @type {Map<number, Local>} */
   #locals = new Map();
   #nextId = 1;
@@ -34,10 +38,12 @@ export class Participant {
   /**
    * @param {number} id of this worker in the page
    * @param {(message: FromWorker) => void} post to the page
+   * @param {(logger: string, text: string) => void} warn on the console of the node
    */
-  constructor(id, post) {
+  constructor(id, post, warn) {
     this.#id = id;
     this.#post = post;
+    this.#warn = warn;
     this.#turn.port1.onmessage = () => this.#turns.shift()?.();
   }
 
@@ -49,7 +55,7 @@ export class Participant {
   create(kind, node, name, type, qos) {
     const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
     const queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
-    this.#locals.set(endpoint.id, { endpoint, remotes: [], queue, sequence: 0 });
+    this.#locals.set(endpoint.id, { endpoint, remotes: [], queue, sequence: 0, kept: [] });
     this.#post({ op: "create", endpoint });
     return endpoint.id;
   }
@@ -72,16 +78,13 @@ export class Participant {
     const local = this.#locals.get(id);
     if (!local) return;
     const sequence = ++local.sequence;
-    const publisher = this.#id * 0x10000 + id;
     const timestamp = now();
-    for (const { peer, id: reader } of local.remotes) {
-      const head = { reader, publisher, sequence, timestamp };
-      if (peer === this.#id) {
-        this.#deliver(head, message.slice());
-      } else {
-        this.#outboxes.get(peer)?.send(head, message);
-      }
+    const { qos } = local.endpoint;
+    if (qos.transientLocal) {
+      local.kept.push({ sequence, timestamp, message: message.slice() });
+      if (!qos.keepAll && local.kept.length > qos.depth) local.kept.shift();
     }
+    for (const remote of local.remotes) this.#send(id, remote, { sequence, timestamp, message });
   }
 
   /** The oldest message that waits at the subscription `id`. @param {number} id */
@@ -144,20 +147,54 @@ export class Participant {
         this.#outboxes.get(message.peer)?.close();
         this.#outboxes.delete(message.peer);
         break;
-      case "match":
-        this.#locals.get(message.local)?.remotes.push({ peer: message.peer, id: message.remote });
+      case "match": {
+        const local = this.#locals.get(message.local);
+        const remote = { peer: message.peer, id: message.remote };
+        local?.remotes.push(remote);
+        if (!message.durable) break;
+        for (const kept of local?.kept ?? []) this.#send(message.local, remote, kept);
+        this.#outboxes.get(message.peer)?.flush();
         break;
+      }
       case "unmatch": {
         const remotes = this.#locals.get(message.local)?.remotes ?? [];
         const gone = remotes.findIndex((r) => r.peer === message.peer && r.id === message.remote);
         if (gone >= 0) remotes.splice(gone, 1);
         break;
       }
+      case "incompatible":
+        this.#tellIncompatible(message.local, message.policy);
+        break;
       case "stop":
         this.#signal = SIGINT;
         break;
     }
     this.wake();
+  }
+
+  /** @param {number} id @param {Remote} remote @param {Kept} sample */
+  #send(id, remote, { sequence, timestamp, message }) {
+    const publisher = this.#id * 0x10000 + id;
+    const head = { reader: remote.id, publisher, sequence, timestamp };
+    if (remote.peer === this.#id) {
+      this.#deliver(head, message.slice());
+    } else {
+      this.#outboxes.get(remote.peer)?.send(head, message);
+    }
+  }
+
+  /** In the words of ROS, which people know and search for. @param {number} id @param {string} policy */
+  #tellIncompatible(id, policy) {
+    const endpoint = this.#locals.get(id)?.endpoint;
+    if (!endpoint) return;
+    const [other, does, sent] = endpoint.kind === "publisher"
+      ? ["subscription", "requesting", "sent to it"]
+      : ["publisher", "offering", "received from it"];
+    this.#warn(
+      endpoint.node.slice(1).replaceAll("/", "."),
+      `New ${other} discovered on topic '${endpoint.name}', ${does} incompatible QoS. ` +
+        `No messages will be ${sent}. Last incompatible policy: ${policy}`,
+    );
   }
 
   /** @param {ArrayBuffer} frame */
