@@ -2,6 +2,8 @@
 // The ROS graph of the page: who publishes and subscribes to what, and who is linked to whom.
 // Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
 
+import { incompatibility } from "./protocol.js";
+
 /** @import { Endpoint, ToWorker } from "./protocol.js" */
 
 /**
@@ -100,9 +102,13 @@ export class Graph extends EventTarget {
       : { mine: topic.subscriptions, others: topic.publishers };
   }
 
-  /** A publisher and a subscription of one topic, in either order. @param {Member} a @param {Member} b */
+  /**
+   * Match a publisher and a subscription of one topic, in either order, if they suit each other; those
+   * of one worker find each other there.
+   * @param {Member} a @param {Member} b
+   */
   #meet(a, b) {
-    if (a.endpoint.type !== b.endpoint.type) return;
+    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
     const policy = incompatibility(...inOrder(a, b));
     if (policy) {
       for (const { owner, endpoint } of [a, b]) {
@@ -119,13 +125,14 @@ export class Graph extends EventTarget {
 
   /** @param {Member} a @param {Member} b */
   #part(a, b) {
-    if (a.endpoint.type !== b.endpoint.type || incompatibility(...inOrder(a, b))) return;
+    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
+    if (incompatibility(...inOrder(a, b))) return;
     for (const [to, about] of bothWays(a, b)) to.owner.post({ op: "unmatch", ...pair(to, about) });
   }
 
   /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
   #link(a, b) {
-    if (a === b || a.links.has(b.id)) return;
+    if (a.links.has(b.id)) return;
     const { port1, port2 } = new MessageChannel();
     a.links.add(b.id);
     b.links.add(a.id);
@@ -138,21 +145,9 @@ export class Graph extends EventTarget {
   }
 }
 
-/**
- * The policy of which the publisher offers less than the subscription asks for, or "".
- * @param {Member} publisher @param {Member} subscription
- */
-function incompatibility(publisher, subscription) {
-  const offered = publisher.endpoint.qos;
-  const requested = subscription.endpoint.qos;
-  if (requested.reliable && !offered.reliable) return "RELIABILITY_QOS_POLICY";
-  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY_QOS_POLICY";
-  return "";
-}
-
-/** The publisher first. @param {Member} a @param {Member} b @returns {[Member, Member]} */
+/** The publisher first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
 function inOrder(a, b) {
-  return a.endpoint.kind === "publisher" ? [a, b] : [b, a];
+  return a.endpoint.kind === "publisher" ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
 }
 
 /** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */

@@ -46,8 +46,8 @@
 
 /**
  * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`;
- * `peer` is the worker's own id when both live in it; a `durable` match is one of transient local
- * endpoints, and begins with what the publisher keeps.
+ * a `durable` match is one of transient local endpoints, and begins with what the publisher keeps.
+ * Endpoints of one worker find each other there.
  * @typedef {{op: "start", id: number, engine: Engine, script: string, module: WebAssembly.Module,
  *     name: string, arguments: string[]}
  *   | {op: "link", peer: number, port: MessagePort}
@@ -57,6 +57,16 @@
  *   | {op: "incompatible", local: number, policy: string}
  *   | {op: "stop"}} ToWorker
  */
+
+/**
+ * The policy of which a publisher offers less than a subscription asks for, or "".
+ * @param {Endpoint} publisher @param {Endpoint} subscription
+ */
+export function incompatibility({ qos: offered }, { qos: requested }) {
+  if (requested.reliable && !offered.reliable) return "RELIABILITY_QOS_POLICY";
+  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY_QOS_POLICY";
+  return "";
+}
 
 /**
  * Messages travel from worker to worker in frames: an ArrayBuffer of records, each a head and the

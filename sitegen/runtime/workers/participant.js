@@ -1,9 +1,10 @@
 // @ts-check
 // A worker's part of the ROS graph: its endpoints, its links to other workers, and waiting.
 
-import { now, readRecords } from "../protocol.js";
+import { incompatibility, now, readRecords } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 import { Queue } from "./queue.js";
+import { Waiting } from "./waiting.js";
 
 /** @import { Endpoint, EndpointKind, FromWorker, Qos, ToWorker } from "../protocol.js" */
 
@@ -16,8 +17,6 @@ import { Queue } from "./queue.js";
  */
 
 const SIGINT = 2;
-// Browsers make nested timers wait at least this long (ms); timers set by a message are not nested.
-const TIMER_CLAMP = 5;
 
 export class Participant {
   #id;
@@ -28,12 +27,7 @@ export class Participant {
   #nextId = 1;
   /** @type {Map<number, Outbox>} */
   #outboxes = new Map();
-  /** @type {Set<() => void>} */
-  #waiters = new Set();
-  #signal = 0;
-  #turn = new MessageChannel();
-  /** @type {(() => void)[]} */
-  #turns = [];
+  #waiting = new Waiting();
 
   /**
    * @param {number} id of this worker in the page
@@ -44,7 +38,6 @@ export class Participant {
     this.#id = id;
     this.#post = post;
     this.#warn = warn;
-    this.#turn.port1.onmessage = () => this.#turns.shift()?.();
   }
 
   /**
@@ -55,14 +48,23 @@ export class Participant {
   create(kind, node, name, type, qos) {
     const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
     const queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
-    this.#locals.set(endpoint.id, { endpoint, remotes: [], queue, sequence: 0, kept: [] });
+    /** @type {Local} */
+    const local = { endpoint, remotes: [], queue, sequence: 0, kept: [] };
+    this.#locals.set(endpoint.id, local);
+    for (const other of this.#locals.values()) this.#meet(local, other);
     this.#post({ op: "create", endpoint });
     return endpoint.id;
   }
 
   /** @param {number} id */
   destroy(id) {
-    if (this.#locals.delete(id)) this.#post({ op: "destroy", id });
+    const local = this.#locals.get(id);
+    if (!local) return;
+    this.#locals.delete(id);
+    for (const { peer, id: other } of local.remotes) {
+      if (peer === this.#id) this.#unmatch(other, { peer, id });
+    }
+    this.#post({ op: "destroy", id });
   }
 
   /** How many endpoints match `id` now. @param {number} id */
@@ -97,43 +99,15 @@ export class Participant {
     return this.#locals.get(id)?.queue.shift();
   }
 
-  /**
-   * Resolve when something happened, at the latest after `milliseconds`: 0 lets the event loop turn
-   * once, a negative number sets no limit. The value is a signal that came, or 0.
-   * @param {number} milliseconds @returns {Promise<number>}
-   */
+  /** Send what is held back, then wait as `Waiting.wait` says. @param {number} milliseconds */
   wait(milliseconds) {
     for (const outbox of this.#outboxes.values()) outbox.flush();
-    return new Promise((resolve) => {
-      /** @type {ReturnType<typeof setTimeout> | undefined} */
-      let timer;
-      const done = () => {
-        clearTimeout(timer);
-        this.#waiters.delete(done);
-        const signal = this.#signal;
-        this.#signal = 0;
-        resolve(signal);
-      };
-      if (milliseconds === 0 || this.#signal) {
-        this.#nextTurn(done);
-        return;
-      }
-      this.#waiters.add(done);
-      const arm = () => {
-        if (this.#waiters.has(done)) timer = setTimeout(done, milliseconds);
-      };
-      if (milliseconds < 0) return;
-      if (milliseconds < TIMER_CLAMP) {
-        this.#nextTurn(arm);
-      } else {
-        arm();
-      }
-    });
+    return this.#waiting.wait(milliseconds);
   }
 
   /** End all waits. */
   wake() {
-    for (const done of [...this.#waiters]) done();
+    this.#waiting.wake();
   }
 
   /** Take what the page says about the graph. @param {ToWorker} message */
@@ -149,27 +123,53 @@ export class Participant {
         break;
       case "match": {
         const local = this.#locals.get(message.local);
-        const remote = { peer: message.peer, id: message.remote };
-        local?.remotes.push(remote);
-        if (!message.durable) break;
-        for (const kept of local?.kept ?? []) this.#send(message.local, remote, kept);
+        if (local) this.#match(local, { peer: message.peer, id: message.remote }, message.durable);
         this.#outboxes.get(message.peer)?.flush();
         break;
       }
-      case "unmatch": {
-        const remotes = this.#locals.get(message.local)?.remotes ?? [];
-        const gone = remotes.findIndex((r) => r.peer === message.peer && r.id === message.remote);
-        if (gone >= 0) remotes.splice(gone, 1);
+      case "unmatch":
+        this.#unmatch(message.local, { peer: message.peer, id: message.remote });
         break;
-      }
       case "incompatible":
-        this.#tellIncompatible(message.local, message.policy);
+        this.#tellIncompatible(this.#locals.get(message.local)?.endpoint, message.policy);
         break;
       case "stop":
-        this.#signal = SIGINT;
+        this.#waiting.raise(SIGINT);
         break;
     }
     this.wake();
+  }
+
+  /** Match endpoints of this worker, without asking the page. @param {Local} a @param {Local} b */
+  #meet(a, b) {
+    const [publisher, subscription] = a.endpoint.kind === "publisher" ? [a, b] : [b, a];
+    const { endpoint: from } = publisher;
+    const { endpoint: to } = subscription;
+    if (from.kind !== "publisher" || to.kind !== "subscription") return;
+    if (from.name !== to.name || from.type !== to.type) return;
+    const policy = incompatibility(from, to);
+    if (policy) {
+      this.#tellIncompatible(to, policy);
+      this.#tellIncompatible(from, policy);
+      return;
+    }
+    this.#match(subscription, { peer: this.#id, id: from.id }, false);
+    const durable = from.qos.transientLocal && to.qos.transientLocal;
+    this.#match(publisher, { peer: this.#id, id: to.id }, durable);
+  }
+
+  /** @param {Local} local @param {Remote} remote @param {boolean} durable */
+  #match(local, remote, durable) {
+    local.remotes.push(remote);
+    if (!durable) return;
+    for (const kept of local.kept) this.#send(local.endpoint.id, remote, kept);
+  }
+
+  /** @param {number} id @param {Remote} remote */
+  #unmatch(id, { peer, id: other }) {
+    const remotes = this.#locals.get(id)?.remotes ?? [];
+    const gone = remotes.findIndex((remote) => remote.peer === peer && remote.id === other);
+    if (gone >= 0) remotes.splice(gone, 1);
   }
 
   /** @param {number} id @param {Remote} remote @param {Kept} sample */
@@ -183,9 +183,11 @@ export class Participant {
     }
   }
 
-  /** In the words of ROS, which people know and search for. @param {number} id @param {string} policy */
-  #tellIncompatible(id, policy) {
-    const endpoint = this.#locals.get(id)?.endpoint;
+  /**
+   * Warn in the words of ROS, which people know and search for.
+   * @param {Endpoint | undefined} endpoint @param {string} policy
+   */
+  #tellIncompatible(endpoint, policy) {
     if (!endpoint) return;
     const [other, does, sent] = endpoint.kind === "publisher"
       ? ["subscription", "requesting", "sent to it"]
@@ -209,11 +211,5 @@ export class Participant {
     this.#locals
       .get(reader)
       ?.queue.push({ publisher, sequence, timestamp, received: now(), message });
-  }
-
-  /** @param {() => void} call */
-  #nextTurn(call) {
-    this.#turns.push(call);
-    this.#turn.port2.postMessage(null);
   }
 }
