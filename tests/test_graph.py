@@ -65,7 +65,7 @@ def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:
       for (let x; (x = b.participant.take(s)); ) samples.push(x);
       const lag = samples.map((x) => x.received - x.timestamp);
       return { values: samples.map((x) => x.message[0]), sequence: samples.map((x) => x.sequence),
-        publishers: new Set(samples.map((x) => x.publisher)).size,
+        publishers: new Set(samples.map((x) => x.writer)).size,
         sane: lag.every((x) => x >= 0 && x < 1e3) };
     """) == {
         "values": [1, 2, 3, 4, 5, 6, 7],
@@ -199,3 +199,51 @@ def test_a_wait_ends_by_a_message_a_time_or_a_signal(play: Any) -> None:
       b.participant.receive({ op: "stop" });
       return [...signals, await stopped, heard(b, s), waited >= 31 && waited < 1000];
     """) == [0, 0, 0, 2, [1], True]
+
+
+def test_each_client_gets_its_own_answers(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [join(), join(), join()];
+      const service = (of) => of.participant.create("service", "/server", "/add", "S", QOS);
+      const client = (of) => of.participant.create("client", "/client", "/add", "S", QOS);
+      const ask = (of, id, value) => of.participant.request(id, new Uint8Array([value]));
+      const answers = (of, id) => {
+        const got = [];
+        for (let x; (x = of.participant.take(id)); ) got.push([x.sequence, x.message[0]]);
+        return got;
+      };
+      const early = client(a);
+      const lost = ask(a, early, 9);
+      const s = service(b), own = client(b), other = client(c);
+      await settle(a, b, c);
+      const asked = [ask(a, early, 1), ask(a, early, 2), ask(c, other, 3), ask(b, own, 4)];
+      await settle(a, b, c);
+      const requests = [];
+      for (let x; (x = b.participant.take(s)); ) requests.unshift(x);  // answered in another order
+      for (const { writer, sequence, message } of requests) {
+        b.participant.respond(s, writer, sequence, message.map((value) => value * 10));
+      }
+      await settle(b);
+      const before = graph.services();
+      b.leave();
+      return { lost, asked, a: answers(a, early), c: answers(c, other), b: answers(b, own), before,
+        ready: a.participant.matched(early), after: graph.services() };
+    """) == {
+        "lost": 1,
+        "asked": [2, 3, 1, 1],
+        "a": [[3, 20], [2, 10]],
+        "b": [[1, 40]],
+        "c": [[1, 30]],
+        "ready": 0,
+        "before": [
+            {
+                "name": "/add",
+                "types": ["S"],
+                "servers": ["/server"],
+                "clients": ["/client", "/client", "/client"],
+            }
+        ],
+        "after": [
+            {"name": "/add", "types": ["S"], "servers": [], "clients": ["/client", "/client"]}
+        ],
+    }

@@ -1,8 +1,9 @@
 // @ts-check
-// The ROS graph of the page: who publishes and subscribes to what, and who is linked to whom.
+// The ROS graph of the page: who publishes, subscribes, serves and calls what, and who is
+// linked to whom.
 // Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
 
-import { incompatibility } from "./protocol.js";
+import { incompatibility, sends } from "./protocol.js";
 
 /** @import { Endpoint, ToWorker } from "./protocol.js" */
 
@@ -10,15 +11,18 @@ import { incompatibility } from "./protocol.js";
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
  * @typedef {{id: number, post: Post, endpoints: Map<number, Endpoint>, links: Set<number>}} Participant
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
- * @typedef {{publishers: Set<Member>, subscriptions: Set<Member>}} Topic
+ * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
+ *   publishers and the subscriptions, of a service the clients and the servers
  */
 
 /** Emits `change` after every change. */
 export class Graph extends EventTarget {
   /** @type {Map<number, Participant>} */
   #participants = new Map();
-  /** @type {Map<string, Topic>} */
+  /** @type {Map<string, Channel>} */
   #topics = new Map();
+  /** @type {Map<string, Channel>} */
+  #services = new Map();
   #nextId = 1;
 
   /** Let a worker take part and return its id. @param {Post} post to the worker */
@@ -69,7 +73,7 @@ export class Graph extends EventTarget {
         mine.delete(member);
         for (const other of others) this.#part(member, other);
       }
-      if (mine.size + others.size === 0) this.#topics.delete(endpoint.name);
+      if (mine.size + others.size === 0) this.#channels(endpoint).delete(endpoint.name);
     }
     this.#changed();
   }
@@ -82,29 +86,45 @@ export class Graph extends EventTarget {
 
   /** The topics by name, with their types and the nodes at both sides. */
   topics() {
-    return [...this.#topics].sort().map(([name, { publishers, subscriptions }]) => ({
+    return [...this.#topics].sort(byName).map(([name, channel]) => ({
       name,
-      types: [...new Set([...publishers, ...subscriptions].map((m) => m.endpoint.type))],
-      publishers: [...publishers].map((m) => m.endpoint.node),
-      subscriptions: [...subscriptions].map((m) => m.endpoint.node),
+      types: types(channel),
+      publishers: nodesOf(channel.senders),
+      subscriptions: nodesOf(channel.receivers),
     }));
   }
 
-  /** The side of a topic that `endpoint` is on, and the other. @param {Endpoint} endpoint */
+  /** The services by name, with their types and the nodes at both sides. */
+  services() {
+    return [...this.#services].sort(byName).map(([name, channel]) => ({
+      name,
+      types: types(channel),
+      servers: nodesOf(channel.receivers),
+      clients: nodesOf(channel.senders),
+    }));
+  }
+
+  /** @param {Endpoint} endpoint */
+  #channels({ kind }) {
+    return kind === "service" || kind === "client" ? this.#services : this.#topics;
+  }
+
+  /** The side of its channel that `endpoint` is on, and the other. @param {Endpoint} endpoint */
   #sides(endpoint) {
-    let topic = this.#topics.get(endpoint.name);
-    if (!topic) {
-      topic = { publishers: new Set(), subscriptions: new Set() };
-      this.#topics.set(endpoint.name, topic);
+    const channels = this.#channels(endpoint);
+    let channel = channels.get(endpoint.name);
+    if (!channel) {
+      channel = { senders: new Set(), receivers: new Set() };
+      channels.set(endpoint.name, channel);
     }
-    return endpoint.kind === "publisher"
-      ? { mine: topic.publishers, others: topic.subscriptions }
-      : { mine: topic.subscriptions, others: topic.publishers };
+    return sends(endpoint)
+      ? { mine: channel.senders, others: channel.receivers }
+      : { mine: channel.receivers, others: channel.senders };
   }
 
   /**
-   * Match a publisher and a subscription of one topic, in either order, if they suit each other; those
-   * of one worker find each other there.
+   * Match both sides of a channel, in either order, if they suit each other; those of one worker find
+   * each other there.
    * @param {Member} a @param {Member} b
    */
   #meet(a, b) {
@@ -145,9 +165,24 @@ export class Graph extends EventTarget {
   }
 }
 
-/** The publisher first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
+/** The sender first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
 function inOrder(a, b) {
-  return a.endpoint.kind === "publisher" ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
+  return sends(a.endpoint) ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
+}
+
+/** @param {[string, Channel]} a @param {[string, Channel]} b */
+function byName([a], [b]) {
+  return a < b ? -1 : 1;
+}
+
+/** @param {Channel} channel */
+function types({ senders, receivers }) {
+  return [...new Set([...senders, ...receivers].map((member) => member.endpoint.type))];
+}
+
+/** @param {Set<Member>} members */
+function nodesOf(members) {
+  return [...members].map((member) => member.endpoint.node);
 }
 
 /** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */

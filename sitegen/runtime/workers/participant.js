@@ -1,7 +1,7 @@
 // @ts-check
 // A worker's part of the ROS graph: its endpoints, its links to other workers, and waiting.
 
-import { incompatibility, now, readRecords } from "../protocol.js";
+import { fromPageId, incompatibility, now, pageId, readRecords, sends } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 import { Queue } from "./queue.js";
 import { Waiting } from "./waiting.js";
@@ -17,6 +17,8 @@ import { Waiting } from "./waiting.js";
  */
 
 const SIGINT = 2;
+/** Who receives from whom. @type {Partial<Record<EndpointKind, EndpointKind>>} */
+const RECEIVER = { publisher: "subscription", client: "service" };
 
 export class Participant {
   #id;
@@ -47,7 +49,9 @@ export class Participant {
    */
   create(kind, node, name, type, qos) {
     const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
-    const queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
+    // Requests and responses are bounded by who waits for them.
+    const all = qos.keepAll || kind === "service" || kind === "client";
+    const queue = new Queue(all ? Infinity : Math.max(qos.depth, 1));
     /** @type {Local} */
     const local = { endpoint, remotes: [], queue, sequence: 0, kept: [] };
     this.#locals.set(endpoint.id, local);
@@ -89,7 +93,31 @@ export class Participant {
     for (const remote of local.remotes) this.#send(id, remote, { sequence, timestamp, message });
   }
 
-  /** The oldest message that waits at the subscription `id`. @param {number} id */
+  /**
+   * Send a copy of a request from the client `id` to a server that matches, and return the number by
+   * which its response will be known. Where no server is, no response will come.
+   * @param {number} id @param {Uint8Array} message
+   */
+  request(id, message) {
+    const local = this.#locals.get(id);
+    if (!local) return 0;
+    const sequence = ++local.sequence;
+    const server = local.remotes[0];
+    if (server) this.#send(id, server, { sequence, timestamp: now(), message });
+    return sequence;
+  }
+
+  /**
+   * Send a copy of a response from the server `id` to the client that asked.
+   * @param {number} id @param {number} client the writer of the request @param {number} sequence of it
+   * @param {Uint8Array} message
+   */
+  respond(id, client, sequence, message) {
+    if (!this.#locals.has(id)) return;
+    this.#send(id, fromPageId(client), { sequence, timestamp: now(), message });
+  }
+
+  /** The oldest message that waits at the endpoint `id`. @param {number} id */
   next(id) {
     return this.#locals.get(id)?.queue.peek();
   }
@@ -142,20 +170,19 @@ export class Participant {
 
   /** Match endpoints of this worker, without asking the page. @param {Local} a @param {Local} b */
   #meet(a, b) {
-    const [publisher, subscription] = a.endpoint.kind === "publisher" ? [a, b] : [b, a];
-    const { endpoint: from } = publisher;
-    const { endpoint: to } = subscription;
-    if (from.kind !== "publisher" || to.kind !== "subscription") return;
-    if (from.name !== to.name || from.type !== to.type) return;
+    const [sender, receiver] = sends(a.endpoint) ? [a, b] : [b, a];
+    const { endpoint: from } = sender;
+    const { endpoint: to } = receiver;
+    if (to.kind !== RECEIVER[from.kind] || from.name !== to.name || from.type !== to.type) return;
     const policy = incompatibility(from, to);
     if (policy) {
       this.#tellIncompatible(to, policy);
       this.#tellIncompatible(from, policy);
       return;
     }
-    this.#match(subscription, { peer: this.#id, id: from.id }, false);
+    this.#match(receiver, { peer: this.#id, id: from.id }, false);
     const durable = from.qos.transientLocal && to.qos.transientLocal;
-    this.#match(publisher, { peer: this.#id, id: to.id }, durable);
+    this.#match(sender, { peer: this.#id, id: to.id }, durable);
   }
 
   /** @param {Local} local @param {Remote} remote @param {boolean} durable */
@@ -174,8 +201,7 @@ export class Participant {
 
   /** @param {number} id @param {Remote} remote @param {Kept} sample */
   #send(id, remote, { sequence, timestamp, message }) {
-    const publisher = this.#id * 0x10000 + id;
-    const head = { reader: remote.id, publisher, sequence, timestamp };
+    const head = { reader: remote.id, writer: pageId(this.#id, id), sequence, timestamp };
     if (remote.peer === this.#id) {
       this.#deliver(head, message.slice());
     } else {
@@ -206,10 +232,8 @@ export class Participant {
   }
 
   /** @param {import("../protocol.js").Head} head @param {Uint8Array} message */
-  #deliver({ reader, publisher, sequence, timestamp }, message) {
-    // A message may still be under way when its subscription goes.
-    this.#locals
-      .get(reader)
-      ?.queue.push({ publisher, sequence, timestamp, received: now(), message });
+  #deliver({ reader, writer, sequence, timestamp }, message) {
+    // A message may still be under way when its receiver goes.
+    this.#locals.get(reader)?.queue.push({ writer, sequence, timestamp, received: now(), message });
   }
 }
