@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from sitegen.model import Artifact, Build, Site, Widget
+from sitegen.model import Artifact, Build, Page, Site, Widget
 
 RUNTIME = Path(__file__).parent / "runtime"
 
@@ -15,7 +15,7 @@ def runtime(site: Site) -> list[Artifact]:
 
     A site without nodes needs none of them.
     """
-    kinds = sorted({part.kind for part in _widgets(site)})
+    kinds = sorted({part.kind for part in _widgets(site.pages)})
     if not kinds:
         return []
     files = [
@@ -24,6 +24,19 @@ def runtime(site: Site) -> list[Artifact]:
         *(RUNTIME / "widgets" / f"{kind}.js" for kind in kinds),
     ]
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
+
+
+def preloads(site: Site) -> dict[str, list[str]]:
+    """Return, by page path, the modules that the page loads as soon as it can: all but rosMain.js.
+
+    Named in the page's head they come at once; otherwise each would be asked for by the one before.
+    """
+    common = [f"runtime/{f.name}" for f in sorted(RUNTIME.glob("*.js")) if f.name != "rosMain.js"]
+    kinds = {page.path: dict.fromkeys(w.kind for w in _widgets([page])) for page in site.pages}
+    return {
+        path: [*common, *(f"runtime/widgets/{kind}.js" for kind in shown)]
+        for path, shown in kinds.items()
+    }
 
 
 def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:
@@ -37,5 +50,5 @@ def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[
     return artifacts
 
 
-def _widgets(site: Site) -> Iterable[Widget]:
-    return (part for page in site.pages for part in page.content if isinstance(part, Widget))
+def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:
+    return (part for page in shown for part in page.content if isinstance(part, Widget))

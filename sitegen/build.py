@@ -35,7 +35,7 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
     # Markdown pages become HTML with a page.json each.
-    artifacts = pages.render(site)
+    artifacts = pages.render(site, modules=assets.preloads(site))
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)

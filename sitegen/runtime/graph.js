@@ -1,6 +1,9 @@
 // @ts-check
-// The ROS graph of the page: who publishes and subscribes to what, and who is linked to whom.
+// The ROS graph of the page: who publishes, subscribes, serves and calls what, and who is
+// linked to whom.
 // Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
+
+import { incompatibility, sends } from "./protocol.js";
 
 /** @import { Endpoint, ToWorker } from "./protocol.js" */
 
@@ -8,15 +11,18 @@
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
  * @typedef {{id: number, post: Post, endpoints: Map<number, Endpoint>, links: Set<number>}} Participant
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
- * @typedef {{publishers: Set<Member>, subscriptions: Set<Member>}} Topic
+ * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
+ *   publishers and the subscriptions, of a service the clients and the servers
  */
 
 /** Emits `change` after every change. */
 export class Graph extends EventTarget {
   /** @type {Map<number, Participant>} */
   #participants = new Map();
-  /** @type {Map<string, Topic>} */
+  /** @type {Map<string, Channel>} */
   #topics = new Map();
+  /** @type {Map<string, Channel>} */
+  #services = new Map();
   #nextId = 1;
 
   /** Let a worker take part and return its id. @param {Post} post to the worker */
@@ -49,7 +55,7 @@ export class Graph extends EventTarget {
       const member = { owner, endpoint };
       const { mine, others } = this.#sides(endpoint);
       mine.add(member);
-      for (const other of others) if (matches(member, other)) this.#match(member, other);
+      for (const other of others) this.#meet(member, other);
     }
     this.#changed();
   }
@@ -65,9 +71,9 @@ export class Graph extends EventTarget {
       const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
       if (member) {
         mine.delete(member);
-        for (const other of others) if (matches(member, other)) this.#unmatch(member, other);
+        for (const other of others) this.#part(member, other);
       }
-      if (mine.size + others.size === 0) this.#topics.delete(endpoint.name);
+      if (mine.size + others.size === 0) this.#channels(endpoint).delete(endpoint.name);
     }
     this.#changed();
   }
@@ -80,42 +86,73 @@ export class Graph extends EventTarget {
 
   /** The topics by name, with their types and the nodes at both sides. */
   topics() {
-    return [...this.#topics].sort().map(([name, { publishers, subscriptions }]) => ({
+    return [...this.#topics].sort(byName).map(([name, channel]) => ({
       name,
-      types: [...new Set([...publishers, ...subscriptions].map((m) => m.endpoint.type))],
-      publishers: [...publishers].map((m) => m.endpoint.node),
-      subscriptions: [...subscriptions].map((m) => m.endpoint.node),
+      types: types(channel),
+      publishers: nodesOf(channel.senders),
+      subscriptions: nodesOf(channel.receivers),
     }));
   }
 
-  /** The side of a topic that `endpoint` is on, and the other. @param {Endpoint} endpoint */
+  /** The services by name, with their types and the nodes at both sides. */
+  services() {
+    return [...this.#services].sort(byName).map(([name, channel]) => ({
+      name,
+      types: types(channel),
+      servers: nodesOf(channel.receivers),
+      clients: nodesOf(channel.senders),
+    }));
+  }
+
+  /** @param {Endpoint} endpoint */
+  #channels({ kind }) {
+    return kind === "service" || kind === "client" ? this.#services : this.#topics;
+  }
+
+  /** The side of its channel that `endpoint` is on, and the other. @param {Endpoint} endpoint */
   #sides(endpoint) {
-    let topic = this.#topics.get(endpoint.name);
-    if (!topic) {
-      topic = { publishers: new Set(), subscriptions: new Set() };
-      this.#topics.set(endpoint.name, topic);
+    const channels = this.#channels(endpoint);
+    let channel = channels.get(endpoint.name);
+    if (!channel) {
+      channel = { senders: new Set(), receivers: new Set() };
+      channels.set(endpoint.name, channel);
     }
-    return endpoint.kind === "publisher"
-      ? { mine: topic.publishers, others: topic.subscriptions }
-      : { mine: topic.subscriptions, others: topic.publishers };
+    return sends(endpoint)
+      ? { mine: channel.senders, others: channel.receivers }
+      : { mine: channel.receivers, others: channel.senders };
   }
 
-  /** @param {Member} a @param {Member} b */
-  #match(a, b) {
+  /**
+   * Match both sides of a channel, in either order, if they suit each other; those of one worker find
+   * each other there.
+   * @param {Member} a @param {Member} b
+   */
+  #meet(a, b) {
+    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
+    const policy = incompatibility(...inOrder(a, b));
+    if (policy) {
+      for (const { owner, endpoint } of [a, b]) {
+        owner.post({ op: "incompatible", local: endpoint.id, policy });
+      }
+      return;
+    }
     this.#link(a.owner, b.owner);
-    tell("match", a, b);
-    tell("match", b, a);
+    const durable = a.endpoint.qos.transientLocal && b.endpoint.qos.transientLocal;
+    for (const [to, about] of bothWays(a, b)) {
+      to.owner.post({ op: "match", ...pair(to, about), durable });
+    }
   }
 
   /** @param {Member} a @param {Member} b */
-  #unmatch(a, b) {
-    tell("unmatch", a, b);
-    tell("unmatch", b, a);
+  #part(a, b) {
+    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
+    if (incompatibility(...inOrder(a, b))) return;
+    for (const [to, about] of bothWays(a, b)) to.owner.post({ op: "unmatch", ...pair(to, about) });
   }
 
   /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
   #link(a, b) {
-    if (a === b || a.links.has(b.id)) return;
+    if (a.links.has(b.id)) return;
     const { port1, port2 } = new MessageChannel();
     a.links.add(b.id);
     b.links.add(a.id);
@@ -128,12 +165,32 @@ export class Graph extends EventTarget {
   }
 }
 
-/** Whether messages flow between two endpoints of a topic. @param {Member} a @param {Member} b */
-function matches(a, b) {
-  return a.endpoint.type === b.endpoint.type;
+/** The sender first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
+function inOrder(a, b) {
+  return sends(a.endpoint) ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
 }
 
-/** @param {"match" | "unmatch"} op @param {Member} to @param {Member} about */
-function tell(op, to, about) {
-  to.owner.post({ op, local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id });
+/** @param {[string, Channel]} a @param {[string, Channel]} b */
+function byName([a], [b]) {
+  return a < b ? -1 : 1;
+}
+
+/** @param {Channel} channel */
+function types({ senders, receivers }) {
+  return [...new Set([...senders, ...receivers].map((member) => member.endpoint.type))];
+}
+
+/** @param {Set<Member>} members */
+function nodesOf(members) {
+  return [...members].map((member) => member.endpoint.node);
+}
+
+/** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */
+function bothWays(a, b) {
+  return [[a, b], [b, a]];
+}
+
+/** @param {Member} to @param {Member} about */
+function pair(to, about) {
+  return { local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id };
 }

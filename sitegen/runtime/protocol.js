@@ -31,7 +31,7 @@
 /**
  * An endpoint of the graph as its participant announces it; `id` is unique in that participant.
  * @typedef {{id: number, kind: EndpointKind, node: string, name: string, type: string, qos: Qos}} Endpoint
- * @typedef {"node" | "publisher" | "subscription"} EndpointKind
+ * @typedef {"node" | "publisher" | "subscription" | "service" | "client"} EndpointKind
  * @typedef {{depth: number, reliable: boolean, transientLocal: boolean, keepAll: boolean}} Qos
  */
 
@@ -46,26 +46,53 @@
 
 /**
  * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`;
- * `peer` is the worker's own id when both live in it.
+ * a `durable` match is one of transient local endpoints, and begins with what the publisher keeps.
+ * Endpoints of one worker find each other there.
  * @typedef {{op: "start", id: number, engine: Engine, script: string, module: WebAssembly.Module,
  *     name: string, arguments: string[]}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
- *   | {op: "match", local: number, peer: number, remote: number}
+ *   | {op: "match", local: number, peer: number, remote: number, durable: boolean}
  *   | {op: "unmatch", local: number, peer: number, remote: number}
+ *   | {op: "incompatible", local: number, policy: string}
  *   | {op: "stop"}} ToWorker
  */
+
+/** Whether an endpoint is one that messages or requests go out from. @param {Endpoint} endpoint */
+export function sends({ kind }) {
+  return kind === "publisher" || kind === "client";
+}
+
+/**
+ * The policy of which a sender offers less than a receiver asks for, or "".
+ * @param {Endpoint} sender @param {Endpoint} receiver
+ */
+export function incompatibility({ qos: offered }, { qos: requested }) {
+  if (requested.reliable && !offered.reliable) return "RELIABILITY_QOS_POLICY";
+  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY_QOS_POLICY";
+  return "";
+}
+
+/** The name that an endpoint of a worker has in the whole page. @param {number} worker @param {number} id */
+export function pageId(worker, id) {
+  return worker * 0x10000 + id;
+}
+
+/** Worker and id of an endpoint. @param {number} name */
+export function fromPageId(name) {
+  return { peer: Math.floor(name / 0x10000), id: name % 0x10000 };
+}
 
 /**
  * Messages travel from worker to worker in frames: an ArrayBuffer of records, each a head and the
  * message's CDR bytes, padded to 8. All numbers are little-endian, as WebAssembly has them.
  *
- *   0  uint32   reader      the subscription's id in the worker that receives
- *   4  uint32   publisher   unique in the page
- *   8  uint32   sequence    of this publisher, from 1
+ *   0  uint32   reader      id of the endpoint it is for, in the worker that receives
+ *   4  uint32   writer      the endpoint it is from, unique in the page
+ *   8  uint32   sequence    of this writer, from 1; a response has that of its request
  *   12 uint32   size        of the message in bytes
- *   16 float64  timestamp   when it was published, ms since 1970
- * @typedef {{reader: number, publisher: number, sequence: number, timestamp: number}} Head
+ *   16 float64  timestamp   when it was sent, ms since 1970
+ * @typedef {{reader: number, writer: number, sequence: number, timestamp: number}} Head
  */
 export const HEAD_SIZE = 24;
 
@@ -81,7 +108,7 @@ export function recordSize(size) {
 export function writeRecord(frame, offset, head, message) {
   const view = new DataView(frame.buffer, frame.byteOffset + offset, HEAD_SIZE);
   view.setUint32(0, head.reader, true);
-  view.setUint32(4, head.publisher, true);
+  view.setUint32(4, head.writer, true);
   view.setUint32(8, head.sequence, true);
   view.setUint32(12, message.length, true);
   view.setFloat64(16, head.timestamp, true);
@@ -98,7 +125,7 @@ export function* readRecords(frame) {
     const size = view.getUint32(at + 12, true);
     yield {
       reader: view.getUint32(at, true),
-      publisher: view.getUint32(at + 4, true),
+      writer: view.getUint32(at + 4, true),
       sequence: view.getUint32(at + 8, true),
       timestamp: view.getFloat64(at + 16, true),
       message: new Uint8Array(frame, at + HEAD_SIZE, size),

@@ -9,7 +9,7 @@ import { now } from "../protocol.js";
 /** @import { Printer } from "./printer.js" */
 
 /** @type {EndpointKind[]} */
-const KINDS = ["node", "publisher", "subscription"];
+const KINDS = ["node", "publisher", "subscription", "service", "client"];
 const RELIABLE = 1;
 const TRANSIENT_LOCAL = 2;
 const KEEP_ALL = 4;
@@ -48,6 +48,16 @@ export function cppHost(participant, printer, args, fail, ended) {
     destroy: (id) => participant.destroy(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
     publish: (heap, id, data, size) => participant.publish(id, heap.subarray(data, data + size)),
+    /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
+    request: (heap, id, data, size) => participant.request(id, heap.subarray(data, data + size)),
+    /**
+     * @param {Uint8Array} heap @param {number} id @param {number} client @param {number} sequence
+     * @param {number} data @param {number} size
+     */
+    respond(heap, id, client, sequence, data, size) {
+      // WebAssembly has no unsigned numbers: those of the upper half arrive negative.
+      participant.respond(id, client >>> 0, sequence >>> 0, heap.subarray(data, data + size));
+    },
     /** @param {number} id */
     matched: (id) => participant.matched(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} info */
@@ -58,7 +68,7 @@ export function cppHost(participant, printer, args, fail, ended) {
       view.setFloat64(0, sample.timestamp, true);
       view.setFloat64(8, sample.received, true);
       view.setUint32(16, sample.sequence, true);
-      view.setUint32(20, sample.publisher, true);
+      view.setUint32(20, sample.writer, true);
       return sample.message.length;
     },
     /** @param {Uint8Array} heap @param {number} id @param {number} to */
@@ -75,10 +85,7 @@ export function cppHost(participant, printer, args, fail, ended) {
     now,
     /** @param {Uint8Array} heap @param {number} severity @param {number} logger @param {number} line */
     log(heap, severity, logger, line) {
-      const name = SEVERITIES[severity] ?? "info";
-      const seconds = (now() / 1000).toFixed(9);
-      const head = `[${name.toUpperCase()}] [${seconds}] [${text(heap, logger)}]: `;
-      printer.print(name, head + text(heap, line));
+      printer.log(SEVERITIES[severity] ?? "info", text(heap, logger), text(heap, line));
     },
     /** @param {Uint8Array} heap @param {number} index @param {number} to @param {number} capacity */
     argument(heap, index, to, capacity) {

@@ -16,7 +16,11 @@ let participant;
 /** @param {MessageEvent<ToWorker>} event */
 onmessage = (event) => {
   if (event.data.op === "start") {
-    participant = new Participant(event.data.id, post);
+    const warn = (/** @type {string} */ logger, /** @type {string} */ text) => {
+      printer.log("warn", logger, text);
+      printer.flush();
+    };
+    participant = new Participant(event.data.id, post, warn);
     run(event.data, participant).catch((error) => end(1, describe(error)));
   } else {
     participant?.receive(event.data);

@@ -26,6 +26,12 @@ export class Printer {
     if (this.#lines.length >= BATCH || now() - this.#lastPost > PAUSE) this.flush();
   }
 
+  /** A line of the log, as ROS writes it. @param {Severity} severity @param {string} logger @param {string} text */
+  log(severity, logger, text) {
+    const seconds = (now() / 1000).toFixed(9);
+    this.print(severity, `[${severity.toUpperCase()}] [${seconds}] [${logger}]: ${text}`);
+  }
+
   /** Send what is held back. */
   flush() {
     if (this.#lines.length === 0) return;

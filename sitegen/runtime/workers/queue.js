@@ -1,8 +1,8 @@
 // @ts-check
-// The messages that wait at a subscription, oldest first.
+// The messages that wait at an endpoint, oldest first.
 
 /**
- * @typedef {{publisher: number, sequence: number, timestamp: number, received: number,
+ * @typedef {{writer: number, sequence: number, timestamp: number, received: number,
  *   message: Uint8Array}} Sample
  */
 

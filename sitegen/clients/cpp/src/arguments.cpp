@@ -117,11 +117,11 @@ std::string remap_node(
   return name;
 }
 
-std::string resolve_topic(
+std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
-  const std::string & topic)
+  const std::string & name)
 {
-  const std::string full = expand(node, name_space, topic);
+  const std::string full = expand(node, name_space, name);
   for (const auto & rule : arguments.remaps) {
     const bool applies = rule.node.empty() || rule.node == node;
     if (applies && expand(node, name_space, rule.from) == full) {

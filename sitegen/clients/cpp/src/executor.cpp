@@ -4,8 +4,8 @@
 
 #include "rclcpp/detail/host.h"
 #include "rclcpp/detail/platform.hpp"
+#include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/executors.hpp"
-#include "rclcpp/subscription.hpp"
 #include "rclcpp/timer.hpp"
 #include "rclcpp/utilities.hpp"
 
@@ -121,9 +121,11 @@ bool Executor::execute_ready(bool only_first)
         any = true;
       }
     }
-    for (const auto & subscription : lock(node->subscriptions)) {
-      if (stop()) {return any;}
-      any = subscription->execute_one() || any;
+    for (auto receivers : {&node->subscriptions, &node->services, &node->clients}) {
+      for (const auto & receiver : lock(*receivers)) {
+        if (stop()) {return any;}
+        any = receiver->execute_one() || any;
+      }
     }
   }
   return any;

@@ -6,6 +6,10 @@ mergeInto(LibraryManager.library, {
   },
   ros_destroy: function(id) { Module["ros"]["destroy"](id); },
   ros_publish: function(id, data, size) { Module["ros"]["publish"](HEAPU8, id, data, size); },
+  ros_request: function(id, data, size) { return Module["ros"]["request"](HEAPU8, id, data, size); },
+  ros_respond: function(id, client, sequence, data, size) {
+    Module["ros"]["respond"](HEAPU8, id, client, sequence, data, size);
+  },
   ros_matched: function(id) { return Module["ros"]["matched"](id); },
   ros_next: function(id, info) { return Module["ros"]["next"](HEAPU8, id, info); },
   ros_take: function(id, to) { Module["ros"]["take"](HEAPU8, id, to); },

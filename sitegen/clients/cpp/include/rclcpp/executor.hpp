@@ -16,8 +16,8 @@ enum class FutureReturnCode {SUCCESS, INTERRUPTED, TIMEOUT};
 
 struct ExecutorOptions {};
 
-/// Waits until something of its nodes is ready and calls back: timers first, then one message of
-/// each subscription, in the order of their creation.
+/// Waits until something of its nodes is ready and calls back: timers first, then for one message of
+/// each subscription, one request of each service and one response of each client.
 class Executor
 {
 public:

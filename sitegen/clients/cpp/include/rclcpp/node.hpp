@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rclcpp/client.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
@@ -15,6 +16,7 @@
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/qos.hpp"
+#include "rclcpp/service.hpp"
 #include "rclcpp/subscription.hpp"
 #include "rclcpp/timer.hpp"
 
@@ -58,6 +60,25 @@ public:
       *base_, topic, qos, std::forward<CallbackT>(callback));
     base_->subscriptions.push_back(subscription);
     return subscription;
+  }
+
+  template<class ServiceT, class CallbackT>
+  std::shared_ptr<Service<ServiceT>> create_service(
+    const std::string & name, CallbackT && callback, const QoS & qos = ServicesQoS())
+  {
+    auto service = std::make_shared<Service<ServiceT>>(
+      *base_, name, qos, std::forward<CallbackT>(callback));
+    base_->services.push_back(service);
+    return service;
+  }
+
+  template<class ServiceT>
+  std::shared_ptr<Client<ServiceT>> create_client(
+    const std::string & name, const QoS & qos = ServicesQoS())
+  {
+    auto client = std::make_shared<Client<ServiceT>>(*base_, name, qos);
+    base_->clients.push_back(client);
+    return client;
   }
 
   template<class Rep, class Period, class CallbackT>

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <string>
 
+#include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/qos.hpp"
 #include "rclcpp/serialized_message.hpp"
-#include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"
 
 namespace rclcpp
 {
@@ -20,27 +19,24 @@ class PublisherBase
 {
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(PublisherBase)
-  RCLCPP_DISABLE_COPY(PublisherBase)
 
   PublisherBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-    const rosidl_typesupport_sitegen_cpp::MessageMembers & type, const QoS & qos);
-  virtual ~PublisherBase();
+    const detail::MessageMembers & type, const QoS & qos);
+  virtual ~PublisherBase() = default;
 
-  const char * get_topic_name() const {return topic_.c_str();}
-  std::size_t get_queue_size() const {return qos_.depth();}
-  std::size_t get_subscription_count() const;
-  QoS get_actual_qos() const {return qos_;}
+  const char * get_topic_name() const {return endpoint_.name().c_str();}
+  std::size_t get_queue_size() const {return endpoint_.qos().depth();}
+  std::size_t get_subscription_count() const {return endpoint_.matched();}
+  QoS get_actual_qos() const {return endpoint_.qos();}
 
 protected:
   void publish_message(const void * message);
   void publish_bytes(const SerializedMessage & bytes);
 
 private:
-  const rosidl_typesupport_sitegen_cpp::MessageMembers & type_;
-  std::string topic_;
-  QoS qos_;
-  std::int32_t id_;
+  const detail::MessageMembers & type_;
+  detail::Endpoint endpoint_;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>

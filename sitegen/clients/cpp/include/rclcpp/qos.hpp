@@ -78,6 +78,13 @@ public:
   : QoS(initialization) {best_effort();}
 };
 
+class ServicesQoS : public QoS
+{
+public:
+  ServicesQoS()
+  : QoS(KeepLast(10)) {}
+};
+
 class SystemDefaultsQoS : public QoS
 {
 public:

@@ -7,45 +7,29 @@
 #include <utility>
 
 #include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
-#include "rclcpp/node_interfaces/node_base_interface.hpp"
-#include "rclcpp/qos.hpp"
-#include "rosidl_typesupport_sitegen_cpp/message_type_support.hpp"
 
 namespace rclcpp
 {
 
 struct SubscriptionOptions {};
 
-class SubscriptionBase
+class SubscriptionBase : public detail::Receiver
 {
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(SubscriptionBase)
-  RCLCPP_DISABLE_COPY(SubscriptionBase)
 
   SubscriptionBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-    const rosidl_typesupport_sitegen_cpp::MessageMembers & type, const QoS & qos);
-  virtual ~SubscriptionBase();
+    const detail::MessageMembers & type, const QoS & qos);
 
-  const char * get_topic_name() const {return topic_.c_str();}
-  std::size_t get_publisher_count() const;
-  QoS get_actual_qos() const {return qos_;}
-
-  /// Call back with the oldest message that waits; false if none did.
-  bool execute_one();
+  const char * get_topic_name() const {return name().c_str();}
+  std::size_t get_publisher_count() const {return matched();}
+  QoS get_actual_qos() const {return qos();}
 
 protected:
-  /// Read `bytes` into `message`; when they are of another type, log an error and return false.
-  bool decode(const SerializedMessage & bytes, void * message) const;
-  virtual void handle(SerializedMessage && bytes, const MessageInfo & info) = 0;
-
-private:
-  const rosidl_typesupport_sitegen_cpp::MessageMembers & type_;
-  std::string topic_;
-  QoS qos_;
-  std::int32_t id_;
-  std::uint64_t received_ = 0;
+  const detail::MessageMembers & type_;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -63,14 +47,16 @@ public:
     callback_(std::forward<CallbackT>(callback)) {}
 
 protected:
-  void handle(SerializedMessage && bytes, const MessageInfo & info) override
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t) override
   {
     if (callback_.wants_bytes()) {
-      callback_.dispatch_bytes(std::make_shared<SerializedMessage>(std::move(bytes)), info);
+      callback_.dispatch_bytes(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
       return;
     }
     auto message = std::make_shared<MessageT>();
-    if (decode(bytes, message.get())) {callback_.dispatch(std::move(message), info);}
+    if (decode(type_, bytes, message.get())) {
+      callback_.dispatch(std::move(message), MessageInfo(info));
+    }
   }
 
 private:

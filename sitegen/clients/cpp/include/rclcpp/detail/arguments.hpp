@@ -33,10 +33,10 @@ std::string remap_node(
   const Arguments & arguments, const std::string & node, const std::string & from,
   const std::string & name);
 
-/// Expand `topic` as seen by `node` in `name_space` and apply the remap rules.
-std::string resolve_topic(
+/// Expand the name of a topic or a service as seen by `node` in `name_space` and apply the remap rules.
+std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
-  const std::string & topic);
+  const std::string & name);
 
 /// Those of the running program, since rclcpp::init.
 const Arguments & arguments();

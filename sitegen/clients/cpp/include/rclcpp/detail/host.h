@@ -9,15 +9,15 @@
 extern "C" {
 #endif
 
-enum {ROS_NODE = 0, ROS_PUBLISHER = 1, ROS_SUBSCRIPTION = 2};
+enum {ROS_NODE = 0, ROS_PUBLISHER = 1, ROS_SUBSCRIPTION = 2, ROS_SERVICE = 3, ROS_CLIENT = 4};
 enum {ROS_RELIABLE = 1, ROS_TRANSIENT_LOCAL = 2, ROS_KEEP_ALL = 4};
 
 typedef struct
 {
-  double source_timestamp;    /* when it was published, ms since 1970 */
+  double source_timestamp;    /* when it was sent, ms since 1970 */
   double received_timestamp;  /* when it arrived here */
-  uint32_t sequence;          /* counts the messages of its publisher, from 1 */
-  uint32_t publisher;         /* which publisher, unique in the page */
+  uint32_t sequence;          /* counts what its writer sent, from 1; that of the request in a response */
+  uint32_t writer;            /* which endpoint sent it, unique in the page */
 } ros_message_info;
 
 /* Announce an endpoint and return its id (> 0). `node` is the node's fully qualified name. */
@@ -26,9 +26,14 @@ int32_t ros_create(
   int32_t depth, int32_t qos);
 void ros_destroy(int32_t id);
 void ros_publish(int32_t id, const uint8_t * data, uint32_t size);
+/* Send a request from a client to a server that matches; returns the number of its response. */
+uint32_t ros_request(int32_t id, const uint8_t * data, uint32_t size);
+/* Send a response from a server to the writer of a request, with that request's sequence. */
+void ros_respond(
+  int32_t id, uint32_t client, uint32_t sequence, const uint8_t * data, uint32_t size);
 /* How many endpoints at the other side match this one now. */
 int32_t ros_matched(int32_t id);
-/* Size of the oldest message that waits at a subscription, -1 if there is none. */
+/* Size of the oldest message that waits at a subscription, a service or a client, -1 if none does. */
 int32_t ros_next(int32_t id, ros_message_info * info);
 /* Copy that message to `to` (unless null) and remove it. */
 void ros_take(int32_t id, uint8_t * to);

@@ -10,8 +10,12 @@
 namespace rclcpp
 {
 
-class SubscriptionBase;
 class TimerBase;
+
+namespace detail
+{
+class Receiver;
+}  // namespace detail
 
 namespace node_interfaces
 {
@@ -30,11 +34,13 @@ public:
   const char * get_name() const {return name_.c_str();}
   const char * get_namespace() const {return namespace_.c_str();}
   const char * get_fully_qualified_name() const {return full_name_.c_str();}
-  /// Expand a topic name as this node sees it and apply the remap rules.
-  std::string resolve(const std::string & topic) const;
+  /// Expand the name of a topic or a service as this node sees it and apply the remap rules.
+  std::string resolve(const std::string & name) const;
 
   std::vector<std::weak_ptr<TimerBase>> timers;
-  std::vector<std::weak_ptr<SubscriptionBase>> subscriptions;
+  std::vector<std::weak_ptr<detail::Receiver>> subscriptions;
+  std::vector<std::weak_ptr<detail::Receiver>> services;
+  std::vector<std::weak_ptr<detail::Receiver>> clients;
 
 private:
   std::string name_;

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "rclcpp/detail/platform.hpp"
+#include "rclcpp/detail/receiver.hpp"
+#include "rclcpp/macros.hpp"
+
+namespace rclcpp
+{
+
+namespace detail
+{
+
+/// A future and the number of the request that it is for; as good as the future alone.
+template<class FutureT>
+struct FutureAndRequestId
+{
+  FutureT future;
+  std::int64_t request_id;
+
+  FutureAndRequestId(FutureT that, std::int64_t id)
+  : future(std::move(that)), request_id(id) {}
+
+  operator FutureT &() {return future;}  // NOLINT: implicit upstream
+  auto get() {return future.get();}
+  bool valid() const noexcept {return future.valid();}
+  void wait() const {future.wait();}
+  template<class Rep, class Period>
+  std::future_status wait_for(const std::chrono::duration<Rep, Period> & timeout) const
+  {
+    return future.wait_for(timeout);
+  }
+  template<class ClockT, class DurationT>
+  std::future_status wait_until(const std::chrono::time_point<ClockT, DurationT> & until) const
+  {
+    return future.wait_until(until);
+  }
+};
+
+}  // namespace detail
+
+class ClientBase : public detail::Receiver
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(ClientBase)
+
+  ClientBase(
+    const node_interfaces::NodeBaseInterface & node, const std::string & name,
+    const detail::MessageMembers & request, const QoS & qos);
+
+  const char * get_service_name() const {return name().c_str();}
+  bool service_is_ready() const {return matched() > 0;}
+  /// Wait until a server is there; false when the time is over or the program was shut down.
+  template<class Rep = std::int64_t, class Period = std::milli>
+  bool wait_for_service(
+    std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    return wait(std::chrono::duration<double, std::milli>(timeout).count());
+  }
+
+protected:
+  std::int64_t send(const detail::MessageMembers & type, const void * request);
+
+private:
+  bool wait(double milliseconds);
+};
+
+template<class ServiceT>
+class Client : public ClientBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Client<ServiceT>)
+
+  using Request = typename ServiceT::Request;
+  using Response = typename ServiceT::Response;
+  using SharedRequest = std::shared_ptr<Request>;
+  using SharedResponse = std::shared_ptr<Response>;
+  using Promise = std::promise<SharedResponse>;
+  using Future = std::future<SharedResponse>;
+  using SharedFuture = std::shared_future<SharedResponse>;
+  using PromiseWithRequest = std::promise<std::pair<SharedRequest, SharedResponse>>;
+  using SharedFutureWithRequest = std::shared_future<std::pair<SharedRequest, SharedResponse>>;
+  using CallbackType = std::function<void(SharedFuture)>;
+  using CallbackWithRequestType = std::function<void(SharedFutureWithRequest)>;
+
+  struct FutureAndRequestId : detail::FutureAndRequestId<Future>
+  {
+    using detail::FutureAndRequestId<Future>::FutureAndRequestId;
+
+    SharedFuture share() noexcept {return this->future.share();}
+    operator SharedFuture() {return share();}  // NOLINT: implicit upstream
+  };
+  using SharedFutureAndRequestId = detail::FutureAndRequestId<SharedFuture>;
+  using SharedFutureWithRequestAndRequestId = detail::FutureAndRequestId<SharedFutureWithRequest>;
+
+  Client(
+    const node_interfaces::NodeBaseInterface & node, const std::string & name, const QoS & qos)
+  : ClientBase(node, name, rosidl_typesupport_sitegen_cpp::members_of<Request>(), qos) {}
+
+  FutureAndRequestId async_send_request(SharedRequest request)
+  {
+    auto promise = std::make_shared<Promise>();
+    auto future = promise->get_future();
+    const auto id = begin(*request, [promise](SharedResponse response) {
+          promise->set_value(std::move(response));
+        });
+    return FutureAndRequestId(std::move(future), id);
+  }
+
+  template<
+    class CallbackT,
+    std::enable_if_t<std::is_invocable_v<CallbackT &, SharedFuture>, int> = 0>
+  SharedFutureAndRequestId async_send_request(SharedRequest request, CallbackT && callback)
+  {
+    auto promise = std::make_shared<Promise>();
+    SharedFuture future = promise->get_future().share();
+    const auto id = begin(
+      *request,
+      [promise, future, call = CallbackType(std::forward<CallbackT>(callback))](
+        SharedResponse response) {
+        promise->set_value(std::move(response));
+        call(future);
+      });
+    return SharedFutureAndRequestId(std::move(future), id);
+  }
+
+  template<
+    class CallbackT,
+    std::enable_if_t<std::is_invocable_v<CallbackT &, SharedFutureWithRequest>, int> = 0>
+  SharedFutureWithRequestAndRequestId async_send_request(
+    SharedRequest request, CallbackT && callback)
+  {
+    auto promise = std::make_shared<PromiseWithRequest>();
+    SharedFutureWithRequest future = promise->get_future().share();
+    const auto id = begin(
+      *request,
+      [promise, future, request, call = CallbackWithRequestType(std::forward<CallbackT>(callback))](
+        SharedResponse response) {
+        promise->set_value({request, std::move(response)});
+        call(future);
+      });
+    return SharedFutureWithRequestAndRequestId(std::move(future), id);
+  }
+
+  /// Forget a request: its future will never be ready. False if it was not pending.
+  bool remove_pending_request(std::int64_t request_id) {return pending_.erase(request_id) != 0;}
+  template<class FutureT>
+  bool remove_pending_request(const detail::FutureAndRequestId<FutureT> & future)
+  {
+    return remove_pending_request(future.request_id);
+  }
+  std::size_t prune_pending_requests()
+  {
+    const std::size_t count = pending_.size();
+    pending_.clear();
+    return count;
+  }
+
+protected:
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t) override
+  {
+    const auto found = pending_.find(static_cast<std::int64_t>(info.publication_sequence_number));
+    if (found == pending_.end()) {return;}  // removed, or answered by another server
+    const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Response>();
+    auto response = std::make_shared<Response>();
+    if (!decode(type, bytes, response.get())) {return;}
+    const auto complete = std::move(found->second);
+    pending_.erase(found);
+    complete(std::move(response));
+  }
+
+private:
+  using Complete = std::function<void(SharedResponse)>;
+
+  std::int64_t begin(const Request & request, Complete complete)
+  {
+    const auto id = send(rosidl_typesupport_sitegen_cpp::members_of<Request>(), &request);
+    pending_.emplace(id, std::move(complete));
+    return id;
+  }
+
+  std::map<std::int64_t, Complete> pending_;
+};
+
+}  // namespace rclcpp

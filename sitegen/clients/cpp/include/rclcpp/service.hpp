@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/detail/receiver.hpp"
+#include "rclcpp/macros.hpp"
+
+struct rmw_request_id_t
+{
+  std::int8_t writer_guid[16];
+  std::int64_t sequence_number;
+};
+
+namespace rclcpp
+{
+
+class ServiceBase : public detail::Receiver
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(ServiceBase)
+
+  ServiceBase(
+    const node_interfaces::NodeBaseInterface & node, const std::string & name,
+    const detail::MessageMembers & request, const QoS & qos);
+
+  const char * get_service_name() const {return name().c_str();}
+
+protected:
+  void respond(
+    const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
+};
+
+/// A service. A callback that takes no response sends one later, by send_response.
+template<class ServiceT>
+class Service : public ServiceBase, public std::enable_shared_from_this<Service<ServiceT>>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(Service<ServiceT>)
+
+  using Request = typename ServiceT::Request;
+  using Response = typename ServiceT::Response;
+
+  template<class CallbackT>
+  Service(
+    const node_interfaces::NodeBaseInterface & node, const std::string & name, const QoS & qos,
+    CallbackT && callback)
+  : ServiceBase(node, name, rosidl_typesupport_sitegen_cpp::members_of<Request>(), qos),
+    callback_(adapt(std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
+
+  void send_response(rmw_request_id_t & to, Response & response)
+  {
+    respond(to, rosidl_typesupport_sitegen_cpp::members_of<Response>(), &response);
+  }
+
+protected:
+  void handle(
+    const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t writer) override
+  {
+    auto request = std::make_shared<Request>();
+    const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();
+    if (!decode(type, bytes, request.get())) {return;}
+    auto id = std::make_shared<rmw_request_id_t>();
+    std::memcpy(id->writer_guid, &writer, sizeof(writer));
+    id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
+    callback_(*this, std::move(id), std::move(request));
+  }
+
+private:
+  using IdPtr = std::shared_ptr<rmw_request_id_t>;
+  using RequestPtr = std::shared_ptr<Request>;
+  using ResponsePtr = std::shared_ptr<Response>;
+  using Handler = std::function<void(Service &, IdPtr, RequestPtr)>;
+
+  template<class>
+  static constexpr bool unsupported = false;
+
+  template<class CallbackT>
+  static Handler adapt(CallbackT callback)
+  {
+    constexpr bool plain = std::is_invocable_v<CallbackT &, RequestPtr, ResponsePtr>;
+    constexpr bool with_id = std::is_invocable_v<CallbackT &, IdPtr, RequestPtr, ResponsePtr>;
+    if constexpr (plain || with_id) {
+      return [callback](Service & self, IdPtr id, RequestPtr request) mutable {
+               auto response = std::make_shared<Response>();
+               if constexpr (with_id) {
+                 callback(id, std::move(request), response);
+               } else {
+                 callback(std::move(request), response);
+               }
+               self.send_response(*id, *response);
+             };
+    } else if constexpr (std::is_invocable_v<CallbackT &, IdPtr, RequestPtr>) {
+      return [callback](Service &, IdPtr id, RequestPtr request) mutable {
+               callback(std::move(id), std::move(request));
+             };
+    } else if constexpr (std::is_invocable_v<CallbackT &, SharedPtr, IdPtr, RequestPtr>) {
+      return [callback](Service & self, IdPtr id, RequestPtr request) mutable {
+               callback(self.shared_from_this(), std::move(id), std::move(request));
+             };
+    } else {
+      static_assert(
+        unsupported<CallbackT>,
+        "a service's callback takes (std::shared_ptr<Request>, std::shared_ptr<Response>), perhaps "
+        "with a std::shared_ptr<rmw_request_id_t> before them, or answers later and takes "
+        "(std::shared_ptr<rmw_request_id_t>, std::shared_ptr<Request>), perhaps with the service "
+        "before them");
+    }
+  }
+
+  Handler callback_;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,249 @@
+"""The graph of the page and its participants, in a browser, without programs around them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Page
+
+RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+
+# A participant of each name, joined to one graph, with what a scenario needs to be short.
+SETTING = """
+const { Graph } = await import("./graph.js");
+const { Participant } = await import("./workers/participant.js");
+const graph = new Graph();
+const warnings = [];
+function join() {
+  let participant;
+  const id = graph.join((message) => participant.receive(message));
+  const post = ({ op, endpoint, id: gone }) => {
+    if (op === "create") graph.create(id, endpoint);
+    if (op === "destroy") graph.destroy(id, gone);
+  };
+  participant = new Participant(id, post, (logger, text) => warnings.push(`${logger}: ${text}`));
+  return { participant, leave: () => graph.leave(id) };
+}
+const QOS = { depth: 10, reliable: true, transientLocal: false, keepAll: false };
+const publisher = (of, qos, topic = "/a", type = "T") =>
+  of.participant.create("publisher", "/ns/talker", topic, type, { ...QOS, ...qos });
+const subscription = (of, qos, topic = "/a", type = "T") =>
+  of.participant.create("subscription", "/listener", topic, type, { ...QOS, ...qos });
+const publish = (of, id, ...values) => {
+  for (const value of values) of.participant.publish(id, new Uint8Array([value]));
+};
+const settle = async (...participants) => {
+  for (const { participant } of participants) await participant.wait(0);
+  await new Promise((resolve) => setTimeout(resolve, 20));
+};
+const heard = (of, id) => {
+  const values = [];
+  for (let sample; (sample = of.participant.take(id)); ) values.push(sample.message[0]);
+  return values;
+};
+"""
+
+
+@pytest.fixture
+def play(tab: Page, serve: Serve) -> Any:
+    """A function that runs a scenario and returns what it returns."""
+    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
+    tab.goto(serve(RUNTIME) + "empty.html")
+    return lambda scenario: tab.evaluate(f"async () => {{ {SETTING} {scenario} }}")
+
+
+def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a), s = subscription(b);
+      publish(a, p, 1, 2, 3, 4, 5, 6, 7);
+      await settle(a, b);
+      const samples = [];
+      for (let x; (x = b.participant.take(s)); ) samples.push(x);
+      const lag = samples.map((x) => x.received - x.timestamp);
+      return { values: samples.map((x) => x.message[0]), sequence: samples.map((x) => x.sequence),
+        publishers: new Set(samples.map((x) => x.writer)).size,
+        sane: lag.every((x) => x >= 0 && x < 1e3) };
+    """) == {
+        "values": [1, 2, 3, 4, 5, 6, 7],
+        "sequence": [1, 2, 3, 4, 5, 6, 7],
+        "publishers": 1,
+        "sane": True,
+    }
+
+
+def test_large_and_small_messages_keep_their_order(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a, { keepAll: true }), s = subscription(b, { keepAll: true });
+      const sizes = [1, 70000, 3, 0, 65536, 65512, 65513, 8, 1000000];
+      sizes.push(5, 5, 5, 5, 5, 20000, 50000, 7);
+      for (const size of sizes) a.participant.publish(p, new Uint8Array(size).fill(size & 255));
+      await settle(a, b);
+      const got = [];
+      for (let x; (x = b.participant.take(s)); ) {
+        const size = x.message.length;
+        got.push(x.message.every((byte) => byte === (size & 255)) ? size : -1);
+      }
+      return String(got) === String(sizes);
+    """)
+
+
+def test_a_subscription_keeps_the_newest_of_its_depth(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a), s = subscription(b, { depth: 3 });
+      const all = subscription(b, { keepAll: true });
+      publish(a, p, 1, 2, 3, 4, 5, 6, 7, 8);
+      await settle(a, b);
+      return [heard(b, s), heard(b, all)];
+    """) == [[6, 7, 8], [1, 2, 3, 4, 5, 6, 7, 8]]
+
+
+def test_one_worker_hears_itself(play: Any) -> None:
+    assert play("""
+      const a = join();
+      const p = publisher(a), s = subscription(a);
+      publish(a, p, 1, 2);
+      return [heard(a, s), a.participant.matched(p), a.participant.matched(s)];
+    """) == [[1, 2], 1, 1]
+
+
+def test_late_comers_get_what_is_kept_for_them_and_no_more(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a, { transientLocal: true, depth: 2 });
+      publish(a, p, 1, 2, 3);
+      const late = subscription(b, { transientLocal: true }), plain = subscription(b);
+      publish(a, p, 4);
+      await settle(a, b);
+      return [heard(b, late), heard(b, plain)];
+    """) == [[2, 3, 4], [4]]
+
+
+def test_what_does_not_suit_does_not_match_and_is_told(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a, { reliable: false });
+      const reliable = subscription(b), best = subscription(b, { reliable: false });
+      const durable = subscription(b, { reliable: false, transientLocal: true });
+      const other = subscription(b, {}, "/a", "U");
+      publish(a, p, 1);
+      await settle(a, b);
+      return { heard: [reliable, best, durable, other].map((s) => heard(b, s)), warnings };
+    """) == {
+        "heard": [[], [1], [], []],
+        "warnings": [
+            f"{logger}: {text} Last incompatible policy: {policy}_QOS_POLICY"
+            for policy in ("RELIABILITY", "DURABILITY")
+            for logger, text in (
+                (
+                    "listener",
+                    "New publisher discovered on topic '/a', offering incompatible QoS. "
+                    "No messages will be received from it.",
+                ),
+                (
+                    "ns.talker",
+                    "New subscription discovered on topic '/a', requesting incompatible QoS. "
+                    "No messages will be sent to it.",
+                ),
+            )
+        ],
+    }
+
+
+def test_who_leaves_is_forgotten_and_the_others_go_on(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [join(), join(), join()];
+      const p = publisher(a), s = subscription(b), t = subscription(c);
+      b.leave();
+      publish(a, p, 1);
+      await settle(a, c);
+      const then = [heard(c, t), a.participant.matched(p), graph.topics()];
+      c.participant.destroy(t);
+      publish(a, p, 2);
+      const alone = a.participant.matched(p);
+      a.leave();
+      c.leave();
+      return [...then, alone, graph.topics(), graph.nodes()];
+    """) == [
+        [1],
+        1,
+        [
+            {
+                "name": "/a",
+                "types": ["T"],
+                "publishers": ["/ns/talker"],
+                "subscriptions": ["/listener"],
+            }
+        ],
+        0,
+        [],
+        [],
+    ]
+
+
+def test_a_wait_ends_by_a_message_a_time_or_a_signal(play: Any) -> None:
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a), s = subscription(b);
+      const woken = b.participant.wait(-1);
+      publish(a, p, 1);
+      const begin = performance.now();
+      const signals = [await woken, await b.participant.wait(2), await b.participant.wait(30)];
+      const waited = performance.now() - begin;
+      const stopped = b.participant.wait(-1);
+      b.participant.receive({ op: "stop" });
+      return [...signals, await stopped, heard(b, s), waited >= 31 && waited < 1000];
+    """) == [0, 0, 0, 2, [1], True]
+
+
+def test_each_client_gets_its_own_answers(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [join(), join(), join()];
+      const service = (of) => of.participant.create("service", "/server", "/add", "S", QOS);
+      const client = (of) => of.participant.create("client", "/client", "/add", "S", QOS);
+      const ask = (of, id, value) => of.participant.request(id, new Uint8Array([value]));
+      const answers = (of, id) => {
+        const got = [];
+        for (let x; (x = of.participant.take(id)); ) got.push([x.sequence, x.message[0]]);
+        return got;
+      };
+      const early = client(a);
+      const lost = ask(a, early, 9);
+      const s = service(b), own = client(b), other = client(c);
+      await settle(a, b, c);
+      const asked = [ask(a, early, 1), ask(a, early, 2), ask(c, other, 3), ask(b, own, 4)];
+      await settle(a, b, c);
+      const requests = [];
+      for (let x; (x = b.participant.take(s)); ) requests.unshift(x);  // answered in another order
+      for (const { writer, sequence, message } of requests) {
+        b.participant.respond(s, writer, sequence, message.map((value) => value * 10));
+      }
+      await settle(b);
+      const before = graph.services();
+      b.leave();
+      return { lost, asked, a: answers(a, early), c: answers(c, other), b: answers(b, own), before,
+        ready: a.participant.matched(early), after: graph.services() };
+    """) == {
+        "lost": 1,
+        "asked": [2, 3, 1, 1],
+        "a": [[3, 20], [2, 10]],
+        "b": [[1, 40]],
+        "c": [[1, 30]],
+        "ready": 0,
+        "before": [
+            {
+                "name": "/add",
+                "types": ["S"],
+                "servers": ["/server"],
+                "clients": ["/client", "/client", "/client"],
+            }
+        ],
+        "after": [
+            {"name": "/add", "types": ["S"], "servers": [], "clients": ["/client", "/client"]}
+        ],
+    }
