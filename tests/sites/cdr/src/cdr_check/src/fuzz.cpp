@@ -36,7 +36,7 @@ Bytes outcome(const MessageMembers & type, const Bytes & bytes, std::uint8_t beh
   const std::size_t before = allocated;
   const bool ok = message.read(memory.data(), bytes.size());
   // Texts and sequences take some times their size on the wire, and vectors grow by doubling.
-  if (allocated - before > 64 * bytes.size() + 1024) {
+  if (allocated - before > 32 * bytes.size() + 1024) {
     throw std::runtime_error(
       std::to_string(bytes.size()) + " bytes made it allocate " +
       std::to_string(allocated - before));
@@ -60,8 +60,8 @@ Bytes variation(const Bytes & valid, std::mt19937 & random)
     case 2:  // a large number where a length may be
       for (auto count = 1 + any(3); bytes.size() >= 8 && count; --count) {
         const std::uint32_t lengths[] = {
-          0xffffffff, 0x7fffffff, 0x40000000, 0x20000001, 0x10000, 256,
-          static_cast<std::uint32_t>(bytes.size())};
+          0xffffffff, 0x7fffffff, 0x40000000, 0x20000001, 256,
+          static_cast<std::uint32_t>(bytes.size()), static_cast<std::uint32_t>(bytes.size() / 2)};
         std::memcpy(&bytes[4 + 4 * any((bytes.size() - 4) / 4)], &lengths[any(7)], 4);
       }
       break;
