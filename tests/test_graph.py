@@ -247,3 +247,27 @@ def test_each_client_gets_its_own_answers(play: Any) -> None:
             {"name": "/add", "types": ["S"], "servers": [], "clients": ["/client", "/client"]}
         ],
     }
+
+
+def test_a_request_of_a_server_that_left_is_answered_by_nobody(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [join(), join(), join()];
+      const service = (of) => of.participant.create("service", "/server", "/add", "S", QOS);
+      const id = a.participant.create("client", "/client", "/add", "S", QOS);
+      const s = service(b);
+      await settle(a, b);
+      a.participant.request(id, new Uint8Array([1]));
+      await settle(a);
+      const { writer, sequence } = b.participant.take(s);
+      b.leave();
+      const t = service(c);
+      await settle(a, c);
+      const asked = a.participant.take(id) ?? c.participant.take(t) ?? "nothing";
+      a.participant.request(id, new Uint8Array([2]));
+      await settle(a);
+      const request = c.participant.take(t);
+      c.participant.respond(t, request.writer, request.sequence, request.message);
+      await settle(c);
+      const answer = a.participant.take(id);
+      return [asked, sequence, answer.sequence, answer.message[0]];
+    """) == ["nothing", 1, 2, 2]

@@ -1,0 +1,65 @@
+"""Services between compiled nodes, with a definition of the workspace's own, in a real browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Browser
+from test_demos import WITHOUT_JSPI, Panel, expect_nothing_left
+
+from sitegen.build import build
+from sitegen.report import Report
+
+SITE = Path(__file__).parent / "sites" / "services"
+
+
+@pytest.fixture(scope="session")
+def services(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    output = tmp_path_factory.mktemp("services") / "dist"
+    build(SITE, output=output, report=Report())
+    return output
+
+
+@pytest.mark.parametrize("engine", ["jspi", "asyncify"])
+def test_callers_get_their_own_answers(
+    engine: str, browser: Browser, serve: Serve, services: Path
+) -> None:
+    context = browser.new_context()
+    if engine == "asyncify":
+        context.add_init_script(WITHOUT_JSPI)
+    page = context.new_page()
+    page.goto(serve(services))
+    server, client, zero, callers = (
+        Panel(page, name) for name in ("server", "client", "zero", "callers")
+    )
+
+    # The client comes first and finds the server later.
+    client.start()
+    client.wait_for("No service yet, waiting")
+    server.start()
+    client.wait_for("Quotient: 42")
+    client.expect_state("stopped")
+
+    zero.start()
+    callers.start()
+    zero.wait_for("Quotient: 0division by zero")
+    callers.wait_for("ready")
+    assert callers.messages() == [
+        "right 200, wrong 0, 1.000000, removed 1 0, early 1, late 1: at last",
+        "ready 0, answered 0",
+    ]
+    assert "84 / 2" in server.messages()
+
+    # A server that is gone is no longer found; one that is back is.
+    server.stop()
+    client.button("Clear").click()
+    client.start()
+    client.wait_for("No service yet, waiting")
+    server.start()
+    client.wait_for("Quotient: 42")
+    client.expect_state("stopped")
+    server.stop()
+    expect_nothing_left(page)
+    context.close()
