@@ -170,7 +170,7 @@ class Compiler:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
             if made.returncode:
-                return Diagnosis(self._root, package).of_build("its libraries", made.stdout)
+                raise SiteError(Diagnosis(self._root, package).of_build("libraries", made.stdout))
         except SiteError as error:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             return error.lines

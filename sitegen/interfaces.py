@@ -51,6 +51,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
     include = ";".join(
         [
             f"${{include}}/{package}",
+            "${SITEGEN_CPP}/include",
             *(folder.as_posix() for folder in folders if folder.exists()),
         ]
     )
@@ -65,6 +66,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
             f'set({package}_INCLUDE_DIRS "{include}")',
             f"add_library({target} INTERFACE IMPORTED GLOBAL)",
             f"set_target_properties({target} PROPERTIES",
+            "  INTERFACE_COMPILE_FEATURES cxx_std_17",
             f'  INTERFACE_INCLUDE_DIRECTORIES "${{{package}_INCLUDE_DIRS}}"',
             f'  INTERFACE_LINK_LIBRARIES "{";".join(f"{d}::{d}" for d in depends)}")',
             f"add_library({typesupport} ALIAS {target})",

@@ -1,5 +1,4 @@
 include_guard(GLOBAL)
-include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/engine.cmake")
 include(CMakeFindDependencyMacro)
 find_dependency(builtin_interfaces)
 
@@ -8,6 +7,6 @@ set_target_properties(rclcpp::rclcpp PROPERTIES
   IMPORTED_LOCATION "${SITEGEN_RCLCPP}"
   INTERFACE_INCLUDE_DIRECTORIES "${SITEGEN_CPP}/include"
   INTERFACE_COMPILE_FEATURES cxx_std_17
-  INTERFACE_LINK_LIBRARIES "sitegen::engine;${builtin_interfaces_TARGETS}")
+  INTERFACE_LINK_LIBRARIES "${builtin_interfaces_TARGETS}")
 set(rclcpp_TARGETS rclcpp::rclcpp)
 set(rclcpp_LIBRARIES rclcpp::rclcpp)
