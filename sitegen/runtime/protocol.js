@@ -2,7 +2,8 @@
 
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
- * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[]}} PageEntry
+ * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
+ *   types?: Record<string, MessageType>}} PageEntry with types where a widget takes part in the graph
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
  *   builds: Partial<Record<Engine, {script: string, wasm: string}>>,
@@ -12,13 +13,45 @@
  */
 
 /**
- * What a widget is given: the nodes of the page by name.
- * @typedef {{nodes: Map<string, NodeHandle>}} Ros
+ * What a widget is given: the page's ROS.
+ * @typedef {{
+ *   nodes: Map<string, NodeHandle>,
+ *   graph: GraphView,
+ *   types: Record<string, MessageType>,
+ *   subscribe(topic: string, type: string, callback: (message: any, info: MessageInfo) => void,
+ *     qos?: Partial<Qos>): () => void,
+ *   subscribeBytes(topic: string, type: string,
+ *     callback: (message: Uint8Array, info: MessageInfo) => void, qos?: Partial<Qos>): () => void,
+ *   advertise(topic: string, type: string, qos?: Partial<Qos>): Publisher,
+ *   call(service: string, type: string, request: any, timeout?: number): Promise<any>,
+ * }} Ros
  *
- * A node of the page. It emits `state` when `state` changed, `lines` (CustomEvent, detail: Line[])
- * when it printed, `clear` when its consoles should be emptied.
+ * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, sequences of
+ * numbers are typed arrays, all else is what JSON has.
+ * @typedef {{publish(message: any): void, close(): void}} Publisher
+ * @typedef {{size: number, sequence: number, timestamp: number, received: number}} MessageInfo
+ *   bytes, number of this writer's message, and the times (ms since 1970) it was sent and arrived
+ *
+ * Who is in the graph; emits `change` after changes, those of one moment together.
  * @typedef {EventTarget & {
- *   name: string, state: NodeState,
+ *   nodes(): string[],
+ *   endpoints(): Endpoint[],
+ *   topics(): {name: string, types: string[], publishers: string[], subscriptions: string[]}[],
+ *   services(): {name: string, types: string[], servers: string[], clients: string[]}[],
+ * }} GraphView
+ *
+ * A message type, by its name ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). A field's
+ * type is written as in a .msg file, nested types with their whole name: "float64[3]",
+ * "string<=10[<=5]", "geometry_msgs/msg/Point[]".
+ * @typedef {{fields: {name: string, type: string, default?: any}[],
+ *   constants: {name: string, type: string, value: any}[]}} MessageType
+ *
+ * A program of the page. It emits `state` when `state` changed, `lines` (CustomEvent, detail: Line[])
+ * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
+ * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known).
+ * @typedef {EventTarget & {
+ *   name: string, state: NodeState, since: number, package: string, executable: string,
+ *   memory: number,
  *   start(): void, stop(): void, clear(): void,
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
@@ -41,6 +74,7 @@
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
  *   | {op: "lines", lines: Line[]}
+ *   | {op: "memory", bytes: number}
  *   | {op: "exit", code: number, error: string}} FromWorker
  */
 
