@@ -4,6 +4,9 @@
 
 import { ros } from "../runtime/rosMain.js";
 
+// Nothing here takes a tenth of this time (ms).
+const LIMIT = 60_000;
+
 /** Start a node, wait for its end. @param {string} name @returns {Promise<number[]>} what it printed */
 export function runNode(name) {
   const node = ros.nodes.get(name);
@@ -21,6 +24,7 @@ export function runNode(name) {
       if (node.state === "stopped") resolve(lines.map(Number));
       if (node.state === "failed") reject(new Error(lines.at(-1)));
     }, { signal });
+    setTimeout(() => reject(new Error(`'${name}' does not end`)), LIMIT);
     node.start();
   }).finally(() => listening.abort());
 }
@@ -40,6 +44,7 @@ export async function runBare(task, size, count) {
   const { data } = await new Promise((resolve, reject) => {
     sender.onmessage = resolve;
     sender.onerror = receiver.onerror = reject;
+    setTimeout(() => reject(new Error(`the bare ${task} does not end`)), LIMIT);
   });
   sender.terminate();
   receiver.terminate();
