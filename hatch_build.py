@@ -1,4 +1,8 @@
-"""Copy the parts of ROS 2 that sitegen needs from pinned PyPI wheels into `sitegen/ros/`."""
+"""Bring into the package what others made and sitegen ships: parts of ROS 2, browser libraries.
+
+`sitegen/ros/` is taken from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
+npm packages. Neither is in the repository.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+from collections.abc import Callable
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -18,6 +23,9 @@ ROOT = Path(__file__).parent
 PINS = ROOT / "ros.txt"
 TARGET = ROOT / "sitegen" / "ros"
 STAMP = TARGET / ".digest"
+LOCK = ROOT / "package-lock.json"
+BUNDLER = ROOT / "vendor.mjs"
+BUNDLES = ROOT / "sitegen" / "runtime" / "vendor"
 
 # The wheels are built for one platform, but what is taken from them is text that suits all.
 DOWNLOAD = [
@@ -39,22 +47,40 @@ PLACES = [
 ]
 
 
-class RosBuildHook(BuildHookInterface[Any]):
-    """Fill `sitegen/ros/` before a wheel or an editable install is made."""
+class VendorBuildHook(BuildHookInterface[Any]):
+    """Fill both folders before a wheel or an editable install is made."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Fetch and unpack, unless what is there came from the same pins and the same rules."""
+        """Fetch what has changed since the last time: the pins, or the rules in this file."""
         if self.target_name == "sdist":
             return
-        digest = hashlib.sha256(PINS.read_bytes() + Path(__file__).read_bytes()).hexdigest()
-        if STAMP.exists() and STAMP.read_text() == digest:
-            return
+        refresh(STAMP, [PINS, Path(__file__)], self._take_ros)
+        refresh(BUNDLES / ".digest", [LOCK, BUNDLER], self._bundle)
+
+    def _take_ros(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             wheels = download(Path(folder), self.app.abort)
             shutil.rmtree(TARGET, ignore_errors=True)
             for wheel in wheels:
                 unpack(wheel, TARGET)
-        STAMP.write_text(digest)
+
+    def _bundle(self) -> None:
+        if not shutil.which("npm"):
+            self.app.abort("npm not found; the browser libraries need Node.js 20 (nodejs.org)")
+        shutil.rmtree(BUNDLES, ignore_errors=True)
+        for command in (["npm", "ci", "--no-audit", "--no-fund"], ["node", BUNDLER.name]):
+            done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
+            if done.returncode:
+                self.app.abort(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+
+
+def refresh(stamp: Path, sources: list[Path], make: Callable[[], None]) -> None:
+    """Call `make` unless `stamp` says that it was called for the same `sources`."""
+    digest = hashlib.sha256(b"".join(source.read_bytes() for source in sources)).hexdigest()
+    if stamp.exists() and stamp.read_text() == digest:
+        return
+    make()
+    stamp.write_text(digest)
 
 
 def download(folder: Path, abort: Any) -> list[Path]:

@@ -9,6 +9,16 @@ from sitegen.model import Artifact, Build, Page, Site, Widget
 
 RUNTIME = Path(__file__).parent / "runtime"
 
+# Widgets that only start programs and show what they print; all others take part in the graph.
+PLAIN = {"buttons", "console"}
+# The bundles in runtime/vendor that widgets use, beside the one that reads messages.
+VENDOR: dict[str, list[str]] = {}
+
+
+def takes_part(page: Page) -> bool:
+    """Return whether a widget of `page` takes part in the graph."""
+    return any(widget.kind not in PLAIN for widget in _widgets([page]))
+
 
 def runtime(site: Site) -> list[Artifact]:
     """Return the runtime's files, with only those widgets that a page shows.
@@ -20,9 +30,17 @@ def runtime(site: Site) -> list[Artifact]:
         return []
     files = [
         *RUNTIME.glob("*.js"),
+        *RUNTIME.glob("participant/*.js"),
         *RUNTIME.glob("workers/*.js"),
         *(RUNTIME / "widgets" / f"{kind}.js" for kind in kinds),
     ]
+    if any(map(takes_part, site.pages)):
+        vendor = {name for kind in kinds for name in VENDOR.get(kind, [])} | {"cdr"}
+        files += RUNTIME.glob("messages/*.js")
+        files += [RUNTIME / "vendor" / f"{name}.js" for name in vendor]
+        files.append(RUNTIME / "vendor" / "licenses.txt")
+    else:
+        files.remove(RUNTIME / "pageClient.js")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
 
 
@@ -31,12 +49,16 @@ def preloads(site: Site) -> dict[str, list[str]]:
 
     Named in the page's head they come at once; otherwise each would be asked for by the one before.
     """
-    common = [f"runtime/{f.name}" for f in sorted(RUNTIME.glob("*.js")) if f.name != "rosMain.js"]
-    kinds = {page.path: dict.fromkeys(w.kind for w in _widgets([page])) for page in site.pages}
-    return {
-        path: [*common, *(f"runtime/widgets/{kind}.js" for kind in shown)]
-        for path, shown in kinds.items()
-    }
+    loads = {}
+    for page in site.pages:
+        kinds = dict.fromkeys(widget.kind for widget in _widgets([page]))
+        files = ["graph.js", "nodeProcess.js", "protocol.js"]
+        if takes_part(page):
+            files += ["pageClient.js", "participant/participant.js", "messages/codec.js"]
+            files.append("vendor/cdr.js")
+        files += [f"widgets/{kind}.js" for kind in kinds]
+        loads[page.path] = [f"runtime/{file}" for file in files] if kinds else []
+    return loads
 
 
 def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import tempfile
@@ -11,7 +12,7 @@ from pathlib import Path
 
 from sitegen import assets, config, cpp, pages, workspace
 from sitegen.errors import SiteError
-from sitegen.model import Artifact, Node, Site
+from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
 
 # Also tells GitHub Pages to serve the files as they are.
@@ -35,7 +36,8 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
     # Markdown pages become HTML with a page.json each.
-    artifacts = pages.render(site, modules=assets.preloads(site))
+    types = {page.path: types_of(page, builds) for page in site.pages if assets.takes_part(page)}
+    artifacts = pages.render(site, modules=assets.preloads(site), types=types)
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)
@@ -68,6 +70,14 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
         *needs, package = workspace.with_dependencies(site.packages, name)
         jobs.append(cpp.Job(package, tuple(wanted), tuple(needs)))
     return jobs
+
+
+def types_of(page: Page, builds: cpp.Builds) -> dict[str, object]:
+    """Return the message types that the nodes of `page` use, by name."""
+    types: dict[str, object] = {}
+    for node in page.nodes.values():
+        types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+    return types
 
 
 def cache_folder() -> Path:

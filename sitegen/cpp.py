@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,14 +11,18 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from sitegen import definitions, interfaces, typesupport
-from sitegen.cmake import CLIENT, SETTINGS, CMake
+from sitegen import interfaces, messages
+from sitegen.cmake import CLIENT, CMake
 from sitegen.diagnosis import Diagnosis
 from sitegen.digest import digest_of
 from sitegen.errors import SiteError
 from sitegen.model import Build, Package
 from sitegen.report import Report
 from sitegen.toolchain import Toolchain, ToolMissingError, alone
+
+HERE = Path(__file__).parent
+# What a program depends on besides its sources, the library and the compiler.
+GENERATOR = ("cmake.py", "definitions.py", "interfaces.py", "messages.py", "typesupport.py")
 
 
 @dataclass(frozen=True)
@@ -77,9 +82,8 @@ class Compiler:
         self._tools = tools
         self._root = root
         self._report = report
-        modules = [Path(str(m.__file__)) for m in (definitions, interfaces, typesupport)]
-        paths = [CLIENT, *modules, interfaces.ROS / ".digest"]
-        self._base = digest_of(paths, tools.identity, *SETTINGS)
+        paths = [CLIENT, *(HERE / name for name in GENERATOR), interfaces.ROS / ".digest"]
+        self._base = digest_of(paths, tools.identity)
         self._nodes = cache / "nodes"
         self._work = cache / "work" / self._base
         self._digests: dict[Path, str] = {}
@@ -92,7 +96,8 @@ class Compiler:
         """Where one program is, or will be."""
         folder = self._nodes / self._digest(job.package, job.needs)
         stem = f"{executable}.{engine}"
-        return Build(engine, folder / f"{stem}.js", folder / f"{stem}.wasm")
+        files = (folder / f"{stem}.{suffix}" for suffix in ("js", "wasm", "types.json"))
+        return Build(engine, *files)
 
     def _digest(self, package: Package, needs: Sequence[Package]) -> str:
         for one in (*needs, package):
@@ -170,7 +175,7 @@ class Compiler:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
             if made.returncode:
-                return Diagnosis(self._root, package).of_build("its libraries", made.stdout)
+                raise SiteError(Diagnosis(self._root, package).of_build("libraries", made.stdout))
         except SiteError as error:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             return error.lines
@@ -213,12 +218,16 @@ class Compiler:
             if done.returncode:
                 problems += Diagnosis(self._root, package).of_build(executable, done.stdout)
             else:
-                self._keep(cmake.program(package, executable), self.build(job, executable, engine))
+                program = cmake.program(package, executable)
+                prefixes = [cmake.prefix(one) for one in (*job.needs, package)]
+                self._keep(program, prefixes, self.build(job, executable, engine))
             self._report.done(f"{package.name}/{executable} ({engine})")
         return problems
 
-    def _keep(self, program: Path, build: Build) -> None:
+    def _keep(self, program: Path, prefixes: Sequence[Path], build: Build) -> None:
         build.wasm.parent.mkdir(parents=True, exist_ok=True)
+        types = messages.types_of(program.with_suffix(".wasm"), prefixes)
+        build.types.write_text(json.dumps(types))
         shutil.copyfile(program.with_suffix(".js"), build.script)
         # Last, and in one step: its presence says that the program is complete.
         draft = build.wasm.with_suffix(".draft")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib
 import json
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -51,6 +52,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
     include = ";".join(
         [
             f"${{include}}/{package}",
+            "${SITEGEN_CPP}/include",
             *(folder.as_posix() for folder in folders if folder.exists()),
         ]
     )
@@ -65,6 +67,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
             f'set({package}_INCLUDE_DIRS "{include}")',
             f"add_library({target} INTERFACE IMPORTED GLOBAL)",
             f"set_target_properties({target} PROPERTIES",
+            "  INTERFACE_COMPILE_FEATURES cxx_std_17",
             f'  INTERFACE_INCLUDE_DIRECTORIES "${{{package}_INCLUDE_DIRS}}"',
             f'  INTERFACE_LINK_LIBRARIES "{";".join(f"{d}::{d}" for d in depends)}")',
             f"add_library({typesupport} ALIAS {target})",
@@ -94,7 +97,7 @@ def generate(
     the prefixes of packages that they may use. Raises a SiteError that says what is wrong in which.
     """
     sys.path.insert(0, str(ROS / "python"))  # rosidl is vendored, as its wheels name one platform
-    packages = {path.name: path for path in _shares([ROS, *others]) if path.name != package}
+    packages = {path.name: path for path in shares([ROS, *others]) if path.name != package}
     problems = definitions.check(package, folder, files, packages)
     if problems:
         raise SiteError(problems)
@@ -119,6 +122,7 @@ def _generate(
             idls.append(f"{folder}:{name}")
         else:
             idl = adapter.convert_to_idl(folder, package, Path(name), share)
+            shutil.copyfile(folder / name, Path(idl).with_suffix(Path(name).suffix))
             idls.append(f"{share}:{Path(idl).relative_to(share).as_posix()}")
     arguments = {
         "package_name": package,
@@ -151,7 +155,7 @@ def _update(fresh: Path, folder: Path) -> None:
             file.unlink()  # of an interface that the package no longer has
 
 
-def _shares(prefixes: Iterable[Path]) -> Iterator[Path]:
+def shares(prefixes: Iterable[Path]) -> Iterator[Path]:
     """Yield the folders of packages that have type descriptions."""
     for prefix in prefixes:
         for share in sorted((prefix / "share").glob("*")):

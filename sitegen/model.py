@@ -109,8 +109,12 @@ class Package:
 
 @dataclass(frozen=True)
 class Build:
-    """One compiled form of a node: an ES module and its WebAssembly, for engines of `engine`."""
+    """One compiled form of a node: an ES module and its WebAssembly, for engines of `engine`.
+
+    `types` is a file with the message types that it uses (MessageType in protocol.js), by name.
+    """
 
     engine: str
     script: Path
     wasm: Path
+    types: Path

@@ -56,10 +56,16 @@ class Block:
     panels: tuple[Panel, ...] = ()
 
 
-def render(site: Site, *, modules: Mapping[str, Sequence[str]] | None = None) -> list[Artifact]:
+def render(
+    site: Site,
+    *,
+    modules: Mapping[str, Sequence[str]] | None = None,
+    types: Mapping[str, Mapping[str, object]] | None = None,
+) -> list[Artifact]:
     """Return the artifacts of all pages and of the theme.
 
-    `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js.
+    `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
+    `types` has, by page path, the message types of pages that take part in the graph.
     """
     problems = Problems(site.root)
     environment = jinja2.Environment(
@@ -98,7 +104,11 @@ def render(site: Site, *, modules: Mapping[str, Sequence[str]] | None = None) ->
         )
         artifacts.append(Artifact(f"{page.path}index.html", html.encode()))
         if live:
-            artifacts.append(Artifact(f"{page.path}page.json", _page_json(site, page)))
+            artifacts.append(
+                Artifact(
+                    f"{page.path}page.json", _page_json(site, page, (types or {}).get(page.path))
+                )
+            )
         artifacts += [Artifact(path, file) for path, file in prose.files.items()]
     problems.raise_if_any()
     return artifacts + _theme_files(site)
@@ -168,14 +178,14 @@ def _slots(page: Page) -> Iterator[tuple[Widget, Slot]]:
         yield widget, Slot(f"widget-{number}", widget.kind)
 
 
-def _page_json(site: Site, page: Page) -> bytes:
+def _page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> bytes:
     """Return the page's PageEntry, as protocol.js describes it."""
     waiting = {
         widget.target
         for widget, _ in _slots(page)
         if widget.kind == "buttons" and widget.options.get("autostart") is not True
     }
-    entry = {
+    entry: dict[str, object] = {
         "nodes": {
             name: {
                 "package": node.package,
@@ -196,6 +206,8 @@ def _page_json(site: Site, page: Page) -> bytes:
             for widget, slot in _slots(page)
         ],
     }
+    if types is not None:
+        entry["types"] = dict(types)
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 

@@ -100,14 +100,15 @@ def numbers(panel: Panel, before: str) -> list[int]:
 
 
 def graph(page: Page) -> dict[str, list[str]]:
-    """Who is in the graph of the page: nodes, and what each topic connects."""
+    """Who is in the graph of the page: nodes, what each topic connects, and all endpoints."""
     found: dict[str, list[str]] = page.evaluate(
         """async () => {
           const src = document.querySelector("script[type=module]").src;
           const { ros } = await import(src);
-          const ends = ros.graph.topics().map(
+          const ends = ros.graph.topics().filter((t) => t.name !== "/rosout").map(
             (t) => `${t.publishers} > ${t.name} (${t.types}) > ${t.subscriptions}`);
-          return { nodes: ros.graph.nodes(), topics: ends };
+          const all = ros.graph.endpoints().map((e) => e.name || e.node);
+          return { nodes: ros.graph.nodes(), topics: ends, all };
         }"""
     )
     return found
@@ -115,7 +116,7 @@ def graph(page: Page) -> dict[str, list[str]]:
 
 def expect_nothing_left(page: Page) -> None:
     """After Stop nothing is in the graph and no worker runs."""
-    assert graph(page) == {"nodes": [], "topics": []}
+    assert graph(page)["all"] == []
     deadline = time.monotonic() + 5
     while page.workers and time.monotonic() < deadline:
         page.wait_for_timeout(50)  # the browser tells of a worker's end a moment later
@@ -131,6 +132,7 @@ def test_demo01_talks_by_itself(page: Page, url: str) -> None:
     assert graph(page) == {
         "nodes": ["/minimal_publisher"],
         "topics": ["/minimal_publisher > /chatter (std_msgs/msg/String) > "],
+        "all": ["/minimal_publisher", "/rosout", "/chatter"],
     }
     page.reload()
     talker.wait_for("Hello, world! 1")

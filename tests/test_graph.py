@@ -14,7 +14,7 @@ RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """
 const { Graph } = await import("./graph.js");
-const { Participant } = await import("./workers/participant.js");
+const { Participant } = await import("./participant/participant.js");
 const graph = new Graph();
 const warnings = [];
 function join() {

@@ -15,7 +15,7 @@ import { incompatibility, sends } from "./protocol.js";
  *   publishers and the subscriptions, of a service the clients and the servers
  */
 
-/** Emits `change` after every change. */
+/** Emits `change` after changes. */
 export class Graph extends EventTarget {
   /** @type {Map<number, Participant>} */
   #participants = new Map();
@@ -24,6 +24,7 @@ export class Graph extends EventTarget {
   /** @type {Map<string, Channel>} */
   #services = new Map();
   #nextId = 1;
+  #changing = false;
 
   /** Let a worker take part and return its id. @param {Post} post to the worker */
   join(post) {
@@ -78,10 +79,14 @@ export class Graph extends EventTarget {
     this.#changed();
   }
 
+  /** Everything that takes part, in the order of its coming. */
+  endpoints() {
+    return [...this.#participants.values()].flatMap((p) => [...p.endpoints.values()]);
+  }
+
   /** Fully qualified names of the nodes, sorted. */
   nodes() {
-    const all = [...this.#participants.values()].flatMap((p) => [...p.endpoints.values()]);
-    return all.filter((e) => e.kind === "node").map((e) => e.node).sort();
+    return this.endpoints().filter((e) => e.kind === "node").map((e) => e.node).sort();
   }
 
   /** The topics by name, with their types and the nodes at both sides. */
@@ -161,7 +166,13 @@ export class Graph extends EventTarget {
   }
 
   #changed() {
-    this.dispatchEvent(new Event("change"));
+    if (this.#changing) return;
+    this.#changing = true;
+    // Together: a node that starts announces a dozen endpoints in one go.
+    setTimeout(() => {
+      this.#changing = false;
+      this.dispatchEvent(new Event("change"));
+    });
   }
 }
 

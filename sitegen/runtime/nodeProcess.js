@@ -35,6 +35,10 @@ export class NodeProcess extends EventTarget {
   constructor(name, entry, base, graph) {
     super();
     this.name = name;
+    /** When its state began, in ms since 1970. */
+    this.since = Date.now();
+    /** Of its WebAssembly, in bytes; 0 while it is not known. */
+    this.memory = 0;
     this.#entry = entry;
     this.#base = base;
     this.#graph = graph;
@@ -42,6 +46,14 @@ export class NodeProcess extends EventTarget {
 
   get state() {
     return this.#state;
+  }
+
+  get package() {
+    return this.#entry.package;
+  }
+
+  get executable() {
+    return this.#entry.executable;
   }
 
   /** Start it; one that is just stopping starts again as soon as it has stopped. */
@@ -123,6 +135,9 @@ export class NodeProcess extends EventTarget {
       case "lines":
         this.#emitLines(message.lines);
         break;
+      case "memory":
+        this.memory = message.bytes;
+        break;
       case "exit":
         if (message.error) {
           this.#fail(message.error);
@@ -176,6 +191,8 @@ export class NodeProcess extends EventTarget {
   /** @param {NodeState} state */
   #setState(state) {
     this.#state = state;
+    this.since = Date.now();
+    if (state !== "running" && state !== "stopping") this.memory = 0;
     this.dispatchEvent(new Event("state"));
   }
 }

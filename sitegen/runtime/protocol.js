@@ -2,7 +2,8 @@
 
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
- * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[]}} PageEntry
+ * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
+ *   types?: Record<string, MessageType>}} PageEntry with types where a widget takes part in the graph
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
  *   builds: Partial<Record<Engine, {script: string, wasm: string}>>,
@@ -26,12 +27,12 @@
  * }} Ros
  *
  * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, sequences of
- * numbers are typed arrays, all else is what JSON has. Both sides of a subscription are in `info`.
+ * numbers are typed arrays, all else is what JSON has.
  * @typedef {{publish(message: any): void, close(): void}} Publisher
  * @typedef {{size: number, sequence: number, timestamp: number, received: number}} MessageInfo
  *   bytes, number of this writer's message, and the times (ms since 1970) it was sent and arrived
  *
- * Who is in the graph; emits `change` after every change, at most once a frame.
+ * Who is in the graph; emits `change` after changes, those of one moment together.
  * @typedef {EventTarget & {
  *   nodes(): string[],
  *   endpoints(): Endpoint[],
@@ -73,6 +74,7 @@
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
  *   | {op: "lines", lines: Line[]}
+ *   | {op: "memory", bytes: number}
  *   | {op: "exit", code: number, error: string}} FromWorker
  */
 

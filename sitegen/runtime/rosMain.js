@@ -18,8 +18,19 @@ for (const [name, entry] of Object.entries(page.nodes)) {
   nodes.set(name, new NodeProcess(name, entry, link.href, graph));
 }
 
-/** The page's ROS: its graph, and its nodes by name. */
-export const ros = { graph, nodes };
+// Only pages with panels take part in the graph themselves; the others do not load what that needs.
+const client = page.types && new (await import("./pageClient.js")).PageClient(graph, page.types);
+
+/** The page's ROS, for widgets and for scripts of the page. */
+export const ros = {
+  nodes,
+  graph,
+  types: page.types ?? {},
+  subscribe: client?.subscribe.bind(client),
+  subscribeBytes: client?.subscribeBytes.bind(client),
+  advertise: client?.advertise.bind(client),
+  call: client?.call.bind(client),
+};
 
 await Promise.all(
   page.widgets.map(async ({ kind, element, target, options }) => {

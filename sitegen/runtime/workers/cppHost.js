@@ -5,7 +5,7 @@
 import { now } from "../protocol.js";
 
 /** @import { EndpointKind, Severity } from "../protocol.js" */
-/** @import { Participant } from "./participant.js" */
+/** @import { Participant } from "../participant/participant.js" */
 /** @import { Printer } from "./printer.js" */
 
 /** @type {EndpointKind[]} */
@@ -22,13 +22,22 @@ const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fata
  * @param {string[]} args the command line, the program's name first
  * @param {(error: string) => void} fail called with the text of an exception that left main()
  * @param {(error: unknown) => void} ended called with what a suspended program ended by
+ * @param {(bytes: number) => void} grown called with the size of its memory when that changed
  */
-export function cppHost(participant, printer, args, fail, ended) {
+export function cppHost(participant, printer, args, fail, ended, grown) {
   const decoder = new TextDecoder();
   const words = args.map((word) => new TextEncoder().encode(word));
 
   /** @param {Uint8Array} heap @param {number} pointer */
   const text = (heap, pointer) => decoder.decode(heap.subarray(pointer, heap.indexOf(0, pointer)));
+
+  let known = 0;
+  /** @param {Uint8Array} heap */
+  const noteSize = (heap) => {
+    if (heap.length === known) return;
+    known = heap.length;
+    grown(known);
+  };
 
   return {
     /**
@@ -36,6 +45,7 @@ export function cppHost(participant, printer, args, fail, ended) {
      * @param {number} type @param {number} depth @param {number} qos
      */
     create(heap, kind, node, name, type, depth, qos) {
+      noteSize(heap);
       return participant.create(
         /** @type {EndpointKind} */ (KINDS[kind]), text(heap, node), text(heap, name), text(heap, type), {
         depth,
@@ -62,6 +72,7 @@ export function cppHost(participant, printer, args, fail, ended) {
     matched: (id) => participant.matched(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} info */
     next(heap, id, info) {
+      noteSize(heap);
       const sample = participant.next(id);
       if (!sample) return -1;
       const view = new DataView(heap.buffer, info);

@@ -2,7 +2,7 @@
 // The worker of a compiled node: load its program, enter it, report how it ended.
 
 import { cppHost } from "./cppHost.js";
-import { Participant } from "./participant.js";
+import { Participant } from "../participant/participant.js";
 import { Printer } from "./printer.js";
 
 /** @import { FromWorker, ToWorker } from "../protocol.js" */
@@ -39,10 +39,11 @@ async function run(node, graph) {
   const fail = (text) => {
     failure = text;
   };
+  const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
   const args = [node.name, ...node.arguments];
   const { default: load } = await import(node.script);
   const program = await load({
-    ros: cppHost(graph, printer, args, fail, ended),
+    ros: cppHost(graph, printer, args, fail, ended, grown),
     noInitialRun: true,
     /** @param {string} line */
     print: (line) => printer.print("stdout", line),

@@ -7,6 +7,7 @@
 
 #include "rclcpp/detail/arguments.hpp"
 #include "rclcpp/detail/host.h"
+#include "rclcpp/detail/rosout.hpp"
 
 namespace rclcpp
 {
@@ -55,6 +56,7 @@ bool log_enabled(Logger::Level level, const Logger & logger)
 void log(Logger::Level level, const Logger & logger, const std::string & text)
 {
   ros_log(static_cast<int>(level), logger.get_name(), text.c_str());
+  publish_rosout(static_cast<int>(level), logger.get_name(), text);
 }
 
 namespace

@@ -54,6 +54,7 @@ Node::Node(const std::string & name, const NodeOptions & options)
 Node::Node(const std::string & name, const std::string & name_space, const NodeOptions &)
 : base_(std::make_shared<node_interfaces::NodeBaseInterface>(name, name_space)),
   logger_(logger_name(base_->get_fully_qualified_name())),
+  rosout_(*base_, logger_.get_name()),
   clock_(std::make_shared<Clock>(RCL_ROS_TIME))
 {
 }

@@ -10,6 +10,7 @@
 
 #include "rclcpp/client.hpp"
 #include "rclcpp/clock.hpp"
+#include "rclcpp/detail/rosout.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -113,6 +114,7 @@ private:
 
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   Logger logger_;
+  detail::Rosout rosout_;
   Clock::SharedPtr clock_;
 };
 

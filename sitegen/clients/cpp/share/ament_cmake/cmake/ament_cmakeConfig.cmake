@@ -85,11 +85,15 @@ function(ament_package)
     endif()
     list(APPEND names ${PROJECT_NAME}::${name})
   endforeach()
-  add_custom_target(sitegen_libraries DEPENDS ${compiled})
+  add_custom_target(sitegen_libraries)
+  if(compiled)
+    add_dependencies(sitegen_libraries ${compiled})
+  endif()
 
-  # Installed headers are below include/ or include/<package>/: in the sources both are include/.
+  # Installed headers are in include/ or in include/<package>/: in the sources both are include/.
   set(include "")
   if(include_directories OR exported)
+    list(REMOVE_ITEM include_directories "include/${PROJECT_NAME}" "include/${PROJECT_NAME}/")
     foreach(folder IN ITEMS include ${include_directories})
       get_filename_component(folder "${folder}" ABSOLUTE)
       if(IS_DIRECTORY "${folder}")

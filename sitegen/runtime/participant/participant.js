@@ -127,9 +127,14 @@ export class Participant {
     return this.#locals.get(id)?.queue.shift();
   }
 
+  /** Send what is held back. */
+  flush() {
+    for (const outbox of this.#outboxes.values()) outbox.flush();
+  }
+
   /** Send what is held back, then wait as `Waiting.wait` says. @param {number} milliseconds */
   wait(milliseconds) {
-    for (const outbox of this.#outboxes.values()) outbox.flush();
+    this.flush();
     return this.#waiting.wait(milliseconds);
   }
 

@@ -1,0 +1,41 @@
+// Bundle the third-party libraries that widgets use into sitegen/runtime/vendor/, each as one module,
+// with their licences. Run by hatch_build.py when package-lock.json has changed.
+
+import { build } from "esbuild";
+import { readFile, writeFile } from "node:fs/promises";
+import { join, relative } from "node:path";
+
+const TARGET = "sitegen/runtime/vendor";
+
+/** What each bundle exports, by the bundle's name. */
+const BUNDLES = {
+  cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
+};
+
+const packages = new Set();
+for (const [name, contents] of Object.entries(BUNDLES)) {
+  const { metafile } = await build({
+    stdin: { contents, resolveDir: import.meta.dirname },
+    outfile: join(TARGET, `${name}.js`),
+    bundle: true,
+    format: "esm",
+    minify: true,
+    target: "es2022",
+    legalComments: "none", // all licences are in one file
+    metafile: true,
+  });
+  await writeFile(join(TARGET, `${name}.d.ts`), `${contents}\n`); // for those who check the runtime
+  for (const input of Object.keys(metafile.inputs)) {
+    const folder = /^.*node_modules\/(@[^/]+\/)?[^/]+/.exec(input)?.[0];
+    if (folder) packages.add(folder);
+  }
+}
+
+const texts = [];
+for (const folder of [...packages].sort()) {
+  const { name, version, license } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
+  const text = await readFile(join(folder, "LICENSE"), "utf8").catch(() => "");
+  texts.push(`${name} ${version} (${license})\n\n${text}`);
+}
+await writeFile(join(TARGET, "licenses.txt"), texts.join("\n\n----\n\n"));
+console.log(`${relative(".", TARGET)}: ${Object.keys(BUNDLES).join(", ")}`);
