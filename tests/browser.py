@@ -14,6 +14,8 @@ from playwright.sync_api import Browser, sync_playwright
 
 # What the fixture `serve` is: it takes a folder and a prefix, and gives the URL.
 Serve = Callable[..., str]
+# What the fixture `built` is: it takes the folder of a site and gives that of the built one.
+Built = Callable[[Path], Path]
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 FLAGS = [

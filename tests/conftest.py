@@ -7,8 +7,14 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import Serve, chromium, serving
-from playwright.sync_api import Browser, ConsoleMessage, Page
+from browser import Built, Serve, chromium, serving
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page
+
+from sitegen.build import build
+from sitegen.report import Report
+
+# A browser that lacks JSPI gets the other build of each node.
+WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
 
 @pytest.fixture(scope="session")
@@ -46,3 +52,34 @@ def tab(browser: Browser, serve: Serve) -> Iterator[Page]:
     yield tab
     context.close()
     assert errors == []
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
+    """A function that builds the site of a folder, once, and returns where it is."""
+    sites: dict[Path, Path] = {}
+
+    def made(folder: Path) -> Path:
+        if folder not in sites:
+            output = tmp_path_factory.mktemp(folder.name) / "dist"
+            build(folder, output=output, report=Report())
+            sites[folder] = output
+        return sites[folder]
+
+    return made
+
+
+@pytest.fixture(params=["jspi", "asyncify"])
+def engine(request: pytest.FixtureRequest) -> str:
+    """The two kinds of browsers that nodes are built for."""
+    return str(request.param)
+
+
+@pytest.fixture
+def context(browser: Browser, serve: Serve, engine: str) -> Iterator[BrowserContext]:
+    """A browser of that kind."""
+    context = browser.new_context()
+    if engine == "asyncify":
+        context.add_init_script(WITHOUT_JSPI)
+    yield context
+    context.close()

@@ -9,9 +9,9 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
-from browser import Serve
+from browser import Built, Serve
+from panel import Panel
 from playwright.sync_api import Page
-from test_demos import Panel
 
 from sitegen.build import build
 from sitegen.errors import SiteError
@@ -296,14 +296,7 @@ def test_a_missing_compiler_is_told_with_who_needs_it(
     ]
 
 
-@pytest.fixture(scope="module")
-def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    output = tmp_path_factory.mktemp("shapes") / "dist"
-    build(SHAPES, output=output, report=Report())
-    return output
-
-
-def test_packages_of_many_shapes_run(shapes: Path, serve: Serve, tab: Page) -> None:
+def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> None:
     """Libraries, other packages' interfaces and libraries, old and new CMake, C and three C++s."""
     expected = {
         "beside": [
@@ -314,7 +307,7 @@ def test_packages_of_many_shapes_run(shapes: Path, serve: Serve, tab: Page) -> N
         "plain": ["rolls on 4, holds front, 254"],
         "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
     }
-    tab.goto(serve(shapes))
+    tab.goto(serve(built(SHAPES)))
     for name, lines in expected.items():
         panel = Panel(tab, name)
         panel.start()

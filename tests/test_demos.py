@@ -2,43 +2,28 @@
 
 from __future__ import annotations
 
-import re
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import serving
-from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, expect
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left, graph, numbers
+from playwright.sync_api import BrowserContext, ConsoleMessage, Page, expect
 
 from sitegen.build import build
 from sitegen.report import Report
 
 ROOT = Path(__file__).parent.parent
-LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
-# A browser that lacks JSPI gets the other build of each node.
-WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
 
-@pytest.fixture(scope="session")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    output = tmp_path_factory.mktemp("demos") / "dist"
-    build(ROOT, output=output, report=Report())
-    return output
+@pytest.fixture(params=["/", "/my-robot/"], ids=["root", "sub-path"])
+def url(built: Built, serve: Serve, request: pytest.FixtureRequest) -> str:
+    return serve(built(ROOT), request.param)
 
 
-@pytest.fixture(scope="session", params=["/", "/my-robot/"], ids=["root", "sub-path"])
-def url(site: Path, request: pytest.FixtureRequest) -> Iterator[str]:
-    with serving(site, request.param) as address:
-        yield address
-
-
-@pytest.fixture(params=["jspi", "asyncify"])
-def page(browser: Browser, url: str, request: pytest.FixtureRequest) -> Iterator[Page]:
+@pytest.fixture
+def page(url: str, context: BrowserContext, engine: str) -> Iterator[Page]:
     """A tab in a browser of either engine; the test fails on an error or a foreign request."""
-    context = browser.new_context()
-    if request.param == "asyncify":
-        context.add_init_script(WITHOUT_JSPI)
     page = context.new_page()
     wrong: list[str] = []
     loaded: list[str] = []
@@ -51,76 +36,11 @@ def page(browser: Browser, url: str, request: pytest.FixtureRequest) -> Iterator
     page.on("pageerror", lambda error: wrong.append(str(error)))
     context.on("request", lambda request: loaded.append(request.url))
     yield page
-    context.close()
+    page.close()
     assert wrong == []
     assert [address for address in loaded if not address.startswith(url)] == []
-    built = {address.split(".")[-2] for address in loaded if address.endswith(".wasm")}
-    assert built <= {request.param}
-
-
-class Panel:
-    """The buttons and the console of one node."""
-
-    def __init__(self, page: Page, node: str) -> None:
-        self._page = page
-        self.node = node
-        self.panel = page.get_by_role("region", name=node, exact=True)
-        self.console = self.panel.get_by_role("log")
-
-    def button(self, name: str) -> Locator:
-        return self.panel.get_by_role("button", name=name)
-
-    def start(self) -> None:
-        self.button("Start").click()
-
-    def stop(self) -> None:
-        self.button("Stop").click()
-        self.expect_state("stopped")
-
-    def expect_state(self, state: str) -> None:
-        expect(self.panel.locator("[aria-live=polite]")).to_have_text(state)
-
-    def lines(self) -> list[str]:
-        return [line for line in self.console.inner_text().split("\n") if line]
-
-    def messages(self) -> list[str]:
-        """What the node logged, each line checked for its form; ROS's own words left out."""
-        found = [LINE.match(line) for line in self.lines()]
-        assert all(found), self.lines()
-        return [match[3] for match in found if match and match[2] != "rclcpp"]
-
-    def wait_for(self, text: str) -> None:
-        expect(self.console).to_contain_text(text, timeout=15_000)
-
-
-def numbers(panel: Panel, before: str) -> list[int]:
-    """The numbers of the greetings in a console."""
-    greetings = (re.fullmatch(rf"{before}: 'Hello, world! (\d+)'", m) for m in panel.messages())
-    return [int(match[1]) for match in greetings if match]
-
-
-def graph(page: Page) -> dict[str, list[str]]:
-    """Who is in the graph of the page: nodes, what each topic connects, and all endpoints."""
-    found: dict[str, list[str]] = page.evaluate(
-        """async () => {
-          const src = document.querySelector("script[type=module]").src;
-          const { ros } = await import(src);
-          const ends = ros.graph.topics().filter((t) => t.name !== "/rosout").map(
-            (t) => `${t.publishers} > ${t.name} (${t.types}) > ${t.subscriptions}`);
-          const all = ros.graph.endpoints().map((e) => e.name || e.node);
-          return { nodes: ros.graph.nodes(), topics: ends, all };
-        }"""
-    )
-    return found
-
-
-def expect_nothing_left(page: Page) -> None:
-    """After Stop nothing is in the graph and no worker runs."""
-    assert graph(page)["all"] == []
-    deadline = time.monotonic() + 5
-    while page.workers and time.monotonic() < deadline:
-        page.wait_for_timeout(50)  # the browser tells of a worker's end a moment later
-    assert page.workers == []
+    programs = {address.split(".")[-2] for address in loaded if address.endswith(".wasm")}
+    assert programs <= {engine}
 
 
 def test_demo01_talks_by_itself(page: Page, url: str) -> None:

@@ -7,12 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Browser, Page
-from test_demos import WITHOUT_JSPI, Panel, expect_nothing_left
-
-from sitegen.build import build
-from sitegen.report import Report
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left
+from playwright.sync_api import BrowserContext, Page
 
 SITE = Path(__file__).parent / "sites" / "faults"
 
@@ -48,26 +45,14 @@ ENDS = {
 }
 
 
-@pytest.fixture(scope="session")
-def faults(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    output = tmp_path_factory.mktemp("faults") / "dist"
-    build(SITE, output=output, report=Report())
-    return output
-
-
-@pytest.fixture(params=["jspi", "asyncify"])
-def page(
-    browser: Browser, serve: Serve, faults: Path, request: pytest.FixtureRequest
-) -> Iterator[Page]:
-    context = browser.new_context()
-    if request.param == "asyncify":
-        context.add_init_script(WITHOUT_JSPI)
+@pytest.fixture
+def page(context: BrowserContext, serve: Serve, built: Built) -> Iterator[Page]:
     page = context.new_page()
     uncaught: list[str] = []
     page.on("pageerror", lambda error: uncaught.append(str(error)))
-    page.goto(serve(faults))
+    page.goto(serve(built(SITE)))
     yield page
-    context.close()
+    page.close()
     assert uncaught == []
 
 

@@ -5,13 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
-from browser import Serve
-from playwright.sync_api import Browser
-from test_demos import WITHOUT_JSPI, Panel
-
-from sitegen.build import build
-from sitegen.report import Report
+from browser import Built, Serve
+from panel import Panel
+from playwright.sync_api import BrowserContext
 
 SITE = Path(__file__).parent / "sites" / "forms"
 
@@ -33,22 +29,9 @@ RESULT = [
 ]
 
 
-@pytest.fixture(scope="session")
-def forms(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    output = tmp_path_factory.mktemp("forms") / "dist"
-    build(SITE, output=output, report=Report())
-    return output
-
-
-@pytest.mark.parametrize("engine", ["jspi", "asyncify"])
-def test_every_form_compiles_and_works(
-    engine: str, browser: Browser, serve: Serve, forms: Path
-) -> None:
-    context = browser.new_context()
-    if engine == "asyncify":
-        context.add_init_script(WITHOUT_JSPI)
+def test_every_form_compiles_and_works(context: BrowserContext, serve: Serve, built: Built) -> None:
     page = context.new_page()
-    page.goto(serve(forms))
+    page.goto(serve(built(SITE)))
     said = {}
     for name in ("plain", "renamed", "quiet"):
         panel = Panel(page, name)
@@ -57,7 +40,6 @@ def test_every_form_compiles_and_works(
         panel.wait_for("publishing to" if name == "quiet" else "ticks")
         panel.expect_state("stopped")
         said[name] = [re.sub(r" \[\d+\.\d+\]", "", line) for line in panel.lines()]
-    context.close()
 
     result = [f"[INFO] [result.of]: {words}" for words in RESULT]
     plain = "[INFO] [forms]: publishing to 12 on /forms/words as /forms in /"

@@ -4,33 +4,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-from browser import Serve
-from playwright.sync_api import Browser
-from test_demos import WITHOUT_JSPI, Panel, expect_nothing_left
-
-from sitegen.build import build
-from sitegen.report import Report
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left
+from playwright.sync_api import BrowserContext
 
 SITE = Path(__file__).parent / "sites" / "services"
 
 
-@pytest.fixture(scope="session")
-def services(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    output = tmp_path_factory.mktemp("services") / "dist"
-    build(SITE, output=output, report=Report())
-    return output
-
-
-@pytest.mark.parametrize("engine", ["jspi", "asyncify"])
-def test_callers_get_their_own_answers(
-    engine: str, browser: Browser, serve: Serve, services: Path
-) -> None:
-    context = browser.new_context()
-    if engine == "asyncify":
-        context.add_init_script(WITHOUT_JSPI)
+def test_callers_get_their_own_answers(context: BrowserContext, serve: Serve, built: Built) -> None:
     page = context.new_page()
-    page.goto(serve(services))
+    page.goto(serve(built(SITE)))
     server, client, zero, callers = (
         Panel(page, name) for name in ("server", "client", "zero", "callers")
     )
@@ -62,4 +45,3 @@ def test_callers_get_their_own_answers(
     client.expect_state("stopped")
     server.stop()
     expect_nothing_left(page)
-    context.close()

@@ -1,0 +1,75 @@
+"""A node of a page as a test sees it: its buttons, its console, and what it has in the graph."""
+
+from __future__ import annotations
+
+import re
+import time
+
+from playwright.sync_api import Locator, Page, expect
+
+LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
+
+
+class Panel:
+    """The buttons and the console of one node."""
+
+    def __init__(self, page: Page, node: str) -> None:
+        self._page = page
+        self.node = node
+        self.panel = page.get_by_role("region", name=node, exact=True)
+        self.console = self.panel.get_by_role("log")
+
+    def button(self, name: str) -> Locator:
+        return self.panel.get_by_role("button", name=name)
+
+    def start(self) -> None:
+        self.button("Start").click()
+
+    def stop(self) -> None:
+        self.button("Stop").click()
+        self.expect_state("stopped")
+
+    def expect_state(self, state: str) -> None:
+        expect(self.panel.locator("[aria-live=polite]")).to_have_text(state)
+
+    def lines(self) -> list[str]:
+        return [line for line in self.console.inner_text().split("\n") if line]
+
+    def messages(self) -> list[str]:
+        """What the node logged, each line checked for its form; ROS's own words left out."""
+        found = [LINE.match(line) for line in self.lines()]
+        assert all(found), self.lines()
+        return [match[3] for match in found if match and match[2] != "rclcpp"]
+
+    def wait_for(self, text: str) -> None:
+        expect(self.console).to_contain_text(text, timeout=15_000)
+
+
+def numbers(panel: Panel, before: str) -> list[int]:
+    """The numbers of the greetings in a console."""
+    greetings = (re.fullmatch(rf"{before}: 'Hello, world! (\d+)'", m) for m in panel.messages())
+    return [int(match[1]) for match in greetings if match]
+
+
+def graph(page: Page) -> dict[str, list[str]]:
+    """Who is in the graph of the page: nodes, what each topic connects, and all endpoints."""
+    found: dict[str, list[str]] = page.evaluate(
+        """async () => {
+          const src = document.querySelector("script[type=module]").src;
+          const { ros } = await import(src);
+          const ends = ros.graph.topics().filter((t) => t.name !== "/rosout").map(
+            (t) => `${t.publishers} > ${t.name} (${t.types}) > ${t.subscriptions}`);
+          const all = ros.graph.endpoints().map((e) => e.name || e.node);
+          return { nodes: ros.graph.nodes(), topics: ends, all };
+        }"""
+    )
+    return found
+
+
+def expect_nothing_left(page: Page) -> None:
+    """After Stop nothing is in the graph and no worker runs."""
+    assert graph(page)["all"] == []
+    deadline = time.monotonic() + 5
+    while page.workers and time.monotonic() < deadline:
+        page.wait_for_timeout(50)  # the browser tells of a worker's end a moment later
+    assert page.workers == []
