@@ -33,7 +33,7 @@ export function createEcho(ros) {
   const controls = create("div", "ros-controls", pause, clear);
   const bar = create("div", "ros-bar", create("div", "ros-node", name, kind), controls);
   const ends = create("p", "ros-ends");
-  const log = create("div", "ros-log");
+  const log = create("div", "ros-lines");
   log.setAttribute("role", "log");
   log.setAttribute("aria-live", "off"); // a topic never stops talking
   log.tabIndex = 0;
@@ -151,5 +151,6 @@ function qosFor(ros, topic) {
 
 /** @param {string[]} nodes @param {string} none */
 function list(nodes, none) {
-  return nodes.length ? [...new Set(nodes)].join(", ") : none;
+  const names = nodes.map((node) => (node.startsWith("/_page") ? "this page" : node));
+  return nodes.length ? [...new Set(names)].join(", ") : none;
 }

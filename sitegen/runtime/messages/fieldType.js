@@ -129,14 +129,25 @@ function items(text) {
   /** @type {string[]} */
   const found = [];
   if (!text.trim()) return found;
-  const item = /\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^']|'')*)'|([^,]*))\s*(,|$)/y;
+  const item = /\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^']|'')*)'|((?!\s*["'])[^,]*))\s*(,|$)/y;
   for (;;) {
     const match = item.exec(text);
     if (!match) throw new Error("a comma must stand between two items, and a quote must have its end");
     const [, double, single, plain, comma] = match;
     found.push(
-      double !== undefined ? JSON.parse(`"${double}"`) : (single?.replaceAll("''", "'") ?? plain?.trim() ?? ""),
+      double !== undefined
+        ? unescaped(double)
+        : (single?.replaceAll("''", "'") ?? plain?.trim() ?? ""),
     );
     if (!comma) return found;
+  }
+}
+
+/** @param {string} text between double quotes */
+function unescaped(text) {
+  try {
+    return JSON.parse(`"${text.replaceAll("\n", "\\n").replaceAll("\t", "\\t")}"`);
+  } catch {
+    throw new Error(`"${text}" has a backslash that means nothing; write \\\\ for one`);
   }
 }

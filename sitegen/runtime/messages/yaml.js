@@ -33,17 +33,23 @@ function lines(message, name, types, limit) {
       if (!isMessage(base)) return [`${field.name}: ${scalar(value, base, limit)}`];
       const inner = lines(value, base, types, limit);
       if (inner[0] === "{}") return [`${field.name}: {}`];
-      return [`${field.name}:`, ...inner.map((line) => `  ${line}`)];
+      return [`${field.name}:`, ...inner.map(indent)];
     }
     if (!value.length) return [`${field.name}: []`];
     const shown = Array.from(value.slice(0, limit), (item) =>
       isMessage(base) ? lines(item, base, types, limit) : [scalar(item, base, limit)],
     );
     if (value.length > limit) shown.push(["'...'"]);
-    const indented = shown.map(([first, ...rest]) => [`- ${first}`, ...rest.map((line) => `  ${line}`)]);
-    return [`${field.name}:`, ...indented.flat()];
+    const items = shown.map(([first, ...rest]) => [`- ${first}`, ...rest.map(indent)]);
+    return [`${field.name}:`, ...items.flat()];
   });
-  return found.length ? found : ["{}"];
+  // A text of several lines is indented with the rest.
+  return found.length ? found.flatMap((line) => line.split("\n")) : ["{}"];
+}
+
+/** @param {string} line */
+function indent(line) {
+  return line && `  ${line}`;
 }
 
 /** @param {any} value @param {string} base @param {number} limit */
@@ -95,7 +101,9 @@ function string(text) {
   const plain = !OTHER.test(text) && !INDICATORS.test(text) && !/^ | $/.test(text);
   if (plain && !breaks.test(text)) return text;
   // In single quotes a line break is written as an empty line.
-  return `'${text.replaceAll("'", "''").replace(/\n+/g, (all) => `${all}\n  `)}'`;
+  const broken = text.replaceAll("'", "''").replace(/[\n\x85\u2028\u2029]+/g, (all) =>
+    `${all.startsWith("\n") ? "\n" : ""}${all}  `);
+  return `'${broken}'`;
 }
 
 /** @param {string} letter */
