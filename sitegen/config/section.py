@@ -72,22 +72,26 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     if value.kind != kind or empty:
         problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
         return False
+    form = key.type.removeprefix("list of ").removesuffix("s")
+    form = form if form in FORMS else "text"
     parts = _texts(value, key, problems)
-    wrong = [part for part in parts if part.kind != "text"]
+    wrong = [part for part in parts if not _fits(part, form)]
     for part in wrong:
-        problems.add(part.place, part.key, f"expected text, {_found(part, key)}")
-    form = key.type.removeprefix("list of ").rstrip("s")
-    if form in FORMS and not wrong:
-        wrong = [part for part in parts or [value] if not FORMS[form].fullmatch(part.text)]
-        for part in wrong:
-            message = f"expected {TYPES[form][1]}, {_found(part, key)}"
-            problems.add(part.place, part.key, message)
+        message = f"expected {TYPES[form][1]}, {_found(part, key)}"
+        problems.add(part.place, part.key, message)
     return not wrong
+
+
+def _fits(value: Value, form: str) -> bool:
+    pattern = FORMS.get(form)
+    return value.kind == "text" and (pattern is None or bool(pattern.fullmatch(value.text)))
 
 
 def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
     if key.type.startswith("list of "):
         return value.items()
+    if key.type in FORMS:
+        return [value]
     return list(value.entries(problems).values()) if key.type == "text by name" else []
 
 

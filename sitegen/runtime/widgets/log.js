@@ -45,7 +45,7 @@ export function mount(element, ros, { lines: limit = 1000 }) {
   });
   const controls = create("div", "ros-controls ros-filters", severity, node, search, clear);
   const bar = create("div", "ros-bar", create("span", "ros-title", "Log"), controls);
-  const log = create("div", "ros-log");
+  const log = create("div", "ros-lines");
   log.setAttribute("role", "log");
   log.setAttribute("aria-label", "log of all nodes");
   log.tabIndex = 0;

@@ -16,11 +16,11 @@ const MACHINERY = ["/rosout", "/parameter_events"];
  * Publish on `topic`, or on one that the visitor chooses; `type` is needed where no node uses it yet.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{topic?: string, type?: string}} options
+ * @param {{topic?: string | null, type?: string | null}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { topic: fixed = "", type: given = "" }) {
-  let topic = fixed;
+export function mount(element, ros, { topic: fixed, type: given }) {
+  let topic = fixed ?? "";
   let built = "";
   let count = 0;
   /** @type {(() => any) | undefined} */

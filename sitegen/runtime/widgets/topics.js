@@ -14,6 +14,13 @@ const REFRESH = 500;
 // What a robot's own machinery talks on, which a list of topics leaves out at first.
 const MACHINERY = ["/rosout", "/parameter_events"];
 
+const HEADINGS = /** @type {const} */ ([
+  ["Topic", "name and type"],
+  ["Pub", "how many publish"],
+  ["Sub", "how many subscribe"],
+  ["Rate", "messages and bytes a second, over the last five seconds"],
+]);
+
 /**
  * @typedef {{name: string, types: string[], publishers: string[], subscriptions: string[]}} Topic
  * @typedef {{element: HTMLElement, pick: HTMLButtonElement, show(topic: Topic): void,
@@ -24,10 +31,10 @@ const MACHINERY = ["/rosout", "/parameter_events"];
  * Show the topics, or those named in `show` only; `echo` is the one whose messages are shown at first.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{show?: string[] | null, echo?: string}} options
+ * @param {{show?: string[] | null, echo?: string | null}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { show, echo: first = "" }) {
+export function mount(element, ros, { show, echo: first }) {
   let hidden = false;
   let chosen = "";
   /** @type {Map<string, Row>} */
@@ -41,9 +48,10 @@ export function mount(element, ros, { show, echo: first = "" }) {
     }));
   }
   const body = create("tbody", "");
-  const headings = ["Topic", "From", "To", "Rate", "Bandwidth"].map((text) => {
+  const headings = HEADINGS.map(([text, meaning]) => {
     const heading = create("th", "", text);
     heading.scope = "col";
+    heading.title = meaning;
     return heading;
   });
   const table = create("table", "ros-table", create("thead", "", create("tr", "", ...headings)), body);
@@ -129,9 +137,9 @@ function createRow(ros, name, choose) {
   head.scope = "row";
   const from = create("td", "");
   const to = create("td", "");
-  const rate = create("td", "");
-  const bandwidth = create("td", "");
-  const element = create("tr", "", head, from, to, rate, bandwidth);
+  const rate = create("span", "");
+  const bandwidth = create("small", "");
+  const element = create("tr", "", head, from, to, create("td", "", rate, bandwidth));
   let measure = new Rate();
   let measured = "";
   let unsubscribe = () => {};
@@ -142,7 +150,7 @@ function createRow(ros, name, choose) {
     measured = "";
     measure = new Rate();
     setText(rate, "–");
-    setText(bandwidth, "–");
+    setText(bandwidth, "");
   };
   stop();
 
@@ -172,7 +180,7 @@ function createRow(ros, name, choose) {
     measure() {
       const { hertz, bytes } = measure.read(now());
       setText(rate, hertz ? `${rounded(hertz)} Hz` : "–");
-      setText(bandwidth, bytes ? size(bytes) : "–");
+      setText(bandwidth, bytes ? size(bytes) : "");
     },
   };
 }
