@@ -22,10 +22,12 @@ SETTINGS = [
     # A program of the page cannot be run to try the compiler out, and need not be.
     "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
     # Advice for the authors of CMake files would hide what stopped it.
-    *("-Wno-dev", "-Wno-deprecated", "--no-warn-unused-cli"),
+    *("-Wno-dev", "-Wno-deprecated"),
     # Packages are looked for anew: they may have moved.
     *("-U", "*_DIR"),
 ]
+
+UNDEFINED = "error: undefined symbol: "
 
 Done = subprocess.CompletedProcess[str]
 
@@ -73,13 +75,19 @@ class CMake:
 
     def make(self, package: Package, target: str) -> Done:
         """Build one target of a configured package."""
-        return self.tools.run(self.tools.ninja, "-C", self.tree(package), target)
+        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), target]
+        done = self.tools.run(*command)
+        if UNDEFINED in done.stdout:
+            # The linker knows who wants the symbol, but to let it look takes time at every link.
+            done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
+        return done
 
     def _configure(self, source: Path, tree: Path, prefixes: Sequence[Path]) -> Done:
         defines = {
             "CMAKE_TOOLCHAIN_FILE": self.tools.platform_file,
             "CMAKE_MAKE_PROGRAM": self.tools.ninja,
             "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
+            "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
             "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
             "SITEGEN_ENGINE": self.engine,
             "SITEGEN_PREFIX": tree / "prefix",

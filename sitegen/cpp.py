@@ -11,14 +11,18 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from sitegen import definitions, interfaces, messages, typesupport
-from sitegen.cmake import CLIENT, SETTINGS, CMake
+from sitegen import interfaces, messages
+from sitegen.cmake import CLIENT, CMake
 from sitegen.diagnosis import Diagnosis
 from sitegen.digest import digest_of
 from sitegen.errors import SiteError
 from sitegen.model import Build, Package
 from sitegen.report import Report
 from sitegen.toolchain import Toolchain, ToolMissingError, alone
+
+HERE = Path(__file__).parent
+# What a program depends on besides its sources, the library and the compiler.
+GENERATOR = ("cmake.py", "definitions.py", "interfaces.py", "messages.py", "typesupport.py")
 
 
 @dataclass(frozen=True)
@@ -63,8 +67,16 @@ def compile_nodes(
     }
 
 
-# What is wrong with the packages that others need, by engine and package.
-Failed = Mapping[str, Mapping[str, list[str]]]
+# What is wrong with packages that others need, by their names.
+Problems = Mapping[str, list[str]]
+
+
+def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
+    """Return those of `packages`, each after what it depends on, that `package` depends on."""
+    names = set(package.depends)
+    for one in reversed(list(packages.values())):
+        names |= set(one.depends) if one.name in names else set()
+    return [one for name, one in packages.items() if name in names]
 
 
 class Compiler:
@@ -78,9 +90,8 @@ class Compiler:
         self._tools = tools
         self._root = root
         self._report = report
-        modules = [Path(str(m.__file__)) for m in (definitions, interfaces, messages, typesupport)]
-        paths = [CLIENT, *modules, interfaces.ROS / ".digest"]
-        self._base = digest_of(paths, tools.identity, *SETTINGS)
+        paths = [CLIENT, *(HERE / name for name in GENERATOR), interfaces.ROS / ".digest"]
+        self._base = digest_of(paths, tools.identity)
         self._nodes = cache / "nodes"
         self._work = cache / "work" / self._base
         self._digests: dict[Path, str] = {}
@@ -97,10 +108,11 @@ class Compiler:
         return Build(engine, *files)
 
     def _digest(self, package: Package, needs: Sequence[Package]) -> str:
-        for one in (*needs, package):
+        all_of_them = [*sorted(needs, key=lambda need: need.name), package]
+        for one in all_of_them:
             if one.path not in self._digests:
                 self._digests[one.path] = digest_of([one.path])
-        return digest_of([], self._base, *(self._digests[one.path] for one in (*needs, package)))
+        return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them))
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
         """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
@@ -138,55 +150,51 @@ class Compiler:
         if done.returncode:
             raise RuntimeError(f"the rclcpp library could not be compiled:\n{done.stdout}")
 
-    def _prepare(self, engine: str, jobs: Sequence[Job]) -> Mapping[str, list[str]]:
+    def _prepare(self, engine: str, jobs: Sequence[Job]) -> Problems:
         """Make the interfaces and libraries of the packages that others need.
 
         Returns the problems by package. Whether they matter is seen when a job ends for the lack of
         that package: many are needed for nothing but to be there when the robot starts.
         """
         failed: dict[str, list[str]] = {}
-        done: set[Path] = set()
-        for job in jobs:
-            for index, need in enumerate(job.needs):
-                if need.path not in done and (need.path / "CMakeLists.txt").exists():
-                    problems = self._prepare_package(engine, need, job.needs[:index], failed)
-                    failed |= {need.name: problems} if problems else {}
-                done.add(need.path)
+        needs = {need.name: need for job in jobs for need in job.needs}
+        for need in needs.values():
+            if (need.path / "CMakeLists.txt").exists():
+                try:
+                    self._prepare_package(engine, need, closure(need, needs), failed)
+                except SiteError as error:
+                    failed[need.name] = error.lines
         return failed
 
     def _prepare_package(
-        self,
-        engine: str,
-        package: Package,
-        needs: Sequence[Package],
-        failed: Mapping[str, list[str]],
-    ) -> list[str]:
+        self, engine: str, package: Package, needs: Sequence[Package], failed: Problems
+    ) -> None:
         cmake = self._cmake(engine)
-        stamp = cmake.tree(package) / "prepared"
-        digest = self._digest(package, needs)
-        if stamp.exists() and stamp.read_text() == digest:
-            return []
+        if self._is_prepared(cmake, package, needs):
+            return
         self._report.doing(f"{package.name} ({engine})", "compiling what other packages use of it")
-        stamp.unlink(missing_ok=True)
+        self._stamp(cmake, package).unlink(missing_ok=True)
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
             if made.returncode:
-                return Diagnosis(self._root, package).of_build("its libraries", made.stdout)
-        except SiteError as error:
+                raise SiteError(Diagnosis(self._root, package).of_build("libraries", made.stdout))
+        except SiteError:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
-            return error.lines
+            raise
         finally:
             self._report.done(f"{package.name} ({engine})")
-        stamp.write_text(digest)
-        return []
+        self._stamp(cmake, package).write_text(self._digest(package, needs))
+
+    def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
+        stamp = self._stamp(cmake, package)
+        return stamp.exists() and stamp.read_text() == self._digest(package, needs)
+
+    def _stamp(self, cmake: CMake, package: Package) -> Path:
+        return cmake.tree(package) / "prepared"
 
     def _configure(
-        self,
-        cmake: CMake,
-        package: Package,
-        needs: Sequence[Package],
-        failed: Mapping[str, list[str]],
+        self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Problems
     ) -> None:
         done = cmake.configure(package, needs)
         if done.returncode:
@@ -194,7 +202,7 @@ class Compiler:
             missing = failed.get(diagnosis.missing(done.stdout))
             raise SiteError(missing or diagnosis.of_cmake(done.stdout))
 
-    def _try_package(self, failed: Failed, job: Job, engine: str) -> list[str]:
+    def _try_package(self, failed: Mapping[str, Problems], job: Job, engine: str) -> list[str]:
         try:
             return self._compile_package(job, engine, failed[engine])
         except SiteError as error:
@@ -203,12 +211,13 @@ class Compiler:
             for executable in job.executables:
                 self._report.done(f"{job.package.name}/{executable} ({engine})")
 
-    def _compile_package(self, job: Job, engine: str, failed: Mapping[str, list[str]]) -> list[str]:
+    def _compile_package(self, job: Job, engine: str, failed: Problems) -> list[str]:
         cmake = self._cmake(engine)
         package = job.package
         for executable in job.executables:
             self._report.doing(f"{package.name}/{executable} ({engine})", "compiling")
-        self._configure(cmake, package, job.needs, failed)
+        if not self._is_prepared(cmake, package, job.needs):  # else others read what it would write
+            self._configure(cmake, package, job.needs, failed)
         problems = []
         for executable in job.executables:
             done = cmake.make(package, executable)

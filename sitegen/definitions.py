@@ -19,8 +19,9 @@ ARRAY = re.compile(r"(<=\d+)?(\[(<=)?\d*\])?$")
 MESSAGE = "msg"
 # Types of ROS 1, which rosidl parses only to fail at them later.
 FORMER = {"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"}
-# A message that IDL names, outside of comments.
-IDL_MESSAGE = re.compile(r"^(?:(?!//).)*?\b(\w+)::msg::(\w+)\b(?!::)", re.M)
+# What IDL says in words, and a message that it names.
+IDL_TEXT = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"', re.S)
+IDL_MESSAGE = re.compile(r"\b(\w+)::msg::(\w+)\b(?!::)")
 
 
 def check(
@@ -111,7 +112,12 @@ class _Checker:
         if isinstance(error, self._parser.InvalidResourceName):
             wrong = ARRAY.sub("", re.match(r"'?([^']*)", text)[1])  # type: ignore[index]
             return f"no type '{wrong}'; {nearest(wrong, known)}"
-        return text.replace("\n", " ")
+        if isinstance(error, NameError):
+            # rosidl quotes the pattern that the name does not match.
+            example = "WHEEL_SPEED" if "constant" in text else "wheel_speed"
+            return f"{text.partition('. It should')[0]}; write it like {example}"
+        twice = re.fullmatch(r"the (\w+)s iterable contains duplicate names: (.+)", text)
+        return f"more than one {twice[1]} named '{twice[2]}'" if twice else text.replace("\n", " ")
 
     def _unknown(self, package: str, name: str) -> str:
         if package == self._package:
@@ -130,10 +136,16 @@ class _Checker:
         try:
             parser.parse_idl_string(text)
         except Exception as error:
-            line = max(getattr(error, "line", 1), 1)
-            word = getattr(error, "token", None) or getattr(error, "char", None)
-            yield line, f"unexpected '{word}'" if word else f"this is no IDL of ROS: {error}"
+            line = getattr(error, "line", 1)
+            word = str(getattr(error, "token", "") or getattr(error, "char", ""))
+            if word:
+                yield line, f"'{word}' is not expected here"
+            elif line < 1:
+                yield text.count("\n"), "the file ends too early"
+            else:
+                yield line, f"not an interface: {error}"
             return
+        text = IDL_TEXT.sub(lambda words: "\n" * words[0].count("\n"), text)
         for match in IDL_MESSAGE.finditer(text):
             what = self._unknown(match[1], match[2])
             if what:

@@ -13,10 +13,11 @@ from sitegen.model import Package
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and what Ninja and em++ say about them.
 COMMANDS = re.compile(
-    r"ninja: |\[\d+/\d+\] |FAILED: |em(\+\+|cc): error: '|: && |\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s"
-    r"|\S*cmake -E |See also \"|Call Stack \(most recent call first\):$"
+    r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
+    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|em(\+\+|cc): error: '"
+    r"|Call Stack \(most recent call first\):$|See also \""
 )
-FAILED_SOURCE = re.compile(r"^FAILED: (?:\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
+FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
 @dataclass(frozen=True)
@@ -38,21 +39,21 @@ class Diagnosis:
             return [line.replace(f"{self.root}/", "") for line in own]
         missing = self.missing(output)
         if missing:
-            return [f"{self._cmake}: '{self.package.name}' needs '{missing}', {self._no_build}"]
+            need = f"needs '{missing}', which has no build for the page"
+            return [f"{self._cmake}: '{self.package.name}' {need}"]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_build(self, executable: str, output: str) -> list[str]:
         """Say why `executable` could not be compiled."""
         if f"unknown target '{executable}'" in output:
-            return [
-                f"{self._cmake}: package '{self.package.name}' has no executable '{executable}'"
-            ]
+            what = f"has no executable '{executable}'"
+            return [f"{self._cmake}: package '{self.package.name}' {what}"]
         source = FAILED_SOURCE.search(output)
-        file = self._show(self.package.path / source[1]) if source else self._cmake
+        file = self._cmake
+        if source:
+            file = self._show(self.package.path / (source[1] or "") / source[2])
         what = "em++ failed" if source else f"em++ could not link '{executable}'"
         return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
-
-    _no_build = "which has no build for the page"
 
     @property
     def _cmake(self) -> str:

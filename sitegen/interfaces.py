@@ -52,6 +52,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
     include = ";".join(
         [
             f"${{include}}/{package}",
+            "${SITEGEN_CPP}/include",
             *(folder.as_posix() for folder in folders if folder.exists()),
         ]
     )
@@ -66,13 +67,16 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
             f'set({package}_INCLUDE_DIRS "{include}")',
             f"add_library({target} INTERFACE IMPORTED GLOBAL)",
             f"set_target_properties({target} PROPERTIES",
+            "  INTERFACE_COMPILE_FEATURES cxx_std_17",
             f'  INTERFACE_INCLUDE_DIRECTORIES "${{{package}_INCLUDE_DIRS}}"',
             f'  INTERFACE_LINK_LIBRARIES "{";".join(f"{d}::{d}" for d in depends)}")',
             f"add_library({typesupport} ALIAS {target})",
             f"set({package}_TARGETS {target})",
             f"set({package}_LIBRARIES {target})",
-            # Written by ament_package() if the package has libraries too.
-            f'include("${{CMAKE_CURRENT_LIST_DIR}}/{package}Libraries.cmake" OPTIONAL)',
+            # Written by ament_package() for others, if the package has libraries too.
+            f'if(NOT PROJECT_NAME STREQUAL "{package}")',
+            f'  include("${{CMAKE_CURRENT_LIST_DIR}}/{package}Libraries.cmake" OPTIONAL)',
+            "endif()",
             "",
         ]
     )
@@ -148,8 +152,8 @@ def _update(fresh: Path, folder: Path) -> None:
         if not file.exists() or file.read_bytes() != content:
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content)
-    for file in folder.rglob("*"):
-        if file.is_file() and file.relative_to(folder) not in names:
+    for file in {*folder.rglob("*.*")} - {*folder.rglob("*.cmake")}:
+        if file.relative_to(folder) not in names:
             file.unlink()  # of an interface that the package no longer has
 
 

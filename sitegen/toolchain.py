@@ -36,10 +36,12 @@ class Toolchain:
         ninja = _find("ninja", "pip install ninja")
         return Toolchain(compiler, cmake, ninja, _identity(compiler))
 
-    def run(self, *command: str | Path) -> subprocess.CompletedProcess[str]:
-        """Run a tool; its output, errors included, is in `stdout`."""
+    def run(self, *command: str | Path, flags: str = "") -> subprocess.CompletedProcess[str]:
+        """Run a tool, em++ below it with `flags`; its output, errors included, is in `stdout`."""
         paths = [os.environ.get("NODE_PATH", ""), str(DEBIAN_NODE_PATH)]
         env = os.environ | {"NODE_PATH": os.pathsep.join(path for path in paths if path)}
+        if flags:
+            env["EMCC_CFLAGS"] = f"{env.get('EMCC_CFLAGS', '')} {flags}"
         return subprocess.run(
             [str(word) for word in command],
             stdin=subprocess.DEVNULL,

@@ -21,8 +21,8 @@ ALLOWED = {
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
-        *("cmake", "definitions", "diagnosis", "digest", "errors", "interfaces", "model"),
-        *("messages", "report", "toolchain", "typesupport"),
+        *("cmake", "diagnosis", "digest", "errors", "interfaces", "messages", "model", "report"),
+        "toolchain",
     },
     "definitions": {"errors"},
     "diagnosis": {"errors", "interfaces", "model"},

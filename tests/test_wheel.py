@@ -24,11 +24,8 @@ def run(*command: str | Path, cwd: Path) -> str:
 
 
 def test_the_installed_command_builds_a_site(tmp_path: Path) -> None:
-    run(
-        *[sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps"],
-        *["--wheel-dir", tmp_path, ROOT],
-        cwd=tmp_path,
-    )
+    pip: list[str | Path] = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps"]
+    run(*pip, "--wheel-dir", tmp_path, ROOT, cwd=tmp_path)
     [wheel] = tmp_path.glob("sitegen-*.whl")
     venv.create(tmp_path / "venv", with_pip=True)
     python = tmp_path / "venv" / "bin" / "python"

@@ -169,7 +169,10 @@ export function* readRecords(frame) {
   }
 }
 
+// Asking the browser once is enough, and half of the cost of a time stamp.
+const ORIGIN = performance.timeOrigin;
+
 /** Milliseconds since 1970 with fractions, comparable between the workers of a page. */
 export function now() {
-  return performance.timeOrigin + performance.now();
+  return ORIGIN + performance.now();
 }

@@ -11,6 +11,8 @@ const BATCH_SIZE = 64 * 1024;
 const BURST = 4;
 // A program that publishes slower than this (ms) gets no batches either.
 const PAUSE = 1;
+// Handing a buffer over costs more than copying one of this size (bytes).
+const SMALL = 1024;
 
 export class Outbox {
   #port;
@@ -60,7 +62,7 @@ export class Outbox {
 
   /** @param {ArrayBuffer} frame @param {number} time */
   #post(frame, time) {
-    this.#port.postMessage(frame, [frame]);
+    this.#port.postMessage(frame, frame.byteLength > SMALL ? [frame] : []);
     this.#posted += 1;
     this.#lastPost = time;
   }

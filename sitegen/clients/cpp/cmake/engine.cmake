@@ -1,9 +1,9 @@
-# sitegen::engine: how programs are compiled and linked for SITEGEN_ENGINE, "jspi" or "asyncify".
+# How programs are compiled and linked for SITEGEN_ENGINE, "jspi" or "asyncify". CMake includes this
+# after project(), so that it is true of all targets: also of those that never heard of ROS.
 include_guard(GLOBAL)
 
 get_filename_component(SITEGEN_CPP "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
-add_library(sitegen::engine INTERFACE IMPORTED GLOBAL)
 set(_settings
   MODULARIZE=1 EXPORT_ES6=1 USE_ES6_IMPORT_META=1 ENVIRONMENT=worker
   ALLOW_MEMORY_GROWTH=1 TOTAL_STACK=1048576 EXIT_RUNTIME=1
@@ -16,10 +16,15 @@ else()
   set(_exceptions -fexceptions)
   list(APPEND _settings ASYNCIFY=1 ASYNCIFY_IMPORTS=ros_wait ASYNCIFY_STACK_SIZE=65536)
 endif()
-target_compile_options(sitegen::engine INTERFACE ${_exceptions})
-target_link_options(sitegen::engine INTERFACE
+# What g++ takes where a package does not say; a standard that it sets comes later and wins.
+add_compile_options(${_exceptions} $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++17>)
+add_link_options(
   ${_exceptions}
   "SHELL:--js-library ${SITEGEN_CPP}/src/host.js" "SHELL:--pre-js ${SITEGEN_CPP}/src/host_pre.js")
 foreach(_setting IN LISTS _settings)
-  target_link_options(sitegen::engine INTERFACE "SHELL:-s ${_setting}")
+  add_link_options("SHELL:-s ${_setting}")
+endforeach()
+# ros_main() and the sleeps of libc are in the library, which CMake puts last.
+foreach(_language C CXX)
+  string(APPEND CMAKE_${_language}_STANDARD_LIBRARIES " \"${SITEGEN_RCLCPP}\"")
 endforeach()

@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -33,7 +34,8 @@ void sleep(double milliseconds, bool (* stop)())
   const double end = now() + milliseconds;
   // Once at least, so that a loop around a sleep of nothing lets the page breathe.
   do {
-    wait(end > now() ? end - now() : 0);
+    // The clock is read once: a negative rest would wait without end.
+    wait(std::max(0.0, end - now()));
   } while (now() < end && !(stop && stop()));
 }
 

@@ -85,11 +85,15 @@ function(ament_package)
     endif()
     list(APPEND names ${PROJECT_NAME}::${name})
   endforeach()
-  add_custom_target(sitegen_libraries DEPENDS ${compiled})
+  add_custom_target(sitegen_libraries)
+  if(compiled)
+    add_dependencies(sitegen_libraries ${compiled})
+  endif()
 
-  # Installed headers are below include/ or include/<package>/: in the sources both are include/.
+  # Installed headers are in include/ or in include/<package>/: in the sources both are include/.
   set(include "")
   if(include_directories OR exported)
+    list(REMOVE_ITEM include_directories "include/${PROJECT_NAME}" "include/${PROJECT_NAME}/")
     foreach(folder IN ITEMS include ${include_directories})
       get_filename_component(folder "${folder}" ABSOLUTE)
       if(IS_DIRECTORY "${folder}")
@@ -122,11 +126,12 @@ function(ament_package)
     string(APPEND text "list(APPEND ${PROJECT_NAME}_TARGETS ${name})\n")
     string(APPEND text "list(APPEND ${PROJECT_NAME}_LIBRARIES ${name})\n")
   endforeach()
-  file(WRITE "${folder}/${PROJECT_NAME}Libraries.cmake" "${text}")
+  # file(GENERATE) leaves a file alone that would not change: whoever read it need not read it again.
+  file(GENERATE OUTPUT "${folder}/${PROJECT_NAME}Libraries.cmake" CONTENT "${text}")
   get_property(interfaces GLOBAL PROPERTY SITEGEN_INTERFACES)
   if(NOT interfaces)  # else the generator wrote one, which includes the other
-    file(WRITE "${folder}/${PROJECT_NAME}Config.cmake"
-      "include_guard(GLOBAL)\n"
-      "include(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Libraries.cmake\")\n")
+    file(GENERATE OUTPUT "${folder}/${PROJECT_NAME}Config.cmake" CONTENT
+      "include_guard(GLOBAL)
+include(\"\${CMAKE_CURRENT_LIST_DIR}/${PROJECT_NAME}Libraries.cmake\")\n")
   endif()
 endfunction()

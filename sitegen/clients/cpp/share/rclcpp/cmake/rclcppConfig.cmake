@@ -1,5 +1,4 @@
 include_guard(GLOBAL)
-include("${CMAKE_CURRENT_LIST_DIR}/../../../cmake/engine.cmake")
 include(CMakeFindDependencyMacro)
 find_dependency(builtin_interfaces)
 find_dependency(rcl_interfaces)
@@ -9,6 +8,6 @@ set_target_properties(rclcpp::rclcpp PROPERTIES
   IMPORTED_LOCATION "${SITEGEN_RCLCPP}"
   INTERFACE_INCLUDE_DIRECTORIES "${SITEGEN_CPP}/include"
   INTERFACE_COMPILE_FEATURES cxx_std_17
-  INTERFACE_LINK_LIBRARIES "sitegen::engine;${builtin_interfaces_TARGETS};${rcl_interfaces_TARGETS}")
+  INTERFACE_LINK_LIBRARIES "${builtin_interfaces_TARGETS};${rcl_interfaces_TARGETS}")
 set(rclcpp_TARGETS rclcpp::rclcpp)
 set(rclcpp_LIBRARIES rclcpp::rclcpp)

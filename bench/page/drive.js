@@ -1,0 +1,64 @@
+// @ts-check
+// Runs a node of the page, or the same between two bare workers, and returns the numbers that come
+// out of it: milliseconds.
+
+import { ros } from "../runtime/rosMain.js";
+
+// Nothing here takes a tenth of this time (ms).
+const LIMIT = 60_000;
+
+/** Start a node, wait for its end. @param {string} name @returns {Promise<number[]>} what it printed */
+export function runNode(name) {
+  const node = ros.nodes.get(name);
+  if (!node) throw new Error(`no node '${name}'`);
+  /** @type {string[]} */
+  const lines = [];
+  const listening = new AbortController();
+  const { signal } = listening;
+  return new Promise((resolve, reject) => {
+    node.addEventListener("lines", (event) => {
+      const { detail } = /** @type {CustomEvent<{text: string}[]>} */ (event);
+      for (const { text } of detail) lines.push(text);
+    }, { signal });
+    node.addEventListener("state", () => {
+      if (node.state === "stopped") resolve(lines.map(Number));
+      if (node.state === "failed") reject(new Error(lines.at(-1)));
+    }, { signal });
+    setTimeout(() => reject(new Error(`'${name}' does not end`)), LIMIT);
+    node.start();
+  }).finally(() => listening.abort());
+}
+
+/**
+ * @param {"ping" | "burst"} task
+ * @param {number} size bytes in a message
+ * @param {number} count rounds, or messages
+ * @returns {Promise<number[]>}
+ */
+export async function runBare(task, size, count) {
+  const sender = new Worker(new URL("sender.js", import.meta.url), { type: "module" });
+  const receiver = new Worker(new URL("receiver.js", import.meta.url), { type: "module" });
+  const { port1, port2 } = new MessageChannel();
+  receiver.postMessage({ task, port: port1 }, [port1]);
+  sender.postMessage({ task, size, count, port: port2 }, [port2]);
+  const { data } = await new Promise((resolve, reject) => {
+    sender.onmessage = resolve;
+    sender.onerror = receiver.onerror = reject;
+    setTimeout(() => reject(new Error(`the bare ${task} does not end`)), LIMIT);
+  });
+  sender.terminate();
+  receiver.terminate();
+  return data;
+}
+
+/** Keep the main thread busy, `milliseconds` of every frame. @param {number} milliseconds */
+export function beBusy(milliseconds) {
+  let frame = 0;
+  const work = () => {
+    const end = performance.now() + milliseconds;
+    while (performance.now() < end);
+    frame = requestAnimationFrame(work);
+  };
+  work();
+  return () => cancelAnimationFrame(frame);
+}

@@ -1,0 +1,117 @@
+"""Measure how soon a page runs its node, and how much it loads until then."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from statistics import median
+
+import brotli  # type: ignore[import-untyped]
+from playwright.sync_api import Browser
+
+from bench.browser import Progress, chromium, serving, serving_site
+from bench.figure import Figure, Target
+from sitegen import config
+from sitegen.build import build
+from sitegen.model import Page, Widget
+
+ROOT = Path(__file__).parent.parent
+DEMO01 = ROOT / "demos" / "demo01"
+PROGRAM = "nodes/cpp_hello/talker.jspi.wasm"
+# The program of demo01 waits for its timer before it prints (ms).
+TIMER = 500
+STARTS = 9
+
+START_TARGET = Target("figure", "≤", 300)
+SIZE_TARGET = Target("figure", "≤", 150)
+
+# Resolves with the time from navigation to the first line that stands in every console.
+FIRST_LINES = """
+  window.firstLines = new Promise((resolve, reject) => {
+    setTimeout(() => reject(new Error("no line in 20 seconds")), 20000);
+    const look = () => {
+      const logs = [...document.querySelectorAll(".ros-log")];
+      if (logs.length === 0 || logs.some((log) => !log.hasChildNodes())) return;
+      observer.disconnect();
+      resolve(performance.now());
+    };
+    const observer = new MutationObserver(look);
+    observer.observe(document, { childList: true, subtree: true });
+  });
+"""
+
+
+def start() -> list[Figure]:
+    """From navigation to the first line in the console of demo01, with nothing in any cache."""
+    with serving_site(DEMO01) as url, chromium() as browser:
+        bare_url = f"{url}bench/hello.html#/{PROGRAM}"
+        ours, bare = [], []
+        for _ in range(STARTS + 1):
+            bare.append(_first_line(browser, bare_url))
+            ours.append(_first_line(browser, url) - TIMER)
+    # The first of each also starts processes of the browser.
+    ours, bare = ours[1:], bare[1:]
+    name = f"navigation → first line, demo01 (without its timer's {TIMER} ms)"
+    detail = {"ours_ms": ours, "bare_ms": bare}
+    return [Figure(name, "ms", median(ours), median(bare), START_TARGET, detail)]
+
+
+def _first_line(browser: Browser, url: str) -> float:
+    context = browser.new_context()
+    try:
+        page = context.new_page()
+        page.add_init_script(FIRST_LINES)
+        page.goto(url, wait_until="commit")
+        return float(page.evaluate("firstLines"))
+    finally:
+        context.close()
+
+
+def size() -> list[Figure]:
+    """All that a page loads until every node on it has printed a line; bare: its programs alone."""
+    site = config.load(ROOT / "site.yaml")
+    figures = []
+    with tempfile.TemporaryDirectory() as temporary, chromium() as browser:
+        dist = Path(temporary) / "dist"
+        build(ROOT, output=dist, report=Progress())
+        for page in site.pages:
+            asked: set[str] = set()
+            with serving(dist, asked=asked) as url:
+                _run(browser, page, url)
+            figures += _sizes(page, dist, asked)
+    return figures
+
+
+def _run(browser: Browser, page: Page, url: str) -> None:
+    """Open a page, start its nodes, and stay until each has printed a line."""
+    context = browser.new_context()
+    try:
+        tab = context.new_page()
+        tab.add_init_script(FIRST_LINES)
+        tab.goto(url + page.path)
+        for part in page.content:
+            if isinstance(part, Widget) and part.kind == "buttons":
+                buttons = tab.get_by_role("group", name=part.target, exact=True)
+                buttons.get_by_role("button", name="Start").click()
+        if page.nodes:
+            tab.evaluate("firstLines")
+    finally:
+        context.close()
+
+
+def _sizes(page: Page, dist: Path, asked: Iterable[str]) -> list[Figure]:
+    files = {path: dist / path[1:] for path in sorted(asked)}
+    files = {path: f / "index.html" if path.endswith("/") else f for path, f in files.items()}
+    raw = {path: f.stat().st_size for path, f in files.items()}
+    packed = {path: len(brotli.compress(f.read_bytes(), quality=11)) for path, f in files.items()}
+    name = f"loaded by /{page.path}"
+    # The promise is about a page with one talker.
+    target = SIZE_TARGET if page.path == "demo01/" else None
+    return [_sum(f"{name}, as it is", raw), _sum(f"{name}, brotli", packed, target)]
+
+
+def _sum(name: str, sizes: Mapping[str, int], target: Target | None = None) -> Figure:
+    programs = sum(size for path, size in sizes.items() if path.startswith("/nodes/"))
+    everything = sum(sizes.values())
+    return Figure(name, "kB", everything / 1000, programs / 1000 or None, target, {"files": sizes})

@@ -1,0 +1,6 @@
+#pragma once
+
+namespace robot_base
+{
+int wheels();
+}

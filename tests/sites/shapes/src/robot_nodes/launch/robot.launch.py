@@ -1,0 +1,1 @@
+# For ros2 launch; a page has its own way to start nodes.

@@ -1,0 +1,3 @@
+#pragma once
+
+constexpr double kInch = 0.0254;

@@ -1,0 +1,323 @@
+"""What is compiled and what is not, what is said when it fails, and the shapes packages come in."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Page
+from test_demos import Panel
+
+from sitegen.build import build
+from sitegen.errors import SiteError
+from sitegen.report import Report
+
+SHAPES = Path(__file__).parent / "sites" / "shapes"
+
+CMAKE = """\
+cmake_minimum_required(VERSION 3.8)
+project({name})
+find_package(ament_cmake REQUIRED)
+{body}
+ament_package()
+"""
+
+
+class Workspace:
+    """A site with packages that a test writes."""
+
+    def __init__(self, folder: Path, cache: Path) -> None:
+        self.folder = folder
+        self.cache = cache
+
+    def write(self, path: str, text: str) -> None:
+        file = self.folder / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(dedent(text))
+
+    def package(self, name: str, body: str, *, depends: str = "", main: str = "") -> None:
+        tags = "".join(f"<depend>{depend}</depend>" for depend in depends.split())
+        self.write(
+            f"src/{name}/package.xml",
+            f"<package format='3'><name>{name}</name>{tags}</package>\n",
+        )
+        self.write(f"src/{name}/CMakeLists.txt", CMAKE.format(name=name, body=dedent(body)))
+        if main:
+            self.write(f"src/{name}/src/main.cpp", main)
+
+    def site(self, *executables: str) -> None:
+        """Write a site.yaml whose page has these nodes, `package/executable` each."""
+        lines = ["site: {title: Test, asyncify: false}", "nodes:"]
+        for number, executable in enumerate(executables):
+            package, name = executable.split("/")
+            lines.append(f"  n{number}: {{package: {package}, executable: {name}}}")
+        consoles = ", ".join(f"console: n{number}" for number in range(len(executables)))
+        lines.append(f"pages: [{{path: /, title: Test, content: [{consoles}]}}]")
+        self.write("site.yaml", "\n".join(lines))
+
+    def build(self) -> list[str]:
+        """Build the site and return what was compiled."""
+        said = io.StringIO()
+        build(self.folder, output=self.folder / "dist", report=Report(said))
+        return re.findall(r"^(\S+) \(jspi\): compiling", said.getvalue(), re.M)
+
+    def problems(self) -> list[str]:
+        with pytest.raises(SiteError) as wrong:
+            self.build()
+        return wrong.value.lines
+
+    def compiled(self) -> dict[str, int]:
+        """When each object file was last written."""
+        found = self.cache.glob("work/*/jspi/packages/*/**/*.o")
+        return {file.name: file.stat().st_mtime_ns for file in found}
+
+    def changed(self, before: dict[str, int]) -> set[str]:
+        """The objects compiled since `before`."""
+        return {name for name, time in self.compiled().items() if before.get(name) != time}
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """An empty cache that these tests share, since a library has to be compiled into it."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("SITEGEN_CACHE", str(folder))
+        yield folder
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, cache: Path) -> Workspace:
+    return Workspace(tmp_path, cache)
+
+
+def test_what_changed_is_compiled_and_nothing_else(workspace: Workspace) -> None:
+    workspace.package(
+        "counts",
+        """\
+        find_package(rosidl_default_generators REQUIRED)
+        rosidl_generate_interfaces(${PROJECT_NAME} "msg/Count.msg" "msg/Other.msg")
+        """,
+    )
+    workspace.write("src/counts/msg/Count.msg", "int32 value\n")
+    workspace.write("src/counts/msg/Other.msg", "int32 value\n")
+    workspace.package(
+        "pair",
+        """\
+        find_package(rclcpp REQUIRED)
+        find_package(counts REQUIRED)
+        include_directories(include)
+        add_executable(one src/one.cpp)
+        ament_target_dependencies(one rclcpp counts)
+        add_executable(two src/two.cpp)
+        """,
+        depends="rclcpp counts",
+    )
+    workspace.write("src/pair/include/pair/name.hpp", '#define NAME "pair"\n')
+    main = """\
+        #include <cstdio>
+        #include "pair/name.hpp"
+        {}
+        int main() {{std::puts(NAME);}}
+        """
+    one = main.format('#include "counts/msg/count.hpp"')
+    workspace.write("src/pair/src/one.cpp", one)
+    workspace.write("src/pair/src/two.cpp", main.format(""))
+    workspace.site("pair/one", "pair/two")
+
+    def build() -> set[str]:
+        before = workspace.compiled()
+        workspace.build()
+        return workspace.changed(before)
+
+    assert workspace.build() == ["rclcpp", "counts", "pair/one", "pair/two"]
+    logs = {log: log.stat().st_mtime_ns for log in workspace.cache.glob("**/.ninja_log")}
+    assert workspace.build() == []
+    assert {log: log.stat().st_mtime_ns for log in logs} == logs
+
+    workspace.write("src/pair/src/one.cpp", one.replace("NAME)", 'NAME " one")'))
+    assert build() == {"one.cpp.o"}
+    workspace.write("src/pair/include/pair/name.hpp", '#define NAME "two"\n')
+    assert build() == {"one.cpp.o", "two.cpp.o"}
+    workspace.write("src/counts/msg/Other.msg", "int64 value\n")
+    assert build() == set()
+    workspace.write("src/counts/msg/Count.msg", "int64 value\n")
+    assert build() == {"one.cpp.o"}
+
+    # A change that is taken back is in the cache.
+    workspace.write("src/counts/msg/Count.msg", "int32 value\n")
+    workspace.write("src/counts/msg/Other.msg", "int64 value\n")
+    assert workspace.build() == []
+
+    # A message that is gone is not found in what was generated before.
+    (workspace.folder / "src/counts/msg/Count.msg").unlink()
+    workspace.package(
+        "counts",
+        """\
+        find_package(rosidl_default_generators REQUIRED)
+        rosidl_generate_interfaces(${PROJECT_NAME} "msg/Other.msg")
+        """,
+    )
+    (problem,) = workspace.problems()
+    assert "fatal error: 'counts/msg/count.hpp' file not found" in problem
+
+
+def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspace) -> None:
+    workspace.package("fine", "add_executable(fine src/main.cpp)", main="int main() {}\n")
+    workspace.site("fine/fine")
+    workspace.build()
+    dist = workspace.folder / "dist"
+    before = {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()}
+
+    workspace.package(
+        "wrong_source",
+        "add_executable(wrong src/main.cpp)",
+        main="""\
+        int main()
+        {
+          int number = "text";
+        }
+        """,
+    )
+    workspace.package(
+        "wrong_link",
+        "add_executable(wrong src/main.cpp)",
+        main="void missing_part();\nint main() {missing_part();}\n",
+    )
+    workspace.package("wrong_need", "find_package(OpenCV REQUIRED)\nadd_executable(wrong a.cpp)")
+    workspace.package(
+        "wrong_cmake",
+        'message(FATAL_ERROR "this robot has no wheels")\nadd_executable(wrong a.cpp)',
+    )
+    workspace.package(
+        "wrong_name",
+        "add_executable(${PROJECT_NAME}${SUFFIX} src/main.cpp)",
+        main="int main() {}\n",
+    )
+    names = ("source", "link", "need", "cmake", "name")
+    workspace.site("fine/fine", *(f"wrong_{name}/wrong" for name in names))
+
+    source, link, need, cmake, name = workspace.problems()
+    assert source.splitlines() == [
+        "src/wrong_source/src/main.cpp: em++ failed (package 'wrong_source')",
+        "src/wrong_source/src/main.cpp:3:7: error: cannot initialize a variable of type 'int' with"
+        " an lvalue of type 'const char[5]'",
+        '  int number = "text";',
+        "      ^        ~~~~~~",
+        "1 error generated.",
+    ]
+    first, *rest = link.splitlines()
+    assert first == (
+        "src/wrong_link/CMakeLists.txt: em++ could not link 'wrong' (package 'wrong_link')"
+    )
+    assert [re.sub(r"^wasm-ld\S*: ", "", line) for line in rest] == [
+        "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
+    ]
+    assert need == (
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'OpenCV', "
+        "which has no build for the page"
+    )
+    assert cmake.splitlines() == [
+        "src/wrong_cmake/CMakeLists.txt: CMake failed",
+        "CMake Error at CMakeLists.txt:4 (message):",
+        "  this robot has no wheels",
+    ]
+    assert name == ("src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong'")
+    assert {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()} == before
+
+
+def test_wrong_definitions_are_told_by_file_and_line(workspace: Workspace) -> None:
+    files = {
+        "msg/Type.msg": "# A speed\n\nfloat speed\n",
+        "msg/Name.msg": "int32 ok\nint32 notOk\n",
+        "msg/Value.msg": "uint8 small 256\n",
+        "msg/Constant.msg": "int8 A=1\nint8 b=2\n",
+        "msg/Twice.msg": "int8 one\nint8 two\nint8 one\n",
+        "msg/Alone.msg": "int32\n",
+        "msg/Unknown.msg": "std_msgs/Header header\nWhel wheel\nstd_msgs/Sting text\nno_msgs/A a\n",
+        "msg/Former.msg": "time stamp\n",
+        "msg/Twins.idl": "module wrong_msgs {\n  module msg {\n    struct Twins {\n    int x\n",
+        "srv/Half.srv": "int32 a\n",
+        "srv/Whole.srv": "int32 a\n---\nint32 b\nstrin c\n",
+        "action/Long.action": "---\n---\nint8 x\n---\n",
+    }
+    for name, text in files.items():
+        workspace.write(f"src/wrong_msgs/{name}", text)
+    names = " ".join(f'"{name}"' for name in [*files, "msg/Nam.msg"])
+    generate = f"rosidl_generate_interfaces(${{PROJECT_NAME}} {names})"
+    workspace.package(
+        "wrong_msgs",
+        f"find_package(rosidl_default_generators REQUIRED)\n{generate}",
+        depends="std_msgs",
+    )
+    workspace.package(
+        "user",
+        "find_package(wrong_msgs REQUIRED)\nadd_executable(user src/main.cpp)",
+        depends="wrong_msgs",
+    )
+    workspace.site("user/user")
+    found = [line.removeprefix("src/wrong_msgs/") for line in workspace.problems()]
+    assert found == [
+        "msg/Type.msg:3: no type 'float'; did you mean 'float64'?",
+        "msg/Name.msg:2: 'notOk' is an invalid field name; write it like wheel_speed",
+        "msg/Value.msg:1: value '256' can not be converted to type 'uint8': must be a "
+        "valid integer value >= 0 and <= 255",
+        "msg/Constant.msg:2: 'b' is an invalid constant name; write it like WHEEL_SPEED",
+        "msg/Twice.msg:3: more than one field named 'one'",
+        "msg/Alone.msg:1: 'int32' is no field; a type and a name are needed",
+        "msg/Unknown.msg:2: package 'wrong_msgs' has no message 'Whel'; known: Alone, "
+        "Constant, Former, Nam, Name, Twice, Twins, Type, Unknown, Value",
+        "msg/Unknown.msg:3: package 'std_msgs' has no message 'Sting'; did you mean 'String'?",
+        "msg/Unknown.msg:4: no package 'no_msgs' with interfaces; did you mean "
+        "'nav_msgs'? (package.xml must name it)",
+        "msg/Former.msg:1: 'time' is builtin_interfaces/Time now",
+        "msg/Twins.idl:4: the file ends too early",
+        "srv/Half.srv:1: service needs 1 line '---', here are 0",
+        "srv/Whole.srv:4: no type 'strin'; did you mean 'string'?",
+        "action/Long.action:4: action needs 2 lines '---', here are 3",
+        "CMakeLists.txt: rosidl_generate_interfaces() names 'msg/Nam.msg', which does "
+        "not exist; did you mean 'msg/Name.msg'?",
+    ]
+
+
+def test_a_missing_compiler_is_told_with_who_needs_it(
+    workspace: Workspace, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    workspace.package("fine", "add_executable(fine src/main.cpp)", main="int main() {}\n")
+    workspace.site("fine/fine")
+    monkeypatch.setenv("PATH", str(workspace.folder))
+    assert workspace.problems() == [
+        "em++ not found (apt-get install emscripten, or see emscripten.org): "
+        "needed for the C++ nodes of 'fine'"
+    ]
+
+
+@pytest.fixture(scope="module")
+def shapes(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    output = tmp_path_factory.mktemp("shapes") / "dist"
+    build(SHAPES, output=output, report=Report())
+    return output
+
+
+def test_packages_of_many_shapes_run(shapes: Path, serve: Serve, tab: Page) -> None:
+    """Libraries, other packages' interfaces and libraries, old and new CMake, C and three C++s."""
+    expected = {
+        "beside": [
+            "front 4 wheels, 0.25 m, -2 of Räder & Söhne",
+            "corner 7 -1",
+            "1.5 kg 6.25 m",
+        ],
+        "plain": ["rolls on 4, holds front, 254"],
+        "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
+    }
+    tab.goto(serve(shapes))
+    for name, lines in expected.items():
+        panel = Panel(tab, name)
+        panel.start()
+        panel.wait_for(lines[-1])
+        panel.expect_state("stopped")
+        assert lines == (panel.lines() if name == "plain" else panel.messages())
