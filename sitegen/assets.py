@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from sitegen.model import Artifact, Build, Page, Site, Widget
 
-RUNTIME = Path(__file__).parent / "runtime"
+RUNTIME = Path(__file__).resolve().parent / "runtime"
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
 PLAIN = {"buttons", "console"}
-# The bundles in runtime/vendor that widgets use, beside the one that reads messages.
-VENDOR: dict[str, list[str]] = {}
+IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)
 
 
 def takes_part(page: Page) -> bool:
@@ -21,26 +21,16 @@ def takes_part(page: Page) -> bool:
 
 
 def runtime(site: Site) -> list[Artifact]:
-    """Return the runtime's files, with only those widgets that a page shows.
+    """Return the runtime's files, with only those widgets that a page shows and what they import.
 
     A site without nodes needs none of them.
     """
-    kinds = sorted({part.kind for part in _widgets(site.pages)})
-    if not kinds:
+    files = {file for page in site.pages for file in _modules(page)}
+    if not files:
         return []
-    files = [
-        *RUNTIME.glob("*.js"),
-        *RUNTIME.glob("participant/*.js"),
-        *RUNTIME.glob("workers/*.js"),
-        *(RUNTIME / "widgets" / f"{kind}.js" for kind in kinds),
-    ]
-    if any(map(takes_part, site.pages)):
-        vendor = {name for kind in kinds for name in VENDOR.get(kind, [])} | {"cdr"}
-        files += RUNTIME.glob("messages/*.js")
-        files += [RUNTIME / "vendor" / f"{name}.js" for name in vendor]
-        files.append(RUNTIME / "vendor" / "licenses.txt")
-    else:
-        files.remove(RUNTIME / "pageClient.js")
+    files |= set(_with_imports(RUNTIME.glob("workers/*.js")))
+    if any(file.parent.name == "vendor" for file in files):
+        files.add(RUNTIME / "vendor" / "licenses.txt")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
 
 
@@ -49,16 +39,34 @@ def preloads(site: Site) -> dict[str, list[str]]:
 
     Named in the page's head they come at once; otherwise each would be asked for by the one before.
     """
-    loads = {}
-    for page in site.pages:
-        kinds = dict.fromkeys(widget.kind for widget in _widgets([page]))
-        files = ["graph.js", "nodeProcess.js", "protocol.js"]
-        if takes_part(page):
-            files += ["pageClient.js", "participant/participant.js", "messages/codec.js"]
-            files.append("vendor/cdr.js")
-        files += [f"widgets/{kind}.js" for kind in kinds]
-        loads[page.path] = [f"runtime/{file}" for file in files] if kinds else []
-    return loads
+    return {
+        page.path: [f"runtime/{f.relative_to(RUNTIME).as_posix()}" for f in _modules(page)[1:]]
+        for page in site.pages
+    }
+
+
+def _modules(page: Page) -> list[Path]:
+    """Return the modules that `page` runs, rosMain.js first; none if it shows no widget."""
+    kinds = dict.fromkeys(widget.kind for widget in _widgets([page]))
+    if not kinds:
+        return []
+    files = [RUNTIME / "rosMain.js"]
+    if takes_part(page):
+        files.append(RUNTIME / "pageClient.js")
+    return _with_imports([*files, *(RUNTIME / "widgets" / f"{kind}.js" for kind in kinds)])
+
+
+def _with_imports(files: Iterable[Path]) -> list[Path]:
+    """Return `files` and all that they import, each once."""
+    found: dict[Path, None] = {}
+    waiting = list(files)
+    while waiting:
+        file = waiting.pop(0)
+        if file not in found:
+            found[file] = None
+            names = IMPORT.findall(file.read_text(encoding="utf-8"))
+            waiting += [(file.parent / name).resolve() for name in names]
+    return list(found)
 
 
 def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:

@@ -49,7 +49,7 @@ class Markdown:
 
 @dataclass(frozen=True)
 class Widget:
-    """A live part of a page: its kind, the node it is about, its options."""
+    """A live part of a page: its kind, the node it is about (or all, ""), its options."""
 
     kind: str
     target: str

@@ -42,7 +42,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class Panel:
-    """Neighbouring widgets of one node, shown as one thing."""
+    """Neighbouring widgets of one node, shown as one thing, or one that is about all nodes."""
 
     title: str
     slots: tuple[Slot, ...]
@@ -84,7 +84,7 @@ def render(
         prose = Prose(site, page, shown, problems)
         blocks = list(_blocks(page, prose))
         text = "".join(block.html for block in blocks)
-        live = bool(page.nodes)
+        live = any(block.panels for block in blocks)
         html = template.render(
             site=site,
             page=page,
@@ -169,7 +169,8 @@ def _is_widget(part: Markdown | Widget) -> bool:
 
 
 def _panel(pairs: Sequence[tuple[Widget, Slot]]) -> Panel:
-    return Panel(pairs[0][0].target, tuple(slot for _, slot in pairs))
+    widget = pairs[0][0]
+    return Panel(widget.target or widget.kind.capitalize(), tuple(slot for _, slot in pairs))
 
 
 def _slots(page: Page) -> Iterator[tuple[Widget, Slot]]:

@@ -385,6 +385,63 @@ WRONG = [
         ],
     ),
     Wrong(
+        "a level below what panels offer",
+        TALKERS
+        + """\
+    level: I3
+    content: [buttons: talker, buttons: listener, topics: ]
+""",
+        [
+            "site.yaml:8: pages[0].level: the page offers I4 (panels about the whole graph), "
+            "not I3 (buttons for several nodes); remove the panels, or write 'level: I4'",
+        ],
+    ),
+    Wrong(
+        "a level that needs panels",
+        TALKERS
+        + """\
+    level: I4
+    content: [console: talker]
+""",
+        [
+            "site.yaml:8: pages[0].level: the page offers I1 (consoles only), not I4 "
+            "(panels about the whole graph); add a panel, like 'topics:', or write 'level: I1'",
+        ],
+    ),
+    Wrong(
+        "panels that are wrongly given",
+        TALKERS
+        + """\
+    content:
+      - topics
+      - topics: /chatter
+      - topics: {show: [chatter, 3]}
+      - topics: {show: [chatter], echo: chatter/}
+      - nodes: {show: [/a]}
+      - publish: {topic: /a, type: String}
+      - log: {line: 5}
+""",
+        [
+            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
+            "nodes, services, publish, log, found the text 'topics'; write it like 'topics:'",
+            "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
+            "nothing, found the text '/chatter'; write it like 'topics:'",
+            "site.yaml:11: pages[0].content[2].topics.show[0]: expected a name of the graph, found "
+            "the text 'chatter'; write it like 'show: [/chatter]'",
+            "site.yaml:11: pages[0].content[2].topics.show[1]: expected a name of the graph, found "
+            "the number 3; write it like 'show: [/chatter]'",
+            "site.yaml:12: pages[0].content[3].topics.show[0]: expected a name of the graph, found "
+            "the text 'chatter'; write it like 'show: [/chatter]'",
+            "site.yaml:12: pages[0].content[3].topics.echo: expected a name of the graph, found "
+            "the text 'chatter/'; write it like 'echo: /chatter'",
+            "site.yaml:13: pages[0].content[4].nodes: expected nothing, found keys and values; "
+            "write it like 'nodes:'",
+            "site.yaml:14: pages[0].content[5].publish.type: expected a message type, found the "
+            "text 'String'; write it like 'type: std_msgs/msg/String'",
+            "site.yaml:15: pages[0].content[6].log.line: unknown key; did you mean 'lines'?",
+        ],
+    ),
+    Wrong(
         "a level of another release",
         TALKERS
         + """\
@@ -545,10 +602,11 @@ WRONG = [
       - buttons: {autostart: 1}
 """,
         [
-            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, "
-            "found the text 'talker'; write it like 'console: talker'",
+            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
+            "nodes, services, publish, log, found the text 'talker'; "
+            "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
-            "known: buttons, console, markdown",
+            "known: buttons, console, log, markdown, nodes, publish, services, topics",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
@@ -573,7 +631,7 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console",
+            "known: buttons, console, log, nodes, publish, services, topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "
@@ -830,6 +888,8 @@ def test_the_first_heading_is_the_title(tmp_path: Path, text: str, title: str) -
         ("[console: listener, buttons: talker]", "I2", ["listener", "talker"]),
         ("[buttons: talker, buttons: talker]", "I2", ["talker"]),
         ("[buttons: talker, buttons: listener]", "I3", ["talker", "listener"]),
+        ("[buttons: talker, topics: ]", "I4", ["talker"]),
+        ("[log: ]", "I4", []),
     ],
 )
 def test_the_widgets_make_the_level(
@@ -837,6 +897,28 @@ def test_the_widgets_make_the_level(
 ) -> None:
     page = load_text(tmp_path, f"{TALKERS}    content: {content}\n").pages[0]
     assert (page.level, list(page.nodes)) == (level, nodes)
+
+
+def test_a_panel_is_given_options_or_nothing(tmp_path: Path) -> None:
+    page = load_text(
+        tmp_path,
+        TALKERS
+        + """\
+    content:
+      - topics:
+      - topics: {show: [/chatter, /robot/cmd_vel], echo: /chatter}
+      - publish: {topic: /chatter, type: std_msgs/msg/String}
+      - log: {lines: 5}
+      - nodes:
+""",
+    ).pages[0]
+    assert [(w.kind, w.target, w.options) for w in page.content if isinstance(w, Widget)] == [
+        ("topics", "", {"show": None, "echo": None}),
+        ("topics", "", {"show": ["/chatter", "/robot/cmd_vel"], "echo": "/chatter"}),
+        ("publish", "", {"topic": "/chatter", "type": "std_msgs/msg/String"}),
+        ("log", "", {"lines": 5}),
+        ("nodes", "", {}),
+    ]
 
 
 def test_a_node_that_no_page_uses_is_a_note(tmp_path: Path) -> None:

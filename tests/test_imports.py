@@ -43,13 +43,15 @@ ALLOWED = {
 RUNTIME_ALLOWED = {
     "rosMain.js": {"graph.js", "nodeProcess.js", "pageClient.js", "protocol.js"},
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js"},
-    "messages": {"messages", "protocol.js", "vendor"},
+    "messages": {"elements.js", "messages", "protocol.js", "vendor"},
     "participant": {"participant", "protocol.js"},
     "nodeProcess.js": {"graph.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {"participant", "protocol.js", "workers"},
-    "widgets": {"protocol.js"},
+    "elements.js": set(),
+    "looking.js": set(),
+    "widgets": {"elements.js", "looking.js", "messages", "protocol.js", "vendor"},
 }
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 

@@ -67,7 +67,7 @@ def lines(page: Tab) -> list[str]:
     """Return the lines of the console, once it has drawn them."""
     found: list[str] = page.evaluate(
         "async () => { await frames(2);"
-        " return [...document.querySelector('#console .ros-log').children]"
+        " return [...document.querySelector('#console .ros-lines').children]"
         ".map((row) => row.textContent); }"
     )
     return found
@@ -76,7 +76,7 @@ def lines(page: Tab) -> list[str]:
 def from_end(page: Tab) -> float:
     """Return how far, in pixels, the console is scrolled away from its end."""
     distance: float = page.evaluate(
-        "async () => { await frames(3); const log = document.querySelector('#console .ros-log');"
+        "async () => { await frames(3); const log = document.querySelector('#console .ros-lines');"
         " return log.scrollHeight - log.scrollTop - log.clientHeight; }"
     )
     return distance
@@ -96,7 +96,7 @@ def test_a_flood_keeps_the_newest_lines_in_order(page: Tab) -> None:
             for (const { addedNodes } of changes) created += addedNodes.length;
           };
           const watch = new MutationObserver(count);
-          watch.observe(document.querySelector("#console .ros-log"), { childList: true });
+          watch.observe(document.querySelector("#console .ros-lines"), { childList: true });
           let number = 0;
           for (let burst = 0; burst < 10; burst++) {
             for (let i = 0; i < 10_000; i++) node.say(`line ${number++}`);
@@ -137,7 +137,7 @@ def test_nothing_piles_up_while_the_tab_is_hidden(page: Tab) -> None:
     page.context.new_cdp_session(page).send("HeapProfiler.collectGarbage")
     alive = page.evaluate("printed.filter((line) => line.deref()).length")
     assert 1000 <= alive <= 2100
-    assert page.locator("#console .ros-log > *").count() == 0
+    assert page.locator("#console .ros-lines > *").count() == 0
     page.evaluate("window.requestAnimationFrame = real; for (const draw of held) draw();")
     assert lines(page) == [f"line {number}" for number in range(49_000, 50_000)]
 
@@ -151,8 +151,8 @@ def test_lines_are_text_with_the_colour_of_their_severity(page: Tab) -> None:
         ])"""
     )
     assert lines(page) == ["<img src=x onerror=alert(1)>", "two\nrows", ""]
-    assert page.locator("#console .ros-log img").count() == 0
-    rows = page.locator("#console .ros-log > *")
+    assert page.locator("#console .ros-lines img").count() == 0
+    rows = page.locator("#console .ros-lines > *")
     colours = rows.evaluate_all("(rows) => rows.map((row) => getComputedStyle(row).color)")
     assert len(set(colours)) == 3
     heights = rows.evaluate_all("(rows) => rows.map((row) => row.offsetHeight)")
@@ -165,11 +165,11 @@ def test_the_console_follows_until_the_reader_scrolls_up(page: Tab) -> None:
     assert from_end(page) < 2
     assert newest.is_hidden()
 
-    page.locator("#console .ros-log").evaluate("(log) => log.scrollTo(0, 4000)")
+    page.locator("#console .ros-lines").evaluate("(log) => log.scrollTo(0, 4000)")
     assert from_end(page) > 1000
     assert newest.is_visible()
     reading = (
-        "() => { const log = document.querySelector('#console .ros-log');"
+        "() => { const log = document.querySelector('#console .ros-lines');"
         " const { left, top } = log.getBoundingClientRect();"
         " return document.elementFromPoint(left + 30, top + 60).textContent; }"
     )
@@ -191,7 +191,7 @@ def test_the_keyboard_scrolls_the_console(page: Tab) -> None:
     assert from_end(page) < 2
     log.focus()
     page.keyboard.press("Home")
-    page.wait_for_function("document.querySelector('#console .ros-log').scrollTop === 0")
+    page.wait_for_function("document.querySelector('#console .ros-lines').scrollTop === 0")
     assert page.locator("#console .ros-newest").is_visible()
 
 

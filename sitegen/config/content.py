@@ -73,7 +73,8 @@ class Reader:
     def _kind(self, item: Value, known: tuple[str, ...]) -> tuple[str, Value] | None:
         if item.kind != "mapping":
             message = f"expected one of {', '.join(known)}, found {item.found}"
-            self.problems.add(item.place, item.label, f"{message}; write it like 'console: talker'")
+            like = f"{item.text}:" if item.text in WIDGETS else "console: talker"
+            self.problems.add(item.place, item.label, f"{message}; write it like '{like}'")
             return None
         entries = item.entries(self.problems)
         if len(entries) != 1:
@@ -90,6 +91,9 @@ class Reader:
 
     def _widget(self, kind: str, value: Value) -> Iterator[Widget]:
         keys = WIDGETS[kind]
+        if not any(key.name == "node" for key in keys):
+            yield from self._panel(kind, value)
+            return
         if value.kind == "mapping":
             section = check(value, keys, self.problems)
             node = section.get("node")
@@ -103,3 +107,18 @@ class Reader:
             self.problems.add(node.place, node.key, message)
         elif node:
             yield Widget(kind, node.text, options, value.place)
+
+    def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
+        """Yield a widget that is about the whole page; without options it has no value."""
+        keys = WIDGETS[kind]
+        if value.kind == "nothing":
+            options = {key.name: key.default for key in keys}
+        elif value.kind == "mapping" and keys:
+            section = check(value, keys, self.problems)
+            options = {key.name: section.option(key.name) for key in keys}
+        else:
+            names = f"its options ({', '.join(key.name for key in keys)}) or " if keys else ""
+            message = f"expected {names}nothing, found {value.found}; write it like '{kind}:'"
+            self.problems.add(value.place, value.key, message)
+            return
+        yield Widget(kind, "", options, value.place)

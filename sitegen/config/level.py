@@ -10,12 +10,15 @@ LEVELS = {
     "I1": "consoles only",
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
+    "I4": "panels about the whole graph",
 }
 
 
 def offered(widgets: Iterable[Widget]) -> str:
     """Return what a visitor of these widgets can do."""
     kinds = [(widget.kind, widget.target) for widget in widgets]
+    if any(not target for _, target in kinds):
+        return "I4"
     buttons = {target for kind, target in kinds if kind == "buttons"}
     return list(LEVELS)[min(len(buttons), 2)] if kinds else ""
 
@@ -30,8 +33,9 @@ def fault(declared: str, offers: str) -> str:
         "I1": "remove the buttons",
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
         "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
+        "I4": "add a panel, like 'topics:'",
     }
-    way = ways.get(declared)
+    way = "remove the panels" if offers == "I4" and declared in ways else ways.get(declared)
     offer = f"the page offers {offers} ({LEVELS[offers]})"
     if not way:
         return f"no level '{declared}', {offer}; write 'level: {offers}'"

@@ -57,7 +57,7 @@ class PageReader:
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes={widget.target: reader.nodes[widget.target] for widget in widgets},
+            nodes={w.target: reader.nodes[w.target] for w in widgets if w.target},
             content=tuple(parts),
             level=level.offered(widgets),
             place=item.place,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -25,12 +26,21 @@ TYPES = {
     "url": ("text", "an address"),
     "flag": ("flag", "true or false"),
     "number": ("number", "a whole number above 0"),
+    "name": ("text", "a name of the graph"),
+    "type": ("text", "a message type"),
     "list of text": ("list", "a list of text"),
+    "list of names": ("list", "a list of names of the graph"),
     "text by name": ("mapping", "names with a text each"),
     "site": ("mapping", "keys and values"),
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+}
+
+# What text of some types looks like.
+FORMS = {
+    "name": re.compile(r"(/[A-Za-z_]\w*)+", re.ASCII),
+    "type": re.compile(r"[a-z]\w*/msg/[A-Z]\w*", re.ASCII),
 }
 
 FILE = (
@@ -131,4 +141,21 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         _NODE,
         Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
     ),
+    # Those without a node look at all of the page.
+    "topics": (
+        Key("show", "list of names", "only these topics", "show: [/chatter]"),
+        Key("echo", "name", "the topic whose messages it shows at first", "echo: /chatter"),
+    ),
+    "nodes": (),
+    "services": (Key("show", "list of names", "only these services", "show: [/add_two_ints]"),),
+    "publish": (
+        Key("topic", "name", "publish there, without a choice", "topic: /chatter"),
+        Key(
+            "type",
+            "type",
+            "the type of its messages, where no node has the topic yet",
+            "type: std_msgs/msg/String",
+        ),
+    ),
+    "log": (Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),),
 }

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sitegen.config.document import Value, shortened
-from sitegen.config.schema import TYPES, Key
+from sitegen.config.schema import FORMS, TYPES, Key
 from sitegen.errors import Place, Problems, nearest
 
 
@@ -22,11 +22,12 @@ class Section:
         """Return what was given for `name`."""
         return self.entries.get(name)
 
-    def option(self, name: str) -> str | bool | int | None:
-        """Return the text, flag or number given for `name`, or its default."""
+    def option(self, name: str) -> str | bool | int | list[str] | None:
+        """Return the text, flag, number or list of text given for `name`, or its default."""
         entry = self.get(name)
-        default = next(key.default for key in self.keys if key.name == name)
-        return entry.scalar if entry else default
+        if entry is None:
+            return next(key.default for key in self.keys if key.name == name)
+        return [item.text for item in entry.items()] if entry.kind == "list" else entry.scalar
 
     def text(self, name: str) -> str:
         """Return the text given for `name`, or its default."""
@@ -71,15 +72,26 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     if value.kind != kind or empty:
         problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
         return False
-    wrong = [part for part in _texts(value, key, problems) if part.kind != "text"]
+    form = key.type.removeprefix("list of ").removesuffix("s")
+    form = form if form in FORMS else "text"
+    parts = _texts(value, key, problems)
+    wrong = [part for part in parts if not _fits(part, form)]
     for part in wrong:
-        problems.add(part.place, part.key, f"expected text, {_found(part, key)}")
+        message = f"expected {TYPES[form][1]}, {_found(part, key)}"
+        problems.add(part.place, part.key, message)
     return not wrong
 
 
+def _fits(value: Value, form: str) -> bool:
+    pattern = FORMS.get(form)
+    return value.kind == "text" and (pattern is None or bool(pattern.fullmatch(value.text)))
+
+
 def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
-    if key.type == "list of text":
+    if key.type.startswith("list of "):
         return value.items()
+    if key.type in FORMS:
+        return [value]
     return list(value.entries(problems).values()) if key.type == "text by name" else []
 
 

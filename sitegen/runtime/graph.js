@@ -9,7 +9,8 @@ import { incompatibility, sends } from "./protocol.js";
 
 /**
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
- * @typedef {{id: number, post: Post, endpoints: Map<number, Endpoint>, links: Set<number>}} Participant
+ * @typedef {{id: number, program: string, post: Post, endpoints: Map<number, Endpoint>,
+ *   links: Set<number>}} Participant
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
  * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
  *   publishers and the subscriptions, of a service the clients and the servers
@@ -26,10 +27,13 @@ export class Graph extends EventTarget {
   #nextId = 1;
   #changing = false;
 
-  /** Let a worker take part and return its id. @param {Post} post to the worker */
-  join(post) {
+  /**
+   * Let a worker take part and return its id.
+   * @param {Post} post to the worker @param {string} [program] that it runs
+   */
+  join(post, program = "") {
     const id = this.#nextId++;
-    this.#participants.set(id, { id, post, endpoints: new Map(), links: new Set() });
+    this.#participants.set(id, { id, program, post, endpoints: new Map(), links: new Set() });
     return id;
   }
 
@@ -81,7 +85,9 @@ export class Graph extends EventTarget {
 
   /** Everything that takes part, in the order of its coming. */
   endpoints() {
-    return [...this.#participants.values()].flatMap((p) => [...p.endpoints.values()]);
+    return [...this.#participants.values()].flatMap(({ program, endpoints }) =>
+      [...endpoints.values()].map((endpoint) => ({ ...endpoint, program })),
+    );
   }
 
   /** Fully qualified names of the nodes, sorted. */

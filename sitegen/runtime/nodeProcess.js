@@ -99,7 +99,9 @@ export class NodeProcess extends EventTarget {
       type: "module",
       name: this.name,
     });
-    const id = this.#graph.join((message, transfer) => this.#post(worker, message, transfer));
+    const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
+      this.#post(worker, message, transfer);
+    const id = this.#graph.join(post, this.name);
     const run = { worker, id };
     this.#run = run;
     worker.onmessage = (event) => this.#receive(id, event.data);

@@ -32,10 +32,11 @@
  * @typedef {{size: number, sequence: number, timestamp: number, received: number}} MessageInfo
  *   bytes, number of this writer's message, and the times (ms since 1970) it was sent and arrived
  *
- * Who is in the graph; emits `change` after changes, those of one moment together.
+ * Who is in the graph; emits `change` after changes, those of one moment together. The `program` of an
+ * endpoint is the name of its NodeHandle, empty for the page's own.
  * @typedef {EventTarget & {
  *   nodes(): string[],
- *   endpoints(): Endpoint[],
+ *   endpoints(): (Endpoint & {program: string})[],
  *   topics(): {name: string, types: string[], publishers: string[], subscriptions: string[]}[],
  *   services(): {name: string, types: string[], servers: string[], clients: string[]}[],
  * }} GraphView

@@ -22,7 +22,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const state = create("span", "ros-state");
   title.append(create("span", "ros-name", name), state);
   bar.append(title);
-  const log = create("div", "ros-log");
+  const log = create("div", "ros-lines");
   log.setAttribute("role", "log");
   log.setAttribute("aria-label", name);
   log.tabIndex = 0;

@@ -1,0 +1,153 @@
+// @ts-check
+// What a field of a message may hold: its type, as .msg files write it, and values as people type
+// them.
+
+/**
+ * @typedef {{base: string, capacity: number, array: "" | "fixed" | "bounded" | "unbounded",
+ *   size: number}} FieldType `capacity` is of a string, `size` of an array; Infinity without bounds
+ */
+
+const TYPE = /^([^\s<[]+)(?:<=(\d+))?(\[(<=)?(\d*)\])?$/;
+
+/** The numbers, and the arrays that hold them. */
+const INTEGERS = {
+  int8: Int8Array,
+  uint8: Uint8Array,
+  int16: Int16Array,
+  uint16: Uint16Array,
+  int32: Int32Array,
+  uint32: Uint32Array,
+  int64: BigInt64Array,
+  uint64: BigUint64Array,
+};
+const FLOATS = { float32: Float32Array, float64: Float64Array };
+
+/** Take a type apart: "string<=10[<=5]". @param {string} text @returns {FieldType} */
+export function parseFieldType(text) {
+  const [, base = text, capacity, array, bounded, size] = TYPE.exec(text) ?? [];
+  return {
+    base,
+    capacity: capacity ? Number(capacity) : Infinity,
+    array: !array ? "" : !size ? "unbounded" : bounded ? "bounded" : "fixed",
+    size: size ? Number(size) : Infinity,
+  };
+}
+
+/** @param {string} base @returns {base is keyof typeof INTEGERS} */
+export function isInteger(base) {
+  return base in INTEGERS;
+}
+
+/** @param {string} base @returns {base is keyof typeof FLOATS} */
+export function isFloat(base) {
+  return base in FLOATS;
+}
+
+/** Whether a type is a message of its own. @param {string} base */
+export function isMessage(base) {
+  return base.includes("/");
+}
+
+/** The smallest and the largest whole number of a type. @param {keyof typeof INTEGERS} base */
+export function range(base) {
+  const signed = base.startsWith("i");
+  const bits = BigInt(INTEGERS[base].BYTES_PER_ELEMENT * 8) - (signed ? 1n : 0n);
+  return { least: signed ? -(2n ** bits) : 0n, most: 2n ** bits - 1n };
+}
+
+/**
+ * The value that `text` means. Throws an Error that says what is wrong with it.
+ * @param {string} text @param {FieldType} type
+ */
+export function readScalar(text, { base, capacity }) {
+  if (isInteger(base)) return readInteger(text.trim(), base);
+  if (isFloat(base)) return readFloat(text.trim(), base);
+  if (base === "bool") return readFlag(text.trim());
+  const length = base === "wstring" ? text.length : new TextEncoder().encode(text).length;
+  if (length > capacity) throw new Error(`holds at most ${capacity} bytes, here are ${length}`);
+  return text;
+}
+
+/**
+ * The values of an array typed as "[1, 2, 3]"; the brackets may be missing.
+ * @param {string} text @param {FieldType} type
+ */
+export function readList(text, type) {
+  const inner = /^\s*\[([^]*)\]\s*$/.exec(text)?.[1] ?? text;
+  const values = items(inner).map((item, index) => {
+    try {
+      return readScalar(item, type);
+    } catch (error) {
+      throw new Error(`item ${index + 1}: ${error instanceof Error ? error.message : error}`);
+    }
+  });
+  const { base, array, size } = type;
+  if (array === "fixed" && values.length !== size) {
+    throw new Error(`needs ${size} items, here are ${values.length}`);
+  }
+  if (values.length > size) throw new Error(`holds at most ${size} items, here are ${values.length}`);
+  /** @type {Record<string, {from(values: unknown[]): any}>} */
+  const arrays = { .../** @type {any} */ (INTEGERS), ...FLOATS };
+  return arrays[base]?.from(values) ?? values;
+}
+
+/** @param {string} text @param {keyof typeof INTEGERS} base */
+function readInteger(text, base) {
+  if (!text) throw new Error("a whole number is needed");
+  if (!/^[-+]?(\d+|0x[\da-f]+)$/i.test(text)) throw new Error(`'${text}' is no whole number`);
+  const size = BigInt(text.replace(/^[-+]/, ""));
+  const value = text.startsWith("-") ? -size : size;
+  const { least, most } = range(base);
+  if (value < least || value > most) throw new Error(`${base} holds ${least} to ${most}`);
+  return base.endsWith("64") ? value : Number(value);
+}
+
+/** @param {string} text @param {keyof typeof FLOATS} base */
+function readFloat(text, base) {
+  if (!text) throw new Error("a number is needed");
+  const special = /^([-+]?)\.?(inf|infinity|nan)$/i.exec(text);
+  if (special) return special[2]?.toLowerCase() === "nan" ? NaN : Number(`${special[1]}Infinity`);
+  if (/^[-+]?\d+,\d+$/.test(text)) {
+    throw new Error(`'${text}' is no number; write ${text.replace(",", ".")}`);
+  }
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) throw new Error(`'${text}' is no number`);
+  const value = Number(text);
+  if (!Number.isFinite(base === "float32" ? Math.fround(value) : value)) {
+    throw new Error(`'${text}' is too large for ${base}`);
+  }
+  return value;
+}
+
+/** @param {string} text */
+function readFlag(text) {
+  if (!/^(true|false)$/i.test(text)) throw new Error(`'${text}' is neither true nor false`);
+  return text.toLowerCase() === "true";
+}
+
+/** Cut at commas that are not in quotes. @param {string} text */
+function items(text) {
+  /** @type {string[]} */
+  const found = [];
+  if (!text.trim()) return found;
+  const item = /\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^']|'')*)'|((?!\s*["'])[^,]*))\s*(,|$)/y;
+  for (;;) {
+    const match = item.exec(text);
+    if (!match) throw new Error("a comma must stand between two items, and a quote must have its end");
+    const [, double, single, plain, comma] = match;
+    found.push(
+      double !== undefined
+        ? unescaped(double)
+        : (single?.replaceAll("''", "'") ?? plain?.trim() ?? ""),
+    );
+    if (!comma) return found;
+  }
+}
+
+/** @param {string} text between double quotes */
+function unescaped(text) {
+  try {
+    return JSON.parse(`"${text.replaceAll("\n", "\\n").replaceAll("\t", "\\t")}"`);
+  } catch {
+    throw new Error(`"${text}" has a backslash that means nothing; write \\\\ for one`);
+  }
+}

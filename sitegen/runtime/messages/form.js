@@ -1,0 +1,225 @@
+// @ts-check
+// Turn a message type into a form, and what was typed there into a message.
+
+import { create, button } from "../elements.js";
+import { isFloat, isInteger, isMessage, parseFieldType, range, readList, readScalar } from "./fieldType.js";
+
+/** @import { MessageType } from "../protocol.js" */
+/** @import { FieldType } from "./fieldType.js" */
+
+/**
+ * @typedef {Record<string, MessageType>} Types
+ * @typedef {{name: string, type: string, default?: any}} Field
+ * @typedef {{name: string, value: any}} Choice a constant that a field may have as its value
+ * @typedef {{text: string, control: HTMLElement}} Fault what is wrong, and where
+ * @typedef {{element: HTMLElement, read(faults: Fault[]): any}} Part
+ */
+
+let lastId = 0;
+
+/**
+ * A form for messages of a type. `read` returns what was typed as a message, or null: then the faults
+ * stand at their fields and the first of them has the keyboard. Throws an Error where the page does not
+ * know a type.
+ * @param {string} type
+ * @param {Types} types
+ * @returns {{element: HTMLElement, read(): any}}
+ */
+export function createForm(type, types) {
+  const { element, read } = messagePart(type, types);
+  element.classList.add("ros-form");
+  return {
+    element,
+    read() {
+      /** @type {Fault[]} */
+      const faults = [];
+      const message = read(faults);
+      faults[0]?.control.focus();
+      return faults.length ? null : message;
+    },
+  };
+}
+
+/** @param {string} name @param {Types} types @returns {Part} */
+function messagePart(name, types) {
+  const type = types[name];
+  if (!type) {
+    throw new Error(`this page has no definition of ${name}; run a node of the page that uses it`);
+  }
+  /** @type {[string, Part][]} */
+  const parts = type.fields.map((field) => [field.name, fieldPart(field, type, types)]);
+  const element = create("div", "ros-fields", ...parts.map(([, part]) => part.element));
+  if (!parts.length) element.append(create("p", "ros-none", "It has no fields."));
+  const read = (/** @type {Fault[]} */ faults) =>
+    Object.fromEntries(parts.map(([field, part]) => [field, part.read(faults)]));
+  return { element, read };
+}
+
+/** @param {Field} field @param {MessageType} owner @param {Types} types @returns {Part} */
+function fieldPart(field, owner, types) {
+  const type = parseFieldType(field.type);
+  if (isMessage(type.base)) {
+    return type.array ? listPart(field, type, types) : nestedPart(field.name, field.type, type.base, types);
+  }
+  if (type.array) return inputPart(field, listText(field, type), (text) => readList(text, type));
+  if (type.base === "bool") return flagPart(field);
+  const text = String(field.default ?? (isInteger(type.base) || isFloat(type.base) ? 0 : ""));
+  const choices = choicesFor(field, owner);
+  const read = (/** @type {string} */ typed) => readScalar(typed, type);
+  return choices.length ? choicePart(field, text, choices, read) : inputPart(field, text, read);
+}
+
+/**
+ * The constants that are meant as values of a field: those of its type and, where some begin with its
+ * name, only these.
+ * @param {Field} field @param {MessageType} owner @returns {Choice[]}
+ */
+function choicesFor(field, owner) {
+  const same = owner.constants.filter((constant) => plainType(constant.type) === plainType(field.type));
+  const named = same.filter(({ name }) => name.startsWith(`${field.name.toUpperCase()}_`));
+  return named.length ? named : same;
+}
+
+/** byte and char are numbers too. @param {string} type */
+function plainType(type) {
+  return type === "byte" || type === "char" ? "uint8" : type.replace(/<=\d+/, "");
+}
+
+/** What an array's field holds at first. @param {Field} field @param {FieldType} type */
+function listText(field, { base, array, size }) {
+  const none = base === "bool" ? false : isInteger(base) || isFloat(base) ? 0 : "";
+  /** @type {unknown[]} */
+  const values = field.default ?? (array === "fixed" ? Array(size).fill(none) : []);
+  return `[${values.map((value) => JSON.stringify(value)).join(", ")}]`;
+}
+
+/** @param {Field} field @param {string} text @param {(typed: string) => any} read @returns {Part} */
+function inputPart(field, text, read) {
+  const { array, base } = parseFieldType(field.type);
+  const input = array ? create("textarea", "") : create("input", "");
+  input.value = text;
+  input.spellcheck = false;
+  input.autocomplete = "off";
+  if (input instanceof HTMLTextAreaElement) input.rows = 1;
+  else if (isFloat(base)) input.inputMode = "decimal";
+  else if (isInteger(base)) input.inputMode = range(base).least < 0n ? "text" : "numeric";
+  return labelled(field, input, () => read(input.value));
+}
+
+/**
+ * A list of named values, and a field for others.
+ * @param {Field} field @param {string} text @param {Choice[]} choices
+ * @param {(typed: string) => any} read @returns {Part}
+ */
+function choicePart(field, text, choices, read) {
+  const options = choices.map(({ name, value }) => new Option(`${name} (${value})`, String(value)));
+  const select = create("select", "", ...options, new Option("another value…", ""));
+  const other = create("input", "");
+  other.setAttribute("aria-label", `${field.name}, another value`);
+  other.value = text;
+  select.value = text;
+  if (select.selectedIndex < 0) select.selectedIndex = options.length;
+  const show = () => {
+    other.hidden = select.selectedIndex < options.length;
+  };
+  select.addEventListener("change", show);
+  show();
+  const part = labelled(field, select, () => read(other.hidden ? select.value : other.value));
+  select.after(other);
+  return part;
+}
+
+/** @param {Field} field @returns {Part} */
+function flagPart(field) {
+  const box = create("input", "");
+  box.type = "checkbox";
+  box.checked = Boolean(field.default);
+  const part = labelled(field, box, () => box.checked);
+  part.element.classList.add("ros-flag");
+  return part;
+}
+
+/**
+ * A control with its label and what is wrong with it.
+ * @param {Field} field @param {HTMLElement} control @param {() => any} read @returns {Part}
+ */
+function labelled(field, control, read) {
+  control.id = `ros-field-${++lastId}`;
+  const label = create("label", "", field.name, " ", create("small", "", field.type));
+  label.htmlFor = control.id;
+  const fault = create("p", "ros-fault");
+  fault.id = `${control.id}-fault`;
+  const element = create("div", "ros-field", label, control, fault);
+  const say = (/** @type {string} */ text) => {
+    fault.textContent = text;
+    if (text) {
+      control.setAttribute("aria-invalid", "true");
+      control.setAttribute("aria-describedby", fault.id);
+    } else {
+      control.removeAttribute("aria-invalid");
+      control.removeAttribute("aria-describedby");
+    }
+  };
+  element.addEventListener("input", () => say(""));
+  return {
+    element,
+    read(faults) {
+      say("");
+      try {
+        return read();
+      } catch (error) {
+        const text = error instanceof Error ? error.message : String(error);
+        say(text);
+        faults.push({ text, control });
+      }
+    },
+  };
+}
+
+/** @param {string} title @param {string} type @param {string} base @param {Types} types @returns {Part} */
+function nestedPart(title, type, base, types) {
+  const { element: inner, read } = messagePart(base, types);
+  const legend = create("legend", "", title, " ", create("small", "", type));
+  return { element: create("fieldset", "ros-nested", legend, inner), read };
+}
+
+/** Messages in an array, each added by a button. @param {Field} field @param {FieldType} type @param {Types} types @returns {Part} */
+function listPart(field, type, types) {
+  /** @type {Part[]} */
+  const parts = [];
+  const list = create("div", "ros-items");
+  const add = button(`Add to ${field.name}`, "", () => {
+    append();
+    const control = parts.at(-1)?.element.querySelector("input, select, textarea");
+    if (control instanceof HTMLElement) control.focus();
+  });
+  const changed = () => {
+    add.hidden = type.array === "fixed";
+    add.disabled = parts.length >= type.size;
+    parts.forEach(({ element }, index) => {
+      const name = element.querySelector("legend span");
+      if (name) name.textContent = `${field.name}[${index}]`;
+    });
+  };
+  const append = () => {
+    const part = nestedPart("", "", type.base, types);
+    part.element.querySelector("legend")?.replaceChildren(create("span", ""));
+    parts.push(part);
+    if (type.array !== "fixed") {
+      const remove = button("Remove", "ros-remove", () => {
+        parts.splice(parts.indexOf(part), 1);
+        part.element.remove();
+        changed();
+        add.focus();
+      });
+      part.element.append(remove);
+    }
+    list.append(part.element);
+    changed();
+  };
+  for (let count = type.array === "fixed" ? type.size : 0; count > 0; count--) append();
+  changed();
+  const label = create("p", "ros-label", field.name, " ", create("small", "", field.type));
+  const element = create("div", "ros-field", label, list, add);
+  return { element, read: (faults) => parts.map((part) => part.read(faults)) };
+}

@@ -1,0 +1,123 @@
+// @ts-check
+// What runs in the page: each program, and what its nodes have to do with the others.
+
+import { arrange, create, setText, toggle } from "../elements.js";
+import { whileSeen } from "../looking.js";
+
+/** @import { EndpointKind, NodeHandle, Ros } from "../protocol.js" */
+
+// How often times and memory are written, in milliseconds.
+const REFRESH = 1000;
+/** @type {[EndpointKind, string][]} */
+const RELATIONS = [
+  ["publisher", "publishes"],
+  ["subscription", "subscribes to"],
+  ["service", "serves"],
+  ["client", "calls"],
+];
+// What every node has for its own log and parameters.
+const MACHINERY = new RegExp(
+  "^/rosout$|^/parameter_events$|/_|/(describe_parameters|get_parameter_types|get_parameters" +
+    "|list_parameters|set_parameters|set_parameters_atomically|get_type_description)$",
+);
+
+/** @typedef {{element: HTMLElement, show(hidden: boolean): void, tell(): void}} Entry */
+
+/**
+ * Show the programs of the page.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros) {
+  let hidden = false;
+  const bar = create("div", "ros-bar", create("span", "ros-title", "Nodes"), toggle("Show hidden", (on) => {
+    hidden = on;
+    look();
+  }));
+  const entries = [...ros.nodes.values()].map((node) => createEntry(ros, node));
+  const list = create("ul", "ros-programs", ...entries.map((entry) => entry.element));
+  element.replaceChildren(bar, create("div", "ros-list", list));
+
+  const look = () => {
+    for (const entry of entries) entry.show(hidden);
+  };
+  const unlook = whileSeen(element, () => {
+    look();
+    ros.graph.addEventListener("change", look);
+    for (const node of ros.nodes.values()) node.addEventListener("state", look);
+    const timer = setInterval(() => {
+      for (const entry of entries) entry.tell();
+    }, REFRESH);
+    return () => {
+      ros.graph.removeEventListener("change", look);
+      for (const node of ros.nodes.values()) node.removeEventListener("state", look);
+      clearInterval(timer);
+    };
+  });
+  return () => {
+    unlook();
+    element.replaceChildren();
+  };
+}
+
+/** @param {Ros} ros @param {NodeHandle} node @returns {Entry} */
+function createEntry(ros, node) {
+  const state = create("span", "ros-state");
+  const program = create("small", "ros-program", `${node.package}/${node.executable}`);
+  const facts = create("small", "ros-facts");
+  const nodes = create("div", "ros-graph-nodes");
+  const head = create("div", "ros-head", create("span", "ros-name", node.name), state);
+  const element = create("li", "", head, create("div", "ros-about", program, facts), nodes);
+
+  const tell = () => {
+    const parts = node.state === "running" ? [`for ${duration(Date.now() - node.since)}`] : [];
+    if (node.memory) parts.push(`${(node.memory / 1e6).toFixed(1)} MB of memory`);
+    setText(facts, parts.join(" · "));
+    facts.title = `since ${new Date(node.since).toLocaleTimeString()}`;
+  };
+  return {
+    element,
+    tell,
+    show(hidden) {
+      state.dataset.state = node.state;
+      setText(state, node.state);
+      tell();
+      const endpoints = ros.graph.endpoints().filter(({ program: name }) => name === node.name);
+      const names = [...new Set(endpoints.map((endpoint) => endpoint.node))].sort();
+      arrange(nodes, names.map((name) => {
+        const relations = RELATIONS.flatMap(([kind, verb]) => {
+          const found = endpoints.filter((one) => one.node === name && one.kind === kind);
+          const shown = new Set(found.map((one) => one.name).filter((one) => hidden || !MACHINERY.test(one)));
+          return shown.size ? [{ verb, names: [...shown].sort() }] : [];
+        });
+        return describe(nodes, name, relations);
+      }));
+    },
+  };
+}
+
+/**
+ * The description of a node of the graph: that which stands there already if nothing changed.
+ * @param {Element} list @param {string} name @param {{verb: string, names: string[]}[]} relations
+ */
+function describe(list, name, relations) {
+  const digest = JSON.stringify([name, relations]);
+  const there = [...list.children].find((child) => child instanceof HTMLElement && child.dataset.digest === digest);
+  if (there) return there;
+  const terms = relations.flatMap(({ verb, names }) => [
+    create("dt", "", verb),
+    ...names.map((one) => create("dd", "", one)),
+  ]);
+  const element = create("div", "ros-graph-node", create("p", "", name), create("dl", "", ...terms));
+  element.dataset.digest = digest;
+  return element;
+}
+
+/** @param {number} milliseconds */
+function duration(milliseconds) {
+  const seconds = Math.max(0, Math.floor(milliseconds / 1000));
+  if (seconds < 60) return `${seconds} s`;
+  const minutes = Math.floor(seconds / 60);
+  return minutes < 60 ? `${minutes} min ${seconds % 60} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}

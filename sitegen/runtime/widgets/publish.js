@@ -1,0 +1,191 @@
+// @ts-check
+// Publish on a topic what is typed into a form, once or again and again.
+
+import { button, create, setText } from "../elements.js";
+import { whileSeen } from "../looking.js";
+import { createForm } from "../messages/form.js";
+
+/** @import { Publisher, Ros } from "../protocol.js" */
+
+// Messages a second.
+const SLOWEST = 0.1;
+const FASTEST = 100;
+const MACHINERY = ["/rosout", "/parameter_events"];
+
+/**
+ * Publish on `topic`, or on one that the visitor chooses; `type` is needed where no node uses it yet.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @param {{topic?: string | null, type?: string | null}} options
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros, { topic: fixed, type: given }) {
+  let topic = fixed ?? "";
+  let built = "";
+  let count = 0;
+  /** @type {(() => any) | undefined} */
+  let read;
+  /** @type {Publisher | undefined} */
+  let publisher;
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  let timer;
+
+  const choice = create("select", "");
+  choice.setAttribute("aria-label", "topic");
+  choice.addEventListener("change", () => {
+    topic = choice.value;
+    look();
+  });
+  const title = create("span", "ros-name");
+  const kind = create("span", "ros-type");
+  const heading = create("div", "ros-node", fixed ? title : create("span", "ros-title", "Publish"));
+  if (fixed) heading.append(kind);
+  const bar = create("div", "ros-bar", heading);
+  if (!fixed) bar.append(choice);
+
+  const place = create("div", "ros-place");
+  const once = create("button", "ros-send", "Publish once");
+  const rate = create("input", "ros-rate");
+  rate.value = "1";
+  rate.inputMode = "decimal";
+  rate.setAttribute("aria-label", "messages a second (Hz)");
+  const repeat = button("Repeat", "ros-start", () => (timer === undefined ? begin() : stop()));
+  const note = create("p", "ros-note");
+  note.setAttribute("role", "status");
+  const every = create("label", "ros-every", rate, "Hz");
+  const controls = create("div", "ros-controls", once, repeat, every);
+  const form = create("form", "ros-call", place, controls, note);
+  form.noValidate = true;
+  const hint = create("p", "ros-hint");
+  element.replaceChildren(bar, form, hint);
+
+  /** @param {string} text @param {boolean} [wrong] */
+  const say = (text, wrong = false) => {
+    note.classList.toggle("ros-wrong", wrong);
+    setText(note, text);
+  };
+
+  /** Publish what the form holds; false where that is no message. */
+  const send = () => {
+    const message = read?.();
+    if (!message) return false;
+    try {
+      publisher ??= ros.advertise(topic, typeOf());
+      publisher.publish(message);
+    } catch (error) {
+      say(`Not published: ${error instanceof Error ? error.message : error}`, true);
+      return false;
+    }
+    count++;
+    say(`${count} ${count === 1 ? "message" : "messages"} published`);
+    return true;
+  };
+
+  const stop = () => {
+    clearInterval(timer);
+    timer = undefined;
+    show();
+  };
+  const begin = () => {
+    const hertz = Number(rate.value.trim().replace(",", "."));
+    const wrong = !(hertz >= SLOWEST && hertz <= FASTEST);
+    rate.toggleAttribute("aria-invalid", wrong);
+    if (wrong) {
+      say(`The rate is a number from ${SLOWEST} to ${FASTEST} Hz`, true);
+      rate.focus();
+      return;
+    }
+    if (!send()) return;
+    timer = setInterval(() => {
+      if (!send()) stop();
+    }, 1000 / hertz);
+    show();
+  };
+  const end = () => {
+    stop();
+    publisher?.close();
+    publisher = undefined;
+  };
+
+  const typeOf = () => {
+    if (given) return given;
+    const types = ros.graph.topics().find(({ name }) => name === topic)?.types ?? [];
+    return types.find((type) => ros.types[type]) ?? types[0] ?? "";
+  };
+
+  const show = () => {
+    const repeating = timer !== undefined;
+    setText(repeat, repeating ? "Stop" : "Repeat");
+    repeat.className = repeating ? "ros-stop" : "ros-start";
+    rate.disabled = repeating;
+  };
+
+  /** Begin anew, with the form of the topic's type. @param {string} type */
+  const build = (type) => {
+    end();
+    count = 0;
+    say("");
+    read = undefined;
+    place.replaceChildren();
+    if (!type) return;
+    try {
+      const made = createForm(type, ros.types);
+      place.replaceChildren(made.element);
+      read = made.read;
+    } catch (error) {
+      say(`Nothing can be published here: ${error instanceof Error ? error.message : error}`, true);
+    }
+  };
+
+  const look = () => {
+    if (!fixed) topic = offer(choice, ros, topic);
+    // A topic that goes leaves its form: what was typed there may be published again.
+    const type = typeOf() || (built.startsWith(`${topic} `) ? built.slice(topic.length + 1) : "");
+    if (`${topic} ${type}` !== built) {
+      build(type);
+      built = `${topic} ${type}`;
+    }
+    setText(title, topic);
+    setText(kind, type);
+    form.hidden = !type;
+    once.disabled = !read;
+    repeat.disabled = !read;
+    hint.hidden = Boolean(type);
+    setText(hint, topic
+      ? `Nobody uses ${topic} now, so the type of its messages is not known. Start a node that does.`
+      : "No topic to publish on. They come when nodes start.");
+  };
+
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    send();
+  });
+  show();
+  const unlook = whileSeen(element, () => {
+    look();
+    ros.graph.addEventListener("change", look);
+    return () => ros.graph.removeEventListener("change", look);
+  });
+  return () => {
+    unlook();
+    end();
+    element.replaceChildren();
+  };
+}
+
+/**
+ * Offer the topics of which the page knows the type, and return which is chosen.
+ * @param {HTMLSelectElement} choice @param {Ros} ros @param {string} chosen
+ */
+function offer(choice, ros, chosen) {
+  const names = ros.graph.topics()
+    .filter(({ name, types }) => !name.includes("/_") && !MACHINERY.includes(name) && types.some((t) => ros.types[t]))
+    .map(({ name }) => name);
+  if (chosen && !names.includes(chosen)) names.push(chosen);
+  if (names.join() !== [...choice.options].map(({ value }) => value).join()) {
+    choice.replaceChildren(...names.map((name) => new Option(name)));
+  }
+  choice.hidden = names.length === 0;
+  choice.value = chosen || (names[0] ?? "");
+  return choice.value;
+}

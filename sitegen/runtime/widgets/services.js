@@ -1,0 +1,197 @@
+// @ts-check
+// The services of the page, and a form to call one.
+
+import { arrange, button, create, setText, toggle } from "../elements.js";
+import { whileSeen } from "../looking.js";
+import { createForm } from "../messages/form.js";
+import { toYaml } from "../messages/yaml.js";
+
+/** @import { Ros } from "../protocol.js" */
+
+// After this time (ms) a call is given up.
+const TIMEOUT = 5000;
+// Every node has these beside its own, for its parameters.
+const MACHINERY = new RegExp(
+  "/(describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters" +
+    "|set_parameters_atomically|get_type_description)$",
+);
+
+/**
+ * @typedef {{name: string, types: string[], servers: string[]}} Service
+ * @typedef {{element: HTMLElement, pick: HTMLButtonElement, type: HTMLElement, servers: HTMLElement}} Row
+ */
+
+/**
+ * Show the services, or those named in `show` only.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @param {{show?: string[] | null}} options
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros, { show }) {
+  let hidden = false;
+  let chosen = "";
+  /** @type {Map<string, Row>} */
+  const rows = new Map();
+
+  const bar = create("div", "ros-bar", create("span", "ros-title", "Services"));
+  if (!show) {
+    bar.append(toggle("Show hidden", (on) => {
+      hidden = on;
+      look();
+    }));
+  }
+  const body = create("ul", "ros-picks");
+  const hint = create("p", "ros-hint", "No services now. They come when nodes that serve start.");
+  const list = create("div", "ros-list", body, hint);
+  const call = createCall(ros);
+  element.replaceChildren(bar, create("div", "ros-split", list, call.element));
+
+  /** @param {string} name */
+  const choose = (name) => {
+    chosen = name;
+    for (const [service, { pick }] of rows) pick.setAttribute("aria-pressed", String(service === name));
+    look();
+  };
+
+  const look = () => {
+    const services = listed(ros, show ?? null, hidden);
+    const names = services.map(({ name }) => name);
+    for (const name of rows.keys()) if (!names.includes(name)) rows.delete(name);
+    for (const { name, types, servers } of services) {
+      let row = rows.get(name);
+      if (!row) {
+        row = createRow(name, () => choose(name));
+        row.pick.setAttribute("aria-pressed", String(name === chosen));
+        rows.set(name, row);
+      }
+      setText(row.type, types.join(", "));
+      setText(row.servers, servers.length ? `served by ${servers.join(", ")}` : "no server now");
+      row.element.classList.toggle("ros-idle", !servers.length);
+    }
+    arrange(body, names.flatMap((name) => rows.get(name)?.element ?? []));
+    hint.hidden = names.length > 0;
+    const service = ros.graph.services().find(({ name }) => name === chosen);
+    call.show(chosen, service?.types[0] ?? "", service?.servers.length ?? 0);
+  };
+
+  if (show?.length) choose(show[0] ?? "");
+  const unlook = whileSeen(element, () => {
+    look();
+    ros.graph.addEventListener("change", look);
+    return () => ros.graph.removeEventListener("change", look);
+  });
+  return () => {
+    unlook();
+    element.replaceChildren();
+  };
+}
+
+/** @param {Ros} ros @param {string[] | null} show @param {boolean} hidden @returns {Service[]} */
+function listed(ros, show, hidden) {
+  const services = ros.graph.services();
+  if (show) {
+    return show.map((name) => services.find((s) => s.name === name) ?? { name, types: [], servers: [] });
+  }
+  return services.filter(({ name }) => hidden || !(name.includes("/_") || MACHINERY.test(name)));
+}
+
+/** @param {string} name @param {() => void} choose @returns {Row} */
+function createRow(name, choose) {
+  const pick = button(name, "ros-pick", choose);
+  const type = create("small", "");
+  const servers = create("small", "");
+  return { element: create("li", "", pick, type, servers), pick, type, servers };
+}
+
+/**
+ * The form to call one service, with its answer. It stays as it is typed while servers come and go.
+ * @param {Ros} ros
+ * @returns {{element: HTMLElement, show(service: string, type: string, servers: number): void}}
+ */
+function createCall(ros) {
+  const title = create("span", "ros-name");
+  const kind = create("span", "ros-type");
+  const bar = create("div", "ros-bar", create("div", "ros-node", title, kind));
+  const place = create("div", "ros-place");
+  const send = create("button", "ros-send", "Call");
+  const note = create("p", "ros-note");
+  note.setAttribute("role", "status");
+  const answer = create("pre", "ros-answer");
+  answer.tabIndex = 0;
+  answer.setAttribute("aria-label", "answer");
+  const form = create("form", "ros-call", place, create("div", "ros-controls", send), note, answer);
+  form.noValidate = true;
+  const hint = create("p", "ros-hint", "Choose a service to call it");
+  const element = create("div", "ros-detail", bar, form, hint);
+
+  let shown = "";
+  let service = "";
+  let type = "";
+  let calling = 0;
+  /** @type {(() => any) | undefined} */
+  let read;
+
+  /** @param {string} text @param {boolean} [wrong] */
+  const say = (text, wrong = false) => {
+    note.classList.toggle("ros-wrong", wrong);
+    setText(note, text);
+  };
+
+  const build = () => {
+    read = undefined;
+    calling = 0;
+    answer.textContent = "";
+    say("");
+    place.replaceChildren();
+    if (!type) return;
+    try {
+      const made = createForm(`${type}_Request`, ros.types);
+      place.replaceChildren(made.element);
+      read = made.read;
+    } catch (error) {
+      say(`It cannot be called from here: ${error instanceof Error ? error.message : error}`, true);
+    }
+  };
+
+  form.addEventListener("submit", async (event) => {
+    event.preventDefault();
+    const request = read?.();
+    if (!request) return;
+    const mine = ++calling;
+    const [name, its] = [service, type];
+    answer.textContent = "";
+    say("Waiting for the answer…");
+    const begun = performance.now();
+    try {
+      const response = await ros.call(name, its, request, TIMEOUT);
+      if (mine !== calling || service !== name) return;
+      answer.textContent = toYaml(response, `${its}_Response`, ros.types);
+      say(`${name} answered in ${(performance.now() - begun).toFixed(1)} ms`);
+    } catch (error) {
+      if (mine !== calling || service !== name) return;
+      say(error instanceof Error ? error.message : String(error), true);
+    }
+  });
+
+  return {
+    element,
+    show(name, itsType, servers) {
+      service = name;
+      // A service that goes leaves its form, so that what was typed is there when it returns.
+      if (itsType || !shown.startsWith(`${name} `)) type = itsType;
+      if (shown !== `${name} ${type}`) {
+        shown = `${name} ${type}`;
+        build();
+      }
+      setText(title, name);
+      setText(kind, type);
+      bar.hidden = !name;
+      form.hidden = !name || !type;
+      send.disabled = !read;
+      hint.hidden = !form.hidden;
+      setText(hint, name ? `No server on ${name} now. Start the node that serves it.` : "Choose a service to call it");
+      send.classList.toggle("ros-idle", servers === 0);
+    },
+  };
+}
