@@ -51,7 +51,8 @@ RUNTIME_ALLOWED = {
     "workers": {"participant", "protocol.js", "workers"},
     "elements.js": set(),
     "looking.js": set(),
-    "widgets": {"elements.js", "looking.js", "messages", "protocol.js", "vendor"},
+    "robots": {"elements.js", "protocol.js", "robots"},
+    "widgets": {"elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
 }
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
