@@ -111,6 +111,7 @@ class Reader:
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
         """Yield a widget that is about the whole page; without options it has no value."""
         keys = WIDGETS[kind]
+        options: dict[str, object]
         if value.kind == "nothing":
             options = {key.name: key.default for key in keys}
         elif value.kind == "mapping" and keys:

@@ -157,5 +157,6 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "type: std_msgs/msg/String",
         ),
     ),
+    "graph": (),
     "log": (Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),),
 }
