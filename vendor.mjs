@@ -10,6 +10,7 @@ const TARGET = "sitegen/runtime/vendor";
 /** What each bundle exports, by the bundle's name. */
 const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
+  dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
 };
 
 const packages = new Set();
@@ -29,6 +30,12 @@ for (const [name, contents] of Object.entries(BUNDLES)) {
     const folder = /^.*node_modules\/(@[^/]+\/)?[^/]+/.exec(input)?.[0];
     if (folder) packages.add(folder);
   }
+}
+
+// A library may hold others already.
+for (const folder of packages) {
+  const { dependencies = {} } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
+  for (const name of Object.keys(dependencies)) packages.add(join("node_modules", name));
 }
 
 const texts = [];

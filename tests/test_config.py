@@ -423,7 +423,7 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, log, robot, found the text 'topics'; "
+            "nodes, services, publish, graph, log, robot, found the text 'topics'; "
             "write it like 'topics:'",
             "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
             "nothing, found the text '/chatter'; write it like 'topics:'",
@@ -632,10 +632,11 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, log, robot, found the text 'talker'; "
+            "nodes, services, publish, graph, log, robot, found the text 'talker'; "
             "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
-            "known: buttons, console, log, markdown, nodes, publish, robot, services, topics",
+            "known: buttons, console, graph, log, markdown, nodes, publish, robot, services, "
+            "topics",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
@@ -660,7 +661,7 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console, log, nodes, publish, robot, services, topics",
+            "known: buttons, console, graph, log, nodes, publish, robot, services, topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "

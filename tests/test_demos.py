@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from browser import Built, Serve
 from panel import Panel, expect_nothing_left, graph, numbers
-from playwright.sync_api import BrowserContext, ConsoleMessage, Page, expect
+from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page, expect
 
 from sitegen.build import build
 from sitegen.report import Report
@@ -141,6 +142,70 @@ def test_demo03_talks_and_listens_in_any_order(page: Page, url: str) -> None:
     expect_nothing_left(page)
 
 
+def test_demo05_looks_inside(page: Page, url: str) -> None:
+    page.goto(f"{url}demo05/")
+    talker, listener, server, client = (
+        Panel(page, name) for name in ("talker", "listener", "server", "client")
+    )
+
+    def panel(name: str) -> Locator:
+        found = page.get_by_role("region", name=name, exact=True)
+        found.scroll_into_view_if_needed()
+        return found
+
+    # The client waits for the server, and gets its answer.
+    client.start()
+    client.wait_for("No service yet, waiting")
+    services = panel("Services")
+    expect(services.get_by_text("no server now")).to_be_visible()
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_role("status")).to_have_text("no server on /add_two_ints now")
+    server.start()
+    client.wait_for("Sum: 42")
+    client.expect_state("stopped")
+
+    # So does the page, with numbers beyond those of JavaScript.
+    services = panel("Services")
+    expect(services.get_by_text("served by /add_two_ints_server")).to_be_visible()
+    services.get_by_label("a int64").fill("9007199254740993")
+    services.get_by_label("b int64").fill("x")
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_text("'x' is no whole number")).to_be_visible()
+    services.get_by_label("b int64").fill("-1")
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_label("answer")).to_have_text("sum: 9007199254740992")
+
+    talker.start()
+    listener.start()
+    topics = panel("Topics")
+    expect(topics.get_by_role("log")).to_contain_text(re.compile(r"data: Hello, world! \d+\n---"))
+    expect(topics.locator("tbody td span")).to_have_text(re.compile(r"^\d\.\d\d Hz$"))
+    expect(topics.get_by_text("/minimal_publisher → /minimal_subscriber")).to_be_visible()
+
+    publish = panel("Publish")
+    publish.get_by_label("data string").fill("Grüße")
+    publish.get_by_role("button", name="Publish once").click()
+    listener.wait_for("I heard: 'Grüße'")
+
+    nodes = panel("Nodes")
+    expect(nodes.get_by_role("listitem").filter(has_text="cpp_chatter/listener")).to_contain_text(
+        "subscribes to"
+    )
+    expect(nodes).to_contain_text("MB of memory")
+
+    # What the server logged before anybody looked here is not lost: it keeps it.
+    log = panel("Log")
+    expect(log.get_by_role("log")).to_contain_text("add_two_ints_server: 40 + 2 = 42")
+    log.get_by_label("node", exact=True).select_option("minimal_subscriber")
+    log.get_by_label("text").fill("Grüße")
+    expect(log.get_by_role("log").locator("> *")).to_have_count(1)
+
+    for each in (talker, listener, server):
+        each.stop()
+    expect(panel("Topics").get_by_text("nobody publishes")).to_be_hidden()
+    page.evaluate("scrollTo(0, 0)")
+
+
 def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     page.goto(url)
     page.get_by_role("table").get_by_role("link", name="Start and stop").click()
@@ -149,7 +214,7 @@ def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     expect(page).to_have_url(f"{url}demo03/")
 
 
-@pytest.mark.parametrize("demo", ["demo01", "demo02", "demo03", "demo04"])
+@pytest.mark.parametrize("demo", ["demo01", "demo02", "demo03", "demo04", "demo05"])
 def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
     build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
     assert (tmp_path / "dist" / "index.html").exists()

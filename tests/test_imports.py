@@ -49,10 +49,13 @@ RUNTIME_ALLOWED = {
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {"participant", "protocol.js", "workers"},
+    "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),
-    "robots": {"elements.js", "protocol.js", "robots"},
-    "widgets": {"elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
+    "robots": {"drawing.js", "elements.js", "protocol.js", "robots"},
+    "widgets": {
+        *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
+    },
 }
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -594,10 +595,115 @@ def test_what_nodes_keep_is_shown_once(page: Tab) -> None:
     assert logged(panel) == []
 
 
+# Graph
+
+
+def drawn(panel: Locator) -> list[str]:
+    return panel.locator("svg text").all_text_contents()
+
+
+def test_the_graph_is_drawn_and_follows(page: Tab) -> None:
+    panel = show(page, "graph")
+    expect(panel.get_by_text("No nodes now")).to_be_visible()
+    add(page, "node", "/talker", "", "")
+    chatter(page)
+    add(page, "publisher", "/talker", "/rosout", "rcl_interfaces/msg/Log")
+    add(page, "subscription", "/_page", "/chatter", "std_msgs/msg/String")
+    add(page, "node", "/alone", "", "")
+    picture = panel.get_by_role("img")
+    expect(picture).to_have_attribute(
+        "aria-label",
+        "/talker publishes /chatter; /listener subscribes to /chatter; /alone stands alone",
+    )
+    assert sorted(drawn(panel)) == ["/alone", "/chatter", "/listener", "/talker"]
+    # From left to right, as messages go, and each name inside its box.
+    boxes = panel.locator("svg g > g").evaluate_all(
+        """(groups) => Object.fromEntries(groups.map((group) => {
+          const [box, text] = [...group.children].map((one) => one.getBoundingClientRect());
+          return [group.textContent, [box.x, box.x + box.width, box.width - text.width]];
+        }))"""
+    )
+    assert boxes["/talker"][1] < boxes["/chatter"][0]
+    assert boxes["/chatter"][1] < boxes["/listener"][0]
+    assert min(free for _, _, free in boxes.values()) > 8
+    assert panel.locator(".ros-arrow").count() == 2
+    panel.get_by_label("Show hidden").check()
+    assert {"/rosout", "/_page"} < set(drawn(panel))
+    page.evaluate("ros.graph.remove('/talker')")
+    assert "/talker" not in drawn(panel)
+
+
+def test_the_graph_is_moved_and_zoomed(page: Tab) -> None:
+    chatter(page)
+    panel = show(page, "graph")
+    picture = panel.get_by_role("img")
+
+    def view() -> list[float]:
+        text = panel.locator("svg > g").get_attribute("transform") or ""
+        return [float(number) for number in re.findall(r"-?[\d.]+(?:e-?\d+)?", text)]
+
+    x, y, scale = view()
+    assert scale == 1
+    picture.focus()
+    page.keyboard.press("+")
+    assert view()[2] == pytest.approx(1.3)
+    page.keyboard.press("-")
+    page.keyboard.press("ArrowRight")
+    assert view() == pytest.approx([x - 48, y, 1])
+    page.keyboard.press("0")
+    assert view() == pytest.approx([x, y, 1])
+    panel.get_by_role("button", name="Zoom in").click()
+    panel.get_by_role("button", name="Fit").click()
+    assert view() == pytest.approx([x, y, 1])
+
+    # The wheel scrolls the page until the drawing is chosen; then the point under it stays.
+    picture.hover(position={"x": 100, "y": 50})
+    page.mouse.wheel(0, -100)
+    assert view()[2] == 1
+    picture.focus()
+    page.mouse.wheel(0, -100)
+    page.wait_for_function(
+        "document.querySelector('svg > g').getAttribute('transform').length > 30"
+    )
+    zoomed = view()
+    assert zoomed[2] > 1
+    assert (100 - zoomed[0]) / zoomed[2] == pytest.approx(100 - x, abs=1)
+
+    page.keyboard.press("0")
+    box = picture.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + 20, box["y"] + 20)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 60, box["y"] + 30)
+    page.mouse.up()
+    page.mouse.move(box["x"] + 90, box["y"] + 90)
+    assert view() == pytest.approx([x + 40, y + 10, 1])
+
+
+def test_two_fingers_zoom_the_graph(page: Tab) -> None:
+    chatter(page)
+    panel = show(page, "graph")
+    page.evaluate(
+        """() => {
+          const svg = document.querySelector("#panel svg");
+          svg.setPointerCapture = () => {};
+          const { left, top } = svg.getBoundingClientRect();
+          const send = (kind, pointerId, x) => svg.dispatchEvent(new PointerEvent(kind, {
+            pointerId, clientX: left + x, clientY: top + 50, bubbles: true }));
+          send("pointerdown", 1, 100);
+          send("pointerdown", 2, 200);
+          send("pointermove", 2, 300);
+          send("pointerup", 1, 100);
+          send("pointerup", 2, 300);
+        }"""
+    )
+    expect(panel.locator("svg > g")).to_have_attribute("transform", re.compile(r"scale\(2\)"))
+
+
 # All
 
 
-@pytest.mark.parametrize("kind", ["topics", "nodes", "services", "publish", "log"])
+@pytest.mark.parametrize("kind", ["topics", "nodes", "services", "publish", "graph", "log"])
 def test_panels_fit_a_phone(page: Tab, kind: str) -> None:
     page.set_viewport_size({"width": 360, "height": 700})
     chatter(page)

@@ -114,8 +114,9 @@ class Reader:
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
         """Yield a widget that is about the whole page; without options it has no value."""
         keys = WIDGETS[kind]
+        options: dict[str, object]
         if value.kind == "nothing":
-            options: dict[str, object] = {key.name: key.default for key in keys}
+            options = {key.name: key.default for key in keys}
         elif value.kind == "mapping" and keys:
             section = check(value, keys, self.problems)
             options = {key.name: section.option(key.name) for key in keys}

@@ -157,6 +157,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "type: std_msgs/msg/String",
         ),
     ),
+    "graph": (),
     "log": (Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),),
     "robot": (
         Key("kind", "text", "which robot it is", "kind: vernie", True),

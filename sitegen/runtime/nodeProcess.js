@@ -16,6 +16,7 @@ export class NodeProcess extends EventTarget {
   #entry;
   #base;
   #graph;
+  #ready;
   /** @type {NodeState} */
   #state = "stopped";
   /** @type {Promise<WebAssembly.Module> | undefined} */
@@ -31,8 +32,9 @@ export class NodeProcess extends EventTarget {
    * @param {NodeEntry} entry
    * @param {string} base where the paths of the entry begin
    * @param {Graph} graph
+   * @param {Promise<void>} ready resolves when programs may run
    */
-  constructor(name, entry, base, graph) {
+  constructor(name, entry, base, graph, ready) {
     super();
     this.name = name;
     /** When its state began, in ms since 1970. */
@@ -42,6 +44,7 @@ export class NodeProcess extends EventTarget {
     this.#entry = entry;
     this.#base = base;
     this.#graph = graph;
+    this.#ready = ready;
   }
 
   get state() {
@@ -109,12 +112,13 @@ export class NodeProcess extends EventTarget {
       event.preventDefault();
       this.#fail(event.message || "its worker could not be started");
     };
+    this.#post(worker, { op: "load", script });
     try {
       this.#module ??= compile(wasm);
-      const module = await this.#module;
+      const [module] = await Promise.all([this.#module, this.#ready]);
       if (this.#run !== run) return; // stopped meanwhile
       const { executable: name, arguments: args } = this.#entry;
-      this.#post(worker, { op: "start", id, engine, script, module, name, arguments: args });
+      this.#post(worker, { op: "start", id, engine, module, name, arguments: args });
     } catch (error) {
       this.#module = undefined;
       if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));

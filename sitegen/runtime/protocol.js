@@ -83,8 +83,9 @@
  * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`;
  * a `durable` match is one of transient local endpoints, and begins with what the publisher keeps.
  * Endpoints of one worker find each other there.
- * @typedef {{op: "start", id: number, engine: Engine, script: string, module: WebAssembly.Module,
- *     name: string, arguments: string[]}
+ * @typedef {{op: "load", script: string}
+ *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
+ *     arguments: string[]}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
  *   | {op: "match", local: number, peer: number, remote: number, durable: boolean}

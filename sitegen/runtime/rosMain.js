@@ -11,11 +11,20 @@ const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page")
 /** @type {PageEntry} */
 const page = await (await fetch(link.href)).json();
 
+// Nodes load while the widgets do, and run when those are there: a console would miss the first lines.
+let showTime = () => {};
+/** @type {Promise<void>} */
+const mounted = new Promise((resolve) => {
+  showTime = resolve;
+});
+
 const graph = new Graph();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
-  nodes.set(name, new NodeProcess(name, entry, link.href, graph));
+  const node = new NodeProcess(name, entry, link.href, graph, mounted);
+  nodes.set(name, node);
+  if (entry.autostart) node.start();
 }
 
 // Only pages with panels take part in the graph themselves; the others do not load what that needs.
@@ -39,7 +48,4 @@ await Promise.all(
   }),
 );
 
-// After the widgets, or a console would miss the first lines.
-for (const [name, entry] of Object.entries(page.nodes)) {
-  if (entry.autostart) nodes.get(name)?.start();
-}
+showTime();

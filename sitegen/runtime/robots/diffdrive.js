@@ -1,8 +1,9 @@
 // @ts-check
 // A robot with two driven wheels, drawn from its commands or from the odometry of another.
 
+import { shape } from "../drawing.js";
 import { obey, TWIST } from "./parts/commands.js";
-import { createFloor, shape } from "./parts/floor.js";
+import { createFloor } from "./parts/floor.js";
 import { describe, drive, plain } from "./parts/motion.js";
 
 /** @import { Ros } from "../protocol.js" */

@@ -1,9 +1,10 @@
 // @ts-check
 // Vernie, a LEGO BOOST robot on two tracks with a light on its chest, drawn from above.
 
+import { shape } from "../drawing.js";
 import { toggle } from "../elements.js";
 import { obey, TWIST } from "./parts/commands.js";
-import { createFloor, shape } from "./parts/floor.js";
+import { createFloor } from "./parts/floor.js";
 import { describe, drive } from "./parts/motion.js";
 
 /** @import { Publisher, Ros } from "../protocol.js" */

@@ -12,10 +12,16 @@ const post = (message) => postMessage(message);
 const printer = new Printer(post);
 /** @type {Participant | undefined} */
 let participant;
+/** @type {Promise<any> | undefined} */
+let script;
 
 /** @param {MessageEvent<ToWorker>} event */
 onmessage = (event) => {
-  if (event.data.op === "start") {
+  if (event.data.op === "load") {
+    // Its program is still being compiled; a script that cannot be had is told when it starts.
+    script = import(event.data.script);
+    script.catch(() => {});
+  } else if (event.data.op === "start") {
     const warn = (/** @type {string} */ logger, /** @type {string} */ text) => {
       printer.log("warn", logger, text);
       printer.flush();
@@ -41,7 +47,7 @@ async function run(node, graph) {
   };
   const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
   const args = [node.name, ...node.arguments];
-  const { default: load } = await import(node.script);
+  const { default: load } = await script;
   const program = await load({
     ros: cppHost(graph, printer, args, fail, ended, grown),
     noInitialRun: true,

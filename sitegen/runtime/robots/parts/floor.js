@@ -1,9 +1,10 @@
 // @ts-check
 // A floor seen from above, with a robot that leaves a trace. The view follows the robot.
 
+import { shape } from "../../drawing.js";
+
 /** @import { Pose } from "./motion.js" */
 
-const SVG = "http://www.w3.org/2000/svg";
 // So much of the floor is always seen (m), more of it where the drawing is wide or high, and the robot
 // may go this far from the middle of the view. There is ground for every shape that a page has.
 const SEEN = 0.9;
@@ -13,17 +14,6 @@ const TILE = 0.1;
 // The trace is this fine (m) and this long (points).
 const STEP = 0.01;
 const LENGTH = 1500;
-
-/**
- * An element of a drawing.
- * @param {string} tag @param {Record<string, string | number>} attributes @param {Element[]} content
- */
-export function shape(tag, attributes, ...content) {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.append(...content);
-  return element;
-}
 
 let floors = 0;
 

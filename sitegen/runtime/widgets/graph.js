@@ -1,0 +1,157 @@
+// @ts-check
+// The nodes and topics of the page as a drawing, in the manner of rqt_graph.
+
+import { shape, createDrawing } from "../drawing.js";
+import { create, toggle } from "../elements.js";
+import { whileSeen } from "../looking.js";
+import { Graph, layout } from "../vendor/dagre.js";
+
+/** @import { Ros } from "../protocol.js" */
+
+const MACHINERY = ["/rosout", "/parameter_events"];
+// Of the names' letters, which all have one width, and of what is around them; in pixels.
+const LETTER = 8.5;
+const PADDING = 28;
+const HEIGHT = 38;
+// In an area narrower than this the graph runs downwards.
+const NARROW = 600;
+
+/** @typedef {{name: string, isNode: boolean}} Box @typedef {{from: string, to: string}} Arrow */
+
+/**
+ * Draw the graph.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros) {
+  let hidden = false;
+  let drawn = "";
+  const drawing = createDrawing();
+  const hint = create("p", "ros-hint", "No nodes now. The graph shows those that run.");
+  const controls = create("div", "ros-tools", toggle("Show hidden", (on) => {
+    hidden = on;
+    look();
+  }), drawing.buttons);
+  element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", "Graph"), controls), drawing.element, hint);
+
+  const look = () => {
+    const { boxes, arrows } = partsOf(ros, hidden);
+    const direction = drawing.element.clientWidth < NARROW ? "TB" : "LR";
+    const digest = JSON.stringify([boxes, arrows, direction]);
+    hint.hidden = boxes.length > 0;
+    if (digest === drawn) return;
+    drawn = digest;
+    const { width, height } = draw(drawing.layer, boxes, arrows, direction);
+    drawing.resize(width, height);
+    drawing.svg.setAttribute("aria-label", inWords(boxes, arrows));
+  };
+  const resized = new ResizeObserver(look);
+  const unlook = whileSeen(element, () => {
+    resized.observe(drawing.element);
+    look();
+    ros.graph.addEventListener("change", look);
+    return () => {
+      resized.disconnect();
+      ros.graph.removeEventListener("change", look);
+    };
+  });
+  return () => {
+    unlook();
+    drawing.close();
+    element.replaceChildren();
+  };
+}
+
+/** A box's key: a node and a topic may have one name. @param {Box} box */
+function keyOf({ name, isNode }) {
+  return `${isNode ? "node" : "topic"} ${name}`;
+}
+
+/** @param {Ros} ros @param {boolean} hidden @returns {{boxes: Box[], arrows: Arrow[]}} */
+function partsOf(ros, hidden) {
+  const isShown = (/** @type {string} */ name) => hidden || !name.includes("/_");
+  /** @type {Map<string, Box>} */
+  const boxes = new Map();
+  /** @type {Map<string, Arrow>} */
+  const arrows = new Map();
+  const add = (/** @type {Box} */ box) => {
+    boxes.set(keyOf(box), box);
+    return keyOf(box);
+  };
+  for (const name of ros.graph.nodes().filter(isShown)) add({ name, isNode: true });
+  for (const { name, publishers, subscriptions } of ros.graph.topics()) {
+    const [from, to] = [publishers.filter(isShown), subscriptions.filter(isShown)];
+    if (!isShown(name) || (!hidden && MACHINERY.includes(name)) || from.length + to.length === 0) continue;
+    const topic = add({ name, isNode: false });
+    const arrow = (/** @type {Arrow} */ one) => arrows.set(`${one.from} > ${one.to}`, one);
+    for (const node of from) arrow({ from: add({ name: node, isNode: true }), to: topic });
+    for (const node of to) arrow({ from: topic, to: add({ name: node, isNode: true }) });
+  }
+  return { boxes: [...boxes.values()], arrows: [...arrows.values()] };
+}
+
+/**
+ * Draw into `layer` and return how large the drawing is.
+ * @param {SVGElement} layer @param {Box[]} boxes @param {Arrow[]} arrows @param {string} direction
+ */
+function draw(layer, boxes, arrows, direction) {
+  const graph = new Graph();
+  graph.setGraph({ rankdir: direction, nodesep: 32, ranksep: 44 });
+  for (const box of boxes) {
+    graph.setNode(keyOf(box), { width: box.name.length * LETTER + PADDING, height: HEIGHT });
+  }
+  for (const { from, to } of arrows) graph.setEdge(from, to, {});
+  layout(graph);
+  const lines = arrows.map(({ from, to }) => {
+    const { points } = /** @type {{points: {x: number, y: number}[]}} */ (graph.edge(from, to));
+    return shape("path", { class: "ros-arrow", d: curve(points), "marker-end": "url(#ros-arrowhead)" });
+  });
+  const shapes = boxes.map((box) => {
+    const { x, y, width } = /** @type {{x: number, y: number, width: number}} */ (graph.node(keyOf(box)));
+    const size = { x: x - width / 2, y: y - HEIGHT / 2, width, height: HEIGHT, rx: box.isNode ? HEIGHT / 2 : 6 };
+    const group = shape("g", { class: box.isNode ? "ros-node-box" : "ros-topic-box" });
+    const text = shape("text", { x, y, "text-anchor": "middle", "dominant-baseline": "central" });
+    text.textContent = box.name;
+    group.append(shape("rect", size), text);
+    return group;
+  });
+  layer.replaceChildren(arrowhead(), ...lines, ...shapes);
+  const { width = 1, height = 1 } = /** @type {{width?: number, height?: number}} */ (graph.graph());
+  return { width: Math.max(width, 1), height: Math.max(height, 1) };
+}
+
+/** A smooth line through the points of an edge. @param {{x: number, y: number}[]} points */
+function curve(points) {
+  const [first, ...rest] = points;
+  const last = rest.at(-1);
+  if (!first || !last) return "";
+  const bends = rest.slice(0, -1).map(({ x, y }, index) => {
+    const next = rest[index + 1] ?? last;
+    const end = next === last ? last : { x: (x + next.x) / 2, y: (y + next.y) / 2 };
+    return `Q ${x} ${y} ${end.x} ${end.y}`;
+  });
+  return `M ${first.x} ${first.y} ${bends.join(" ") || `L ${last.x} ${last.y}`}`;
+}
+
+function arrowhead() {
+  const marker = shape("marker", {
+    id: "ros-arrowhead", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7,
+    orient: "auto",
+  });
+  marker.append(shape("path", { d: "M 0 0 L 8 4 L 0 8 z" }));
+  const definitions = shape("defs");
+  definitions.append(marker);
+  return definitions;
+}
+
+/** What a drawing says to those who do not see it. @param {Box[]} boxes @param {Arrow[]} arrows */
+function inWords(boxes, arrows) {
+  const sentences = arrows.map(({ from, to }) =>
+    from.startsWith("node ")
+      ? `${from.slice(5)} publishes ${to.slice(6)}`
+      : `${to.slice(5)} subscribes to ${from.slice(6)}`,
+  );
+  const alone = boxes.filter((box) => box.isNode && !arrows.some(({ from, to }) => [from, to].includes(keyOf(box))));
+  return [...sentences, ...alone.map(({ name }) => `${name} stands alone`)].join("; ") || "no nodes";
+}
