@@ -24,6 +24,8 @@ FLAGS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    # Linux is where it has to be asked for.
+    "--enable-blink-features=WebBluetooth",
 ]
 
 

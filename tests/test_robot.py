@@ -1,16 +1,18 @@
-"""Robots in a real browser: how they move, when they stop, and what their panel says."""
+"""Robots in a real browser: how they move, when they stop, and what a real one is sent."""
 
 from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from bluetooth import MoveHub, move_hub
 from browser import Built, Serve
 from panel import Panel
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Browser, Locator, expect
 from playwright.sync_api import Page as Tab
 
 from sitegen.config.schema import ROBOTS, WIDGETS
@@ -129,7 +131,7 @@ def test_a_differential_drive_goes_where_it_is_told(page: Tab) -> None:
     expect(reading(panel, "Turn")).to_have_text("0.00 rad/s")
     assert pose(panel)[:2] == (x, y)
     assert 15 < pose(panel)[2] < 60
-    panel.get_by_role("button", name="Back to start").click()
+    panel.get_by_role("button", name="Reset").click()
     expect(reading(panel, "Place")).to_have_text("0.00, 0.00 m")
     expect(reading(panel, "Heading")).to_have_text("0°")
 
@@ -290,11 +292,247 @@ def test_nothing_is_left_after_unmount(page: Tab) -> None:
     panel = show(page, kind="vernie")
     command(page, 0.5, 0)
     page.evaluate("unmount()")
-    assert page.evaluate("[ros.subscriptions.length, ros.closed]") == [0, 1]
+    assert page.evaluate("[ros.subscriptions.length, ros.closed]") == [0, 2]
     expect(panel).to_be_empty()
 
 
+# The real Vernie
+
+
+def motors(a: int, b: int) -> list[str]:
+    """What tells the motors A and B to turn with that power."""
+    return [f"08 00 81 {port:02x} 11 51 00 {power & 0xFF:02x}" for port, power in ((0, a), (1, b))]
+
+
+def light(color: int) -> str:
+    return f"08 00 81 32 11 51 00 {color:02x}"
+
+
+# Battery and button are to be reported, the light takes numbers of colours, and is off at first.
+GREETING = ["05 00 01 06 02", "05 00 01 02 02", "0a 00 41 32 00 01 00 00 00 00", light(0)]
+
+
+@pytest.fixture
+def hub(browser: Browser, tab: Tab) -> Iterator[MoveHub]:
+    """A Move Hub in reach; it comes before the page that talks to it."""
+    hub = move_hub(browser, tab)
+    yield hub
+    hub.switch_off()
+
+
+def connect(panel: Locator, hub: MoveHub) -> None:
+    panel.get_by_role("button", name="Connect").click()
+    expect(panel.get_by_role("button", name="Disconnect")).to_be_visible()
+    expect_bytes(hub, GREETING)
+
+
+def expect_bytes(hub: MoveHub, expected: list[str]) -> None:
+    """Expect these messages, and soon; not one more."""
+    for _ in range(40):
+        if len(hub.messages) >= len(expected):
+            break
+        hub.tab.wait_for_timeout(25)
+    assert hub.take() == expected
+
+
+def test_the_hub_is_sent_colors_and_power(hub: MoveHub, page: Tab) -> None:
+    panel = show(page, kind="vernie")
+    expect(reading(panel, "Robot")).to_have_text("simulated here")
+    connect(panel, hub)
+    expect(reading(panel, "Robot")).to_have_text("Move Hub")
+    color(page, "red")
+    expect_bytes(hub, [light(9)])
+    color(page, "mauve")
+    color(page, "blue")
+    expect_bytes(hub, [light(3)])
+    command(page, 0.5, 0.1)
+    expect_bytes(hub, motors(40, 60))
+    command(page, 0.5, -0.1)
+    expect_bytes(hub, motors(60, 40))
+    # Only what changes is sent.
+    command(page, 0.5, -0.1)
+    command(page, 0.4, 0)
+    expect_bytes(hub, motors(40, 40)[:1])
+    command(page, -1, 1)
+    expect_bytes(hub, motors(-100, 0))
+    command(page, 0, 0)
+    expect_bytes(hub, motors(0, 0)[:1])
+
+
+def test_what_comes_too_fast_is_not_queued(hub: MoveHub, page: Tab) -> None:
+    panel = show(page, kind="vernie")
+    connect(panel, hub)
+    for hundredth in range(1, 101):
+        command(page, hundredth / 100, 0)
+    page.wait_for_timeout(200)
+    got = hub.take()
+    assert got[-2:] == motors(100, 100)
+    assert len(got) < 100
+    # Faster than any node: of 1000 commands in one go only the last is sent.
+    page.evaluate(
+        """() => {
+          for (let n = 1; n <= 1000; n++) {
+            ros.emit("/cmd_vel", {
+              linear: { x: -n / 1000, y: 0, z: 0 }, angular: { x: 0, y: 0, z: 0 } });
+          }
+        }"""
+    )
+    expect_bytes(hub, motors(-100, -100))
+
+
+def test_the_hub_stops_without_commands(hub: MoveHub, page: Tab) -> None:
+    panel = show(page, kind="vernie")
+    connect(panel, hub)
+    command(page, 0.5, 0)
+    expect_bytes(hub, motors(50, 50))
+    page.wait_for_timeout(800)
+    assert hub.take() == []
+    page.wait_for_timeout(400)
+    assert sorted(set(hub.take())) == motors(0, 0)
+
+
+@pytest.mark.parametrize("end", ["publisher", "hidden", "closed", "disconnect", "unmount"])
+def test_the_hub_stops_at_once(hub: MoveHub, page: Tab, end: str) -> None:
+    panel = show(page, kind="vernie")
+    connect(panel, hub)
+    command(page, 0.5, 0.2)
+    expect_bytes(hub, motors(30, 70))
+    if end == "publisher":
+        page.evaluate("ros.graph.remove('/dancer')")
+    elif end == "hidden":
+        hide_tab(page)
+    elif end == "closed":
+        page.goto("about:blank")
+    elif end == "disconnect":
+        panel.get_by_role("button", name="Disconnect").click()
+    else:
+        page.evaluate("unmount()")
+    page.wait_for_timeout(300)
+    got = hub.take()
+    assert sorted(set(got)) == motors(0, 0)
+    command_again = end in ("publisher", "hidden")
+    if command_again:
+        command(page, 1, 0)
+        page.wait_for_timeout(150)
+        assert hub.take() == []
+
+
+def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, page: Tab) -> None:
+    page.evaluate(
+        """() => {
+          ros.types["std_msgs/msg/Float32"] = ros.fields("float32 data");
+          ros.types["std_msgs/msg/Bool"] = ros.fields("bool data");
+        }"""
+    )
+    panel = show(page, kind="vernie")
+    hand = panel.get_by_label("Hand before it")
+    expect(hand).to_be_visible()
+    connect(panel, hub)
+    expect(hand).to_be_hidden()
+    hub.say("06 00 01 06 06 57")
+    expect(reading(panel, "Battery")).to_have_text("87 %")
+    hub.say("06 00 01 02 06 01")
+    expect(reading(panel, "Button")).to_have_text("pressed")
+    # The sensors say where they are, and are asked to report.
+    hub.say("0f 00 04 02 01 25 00 00 00 00 10 00 00 00 10")
+    hub.say("0f 00 04 3a 01 28 00 00 00 00 10 00 00 00 02")
+    expect_bytes(hub, ["0a 00 41 02 08 01 00 00 00 01", "0a 00 41 3a 00 01 00 00 00 01"])
+    hub.say("08 00 45 02 ff 04 00 02")
+    expect(reading(panel, "Distance")).to_have_text("0.09 m")
+    hub.say("08 00 45 02 ff 0a 00 00")
+    expect(reading(panel, "Distance")).to_have_text("free")
+    hub.say("06 00 45 3a f6 2d")
+    expect(reading(panel, "Tilt")).to_have_text("-10°, 45°")
+    published = page.evaluate("ros.published.map(({ topic, message }) => [topic, message])")
+    assert published == [
+        ["/vernie/button", {"data": True}],
+        ["/vernie/distance", {"data": pytest.approx(0.0943)}],
+        ["/vernie/distance", {"data": float("inf")}],
+        [
+            "/vernie/tilt",
+            {"x": pytest.approx(-0.1745, 1e-3), "y": pytest.approx(0.7854, 1e-3), "z": 0},
+        ],
+    ]
+
+
+def test_a_connection_that_is_lost(hub: MoveHub, page: Tab) -> None:
+    panel = show(page, kind="vernie")
+    connect(panel, hub)
+    command(page, 0.5, 0)
+    expect_bytes(hub, motors(50, 50))
+    hub.disappear()
+    expect(panel.get_by_role("status")).to_have_text(
+        "The connection was lost: the hub is off, or too far away. Connect again."
+    )
+    expect(reading(panel, "Robot")).to_have_text("simulated here")
+    command(page, 0.4, 0)
+    expect_power(panel, 40, 40)
+    assert hub.take() == []
+    connect_again = panel.get_by_role("button", name="Connect")
+    expect(connect_again).to_be_enabled()
+
+
+def test_a_hub_that_is_not_chosen(hub: MoveHub, page: Tab) -> None:
+    hub.chosen = False
+    panel = show(page, kind="vernie")
+    panel.get_by_role("button", name="Connect").click()
+    expect(panel.get_by_role("status")).to_contain_text("No hub was chosen. Press the green button")
+    hub.chosen = True
+    connect(panel, hub)
+    expect(panel.get_by_role("status")).to_have_text("")
+
+
+def test_a_hub_that_does_not_answer(hub: MoveHub, page: Tab) -> None:
+    hub.answers = False
+    panel = show(page, kind="vernie")
+    panel.get_by_role("button", name="Connect").click()
+    expect(panel.get_by_role("status")).to_contain_text("The hub does not answer. Is it on, near,")
+    expect(panel.get_by_role("button", name="Connect")).to_be_enabled()
+
+
+@pytest.mark.parametrize(
+    ("without", "note"),
+    [
+        (
+            "delete Navigator.prototype.bluetooth",
+            "This browser has no Web Bluetooth. Chrome and Edge have it",
+        ),
+        (
+            "Object.defineProperty(window, 'isSecureContext', { value: false })",
+            "Browsers allow Bluetooth on pages from https:// and from this computer only.",
+        ),
+    ],
+    ids=["no Bluetooth", "no https"],
+)
+def test_a_page_that_cannot_reach_a_hub(page: Tab, without: str, note: str) -> None:
+    page.evaluate(without)
+    panel = show(page, kind="vernie")
+    expect(panel.get_by_role("status")).to_contain_text(note)
+    expect(panel.get_by_role("button", name="Connect")).to_be_disabled()
+    command(page, 0.5, 0)
+    expect_power(panel, 50, 50)
+
+
 # The demo
+
+
+def test_demo04_reaches_the_hub(hub: MoveHub, tab: Tab, built: Built, serve: Serve) -> None:
+    tab.goto(f"{serve(built(ROOT))}demo04/")
+    robot = tab.get_by_role("region", name="Robot")
+    connect(robot, hub)
+    colors, dance = Panel(tab, "colors"), Panel(tab, "dance")
+    colors.start()
+    expect(reading(robot, "Light")).to_have_text("yellow")
+    expect_bytes(hub, [light(9), light(7)])
+    colors.stop()
+    hub.take()
+    dance.start()
+    expect_power(robot, 35, 85)
+    expect_bytes(hub, [*motors(80, 80), *motors(35, 85)])
+    dance.stop()
+    expect_power(robot, 0, 0)
+    tab.wait_for_timeout(100)
+    assert sorted(set(hub.take())) == motors(0, 0)
 
 
 def test_demo04_dances(tab: Tab, built: Built, serve: Serve) -> None:

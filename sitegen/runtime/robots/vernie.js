@@ -1,21 +1,24 @@
 // @ts-check
-// Vernie, a LEGO BOOST robot on two tracks with a light on its chest, drawn from above.
+// Vernie, a LEGO BOOST robot on two tracks with a light: drawn from above, and real over Bluetooth.
 
 import { shape } from "../drawing.js";
-import { toggle } from "../elements.js";
+import { button, setText, toggle } from "../elements.js";
 import { obey, TWIST } from "./parts/commands.js";
 import { createFloor } from "./parts/floor.js";
 import { describe, drive } from "./parts/motion.js";
+import { connect, obstacle } from "./parts/moveHub.js";
+import { createSenses } from "./parts/senses.js";
 
-/** @import { Publisher, Ros } from "../protocol.js" */
+/** @import { Ros } from "../protocol.js" */
+/** @import { MoveHub } from "./parts/moveHub.js" */
 /** @import { Robot } from "./parts/robot.js" */
 /** @import { Pose } from "./parts/motion.js" */
 
 const STRING = "std_msgs/msg/String";
-const FLOAT = "std_msgs/msg/Float32";
 // The colours that its light has, by their number there, as they look.
+const OFF = { index: 0, look: "" };
 const COLORS = new Map(Object.entries({
-  off: { index: 0, look: "" },
+  off: OFF,
   pink: { index: 1, look: "#ff5fa8" },
   purple: { index: 2, look: "#9a45e8" },
   blue: { index: 3, look: "#2f6bff" },
@@ -30,9 +33,6 @@ const COLORS = new Map(Object.entries({
 // A track at full power (m/s), and how far the tracks are apart (m).
 const FULL_SPEED = 0.3;
 const APART = 0.16;
-// A hand before its eyes is this far away (m), and this often (ms) it says so.
-const HAND = 0.05;
-const EYES = 200;
 const START = { x: 0, y: 0, heading: Math.PI / 2 };
 
 /**
@@ -65,41 +65,79 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
   const glow = shape("circle", { class: "ros-glow", r: 0.15 });
   const floor = createFloor("Vernie, seen from above", body(glow, light));
 
-  const power = (/** @type {[number, number]} */ [left, right], why = "") => {
-    [a, b, reason] = [left, right, why];
+  /** @type {MoveHub | undefined} */
+  let hub;
+  const power = (/** @type {[number, number]} */ [left, right]) => {
+    [a, b, reason] = [left, right, ""];
+    hub?.drive(a, b);
     changed();
   };
-  const stopObeying = obey(
-    ros, twist,
-    (speed, turn) => power(motorPower(speed, turn)),
-    (why) => power([0, 0], why),
-  );
+  const stopObeying = obey(ros, twist, (speed, turn) => power(motorPower(speed, turn)), (why) => {
+    [a, b, reason] = [0, 0, why];
+    hub?.halt();
+    changed();
+  });
   const stopListening = !ros.types[STRING] ? () => {} : ros.subscribe(colors, STRING, ({ data }) => {
     const name = data.trim().toLowerCase().replace(/[ _-]/g, "");
     unknown = COLORS.has(name) ? "" : data;
     if (COLORS.has(name)) color = name;
-    const look = COLORS.get(color)?.look ?? "";
+    const { index, look } = COLORS.get(color) ?? OFF;
     for (const element of [light, glow]) element.style.setProperty("--light", look || "transparent");
+    if (!unknown) hub?.light(index);
     changed();
   });
 
-  /** @type {Publisher | undefined} */
-  let eyes;
-  /** @type {ReturnType<typeof setInterval> | undefined} */
-  let timer;
-  const hand = (/** @type {boolean} */ held) => {
-    clearInterval(timer);
-    // Far away is what the sensor of the robot says when it sees nothing.
-    eyes?.publish({ data: held ? HAND : Infinity });
-    if (held) timer = setInterval(() => eyes?.publish({ data: HAND }), EYES);
+  const senses = createSenses(ros, sensors, changed);
+  const hand = toggle("Hand before it", (held) => senses.hold(held));
+
+  let trouble = "";
+  let connecting = false;
+  let closed = false;
+  const ask = button("Connect", "ros-connect", () => (hub ? leave("") : reach()));
+  const show = () => {
+    setText(ask, hub ? "Disconnect" : connecting ? "Connecting…" : "Connect");
+    ask.disabled = connecting || obstacle() !== "";
+    hand.hidden = !senses.seen || hub !== undefined;
+    changed();
   };
-  if (ros.types[FLOAT]) eyes = ros.advertise(`${sensors}/distance`, FLOAT);
+  const leave = (/** @type {string} */ why) => {
+    hub?.halt();
+    hub?.disconnect();
+    hub = undefined;
+    trouble = why;
+    senses.clear();
+    show();
+  };
+  const reach = async () => {
+    [connecting, trouble] = [true, ""];
+    // From now on the eyes are those of the real robot.
+    if (hand.querySelector("input")?.checked) hand.click();
+    show();
+    try {
+      const found = await connect({
+        ...senses.listener,
+        lost: () => leave("The connection was lost: the hub is off, or too far away. Connect again."),
+      });
+      if (closed) {
+        found.disconnect();
+        return;
+      }
+      hub = found;
+      hub.light(COLORS.get(color)?.index ?? 0);
+      hub.drive(a, b);
+    } catch (error) {
+      trouble = error instanceof Error ? error.message : String(error);
+    }
+    connecting = false;
+    show();
+  };
+  show();
 
   return {
     title: "Vernie",
     inputs: [{ topic: colors, type: STRING }, { topic: twist, type: TWIST }],
     drawing: floor.element,
-    controls: eyes ? [toggle("Hand before it", hand)] : [],
+    controls: [hand, ask],
     advance(seconds) {
       const moving = a !== 0 || b !== 0;
       const [left, right] = [(a / 100) * FULL_SPEED, (b / 100) * FULL_SPEED];
@@ -108,17 +146,20 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
       return moving;
     },
     readings: () => [
+      { name: "Robot", text: hub?.name ?? "simulated here" },
+      ...(hub ? senses.readings() : []),
       { name: "Light", text: color, color: COLORS.get(color)?.look ?? "" },
       { name: "Motor A", text: `${a} %`, level: a / 100 },
       { name: "Motor B", text: `${b} %`, level: b / 100 },
       ...describe(pose),
     ],
     note() {
+      if (trouble) return { text: trouble, wrong: true };
       if (unknown) {
         const known = [...COLORS.keys()].join(", ");
         return { text: `Its light has no colour '${unknown}'; it knows ${known}`, wrong: true };
       }
-      return { text: reason && `Stopped: ${reason}`, wrong: false };
+      return { text: reason ? `Stopped: ${reason}` : obstacle(), wrong: false };
     },
     reset() {
       pose = START;
@@ -128,8 +169,9 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
     close() {
       stopObeying();
       stopListening();
-      clearInterval(timer);
-      eyes?.close();
+      closed = true;
+      leave("");
+      senses.close();
     },
   };
 }

@@ -61,7 +61,7 @@ function show(element, ros, make, options) {
   const robot = make(ros, options, changed);
   const listens = create("span", "ros-type");
   const heading = create("div", "ros-node", create("span", "ros-title", robot.title), listens);
-  const restart = button("Back to start", "ros-again", () => robot.reset());
+  const restart = button("Reset", "ros-again", () => robot.reset());
   const controls = create("div", "ros-controls", ...robot.controls, restart);
   const stage = create("div", "ros-stage", robot.drawing);
   const values = create("dl", "ros-readings");
