@@ -558,6 +558,7 @@ def log(page: Tab, *entries: tuple[int, str, str, float]) -> None:
 
 
 def logged(panel: Locator) -> list[str]:
+    panel.page.evaluate("frames()")
     return [
         row.split(" ", 1)[1] for row in panel.get_by_role("log").locator("> *").all_inner_texts()
     ]
@@ -572,10 +573,8 @@ def test_the_log_is_filtered(page: Tab) -> None:
     panel.get_by_label("severity").select_option("debug")
     assert len(logged(panel)) == 4
     panel.get_by_label("node", exact=True).select_option("arm")
-    page.evaluate("frames()")
     assert logged(panel) == ["WARN arm: warm", "ERROR arm: <b>Broken</b>"]
     panel.get_by_label("text").fill("broken")
-    page.evaluate("frames()")
     assert logged(panel) == ["ERROR arm: <b>Broken</b>"]
     panel.get_by_label("text").fill("nowhere")
     expect(panel.get_by_text("Nothing matches the filters")).to_be_visible()
