@@ -18,6 +18,7 @@ from bench.figure import Figure, table
 PARTS: dict[str, Callable[[], list[Figure]]] = {
     "latency": messages.latency,
     "throughput": messages.throughput,
+    "services": messages.services,
     "start": pages.start,
     "size": pages.size,
     "build": building.build,

@@ -38,12 +38,15 @@ SIZES = [
 ]
 SMALL = SIZES[0]
 
+CALLS = 1000
+
 # The clock of an isolated page steps by 5 µs.
 CLOCK = 0.005
 
 LATENCY_TARGETS = {("16 B", "p50"): 1.5, ("16 B", "p99"): 3.0}
 THROUGHPUT_TARGETS = {"16 B": 1.0, "1 MB": 0.5}
 BUSY_TARGET = 2.0
+CALL_TARGET = 1.5
 # The main thread works so long in every frame (ms).
 BUSY = 16
 
@@ -91,6 +94,20 @@ def throughput() -> list[Figure]:
                 )
             )
     return figures
+
+
+def services() -> list[Figure]:
+    """A call from node to node and its answer, beside two exchanges: a message there and back."""
+    ours, bare = [], []
+    with _bench_page() as page:
+        for _ in range(TURNS):
+            bare += _numbers(page, f"runBare('ping', {SMALL.count}, {CALLS})")[SMALL.warm_up :]
+            ours += _numbers(page, "runNode('call')")[SMALL.warm_up :]
+    target = Target("ratio", "≤", CALL_TARGET)
+    return [
+        Figure("service call, p50", "µs", _p50(ours) * 1000, _p50(bare) * 1000, target),
+        Figure("service call, p99", "µs", _p99(ours) * 1000, _p99(bare) * 1000),
+    ]
 
 
 @contextmanager
