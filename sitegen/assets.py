@@ -47,13 +47,16 @@ def preloads(site: Site) -> dict[str, list[str]]:
 
 def _modules(page: Page) -> list[Path]:
     """Return the modules that `page` runs, rosMain.js first; none if it shows no widget."""
-    kinds = dict.fromkeys(widget.kind for widget in _widgets([page]))
-    if not kinds:
+    widgets = list(_widgets([page]))
+    if not widgets:
         return []
     files = [RUNTIME / "rosMain.js"]
     if takes_part(page):
         files.append(RUNTIME / "pageClient.js")
-    return _with_imports([*files, *(RUNTIME / "widgets" / f"{kind}.js" for kind in kinds)])
+    files += (RUNTIME / "widgets" / f"{widget.kind}.js" for widget in widgets)
+    robots = (widget for widget in widgets if widget.kind == "robot")
+    files += (RUNTIME / "robots" / f"{robot.options['kind']}.js" for robot in robots)
+    return _with_imports(files)
 
 
 def _with_imports(files: Iterable[Path]) -> list[Path]:

@@ -423,7 +423,7 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, graph, log, found the text 'topics'; "
+            "nodes, services, publish, graph, log, robot, found the text 'topics'; "
             "write it like 'topics:'",
             "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
             "nothing, found the text '/chatter'; write it like 'topics:'",
@@ -440,6 +440,34 @@ WRONG = [
             "site.yaml:14: pages[0].content[5].publish.type: expected a message type, found the "
             "text 'String'; write it like 'type: std_msgs/msg/String'",
             "site.yaml:15: pages[0].content[6].log.line: unknown key; did you mean 'lines'?",
+        ],
+    ),
+    Wrong(
+        "robots that are wrongly given",
+        TALKERS
+        + """\
+    content:
+      - robot:
+      - robot: vernie
+      - robot: {twist: /cmd_vel}
+      - robot: {kind: verne}
+      - robot: {kind: diffdrive, color: /color}
+      - robot: {kind: vernie, twist: cmd_vel, speed: 3}
+""",
+        [
+            "site.yaml:9: pages[0].content[0].robot: expected keys and values, found nothing; "
+            "the keys are kind, twist, color, sensors, odometry",
+            "site.yaml:10: pages[0].content[1].robot: expected keys and values, found the text "
+            "'vernie'; the keys are kind, twist, color, sensors, odometry",
+            "site.yaml:11: pages[0].content[2].robot.kind: missing; write it like 'kind: vernie'",
+            "site.yaml:12: pages[0].content[3].robot.kind: no robot is called 'verne'; "
+            "did you mean 'vernie'?",
+            "site.yaml:13: pages[0].content[4].robot.color: a diffdrive has no 'color'; "
+            "it has twist and odometry",
+            "site.yaml:14: pages[0].content[5].robot.twist: expected a name of the graph, found "
+            "the text 'cmd_vel'; write it like 'twist: /cmd_vel'",
+            "site.yaml:14: pages[0].content[5].robot.speed: unknown key; "
+            "known: color, kind, odometry, sensors, twist",
         ],
     ),
     Wrong(
@@ -604,10 +632,11 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, graph, log, found the text 'talker'; "
+            "nodes, services, publish, graph, log, robot, found the text 'talker'; "
             "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
-            "known: buttons, console, graph, log, markdown, nodes, publish, services, topics",
+            "known: buttons, console, graph, log, markdown, nodes, publish, robot, services, "
+            "topics",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
@@ -632,7 +661,7 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console, graph, log, nodes, publish, services, topics",
+            "known: buttons, console, graph, log, nodes, publish, robot, services, topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "
@@ -891,6 +920,7 @@ def test_the_first_heading_is_the_title(tmp_path: Path, text: str, title: str) -
         ("[buttons: talker, buttons: listener]", "I3", ["talker", "listener"]),
         ("[buttons: talker, topics: ]", "I4", ["talker"]),
         ("[log: ]", "I4", []),
+        ("[console: talker, robot: {kind: vernie}]", "I4", ["talker"]),
     ],
 )
 def test_the_widgets_make_the_level(
@@ -919,6 +949,19 @@ def test_a_panel_is_given_options_or_nothing(tmp_path: Path) -> None:
         ("publish", "", {"topic": "/chatter", "type": "std_msgs/msg/String"}),
         ("log", "", {"lines": 5}),
         ("nodes", "", {}),
+    ]
+
+
+def test_a_robot_has_the_options_of_its_kind(tmp_path: Path) -> None:
+    content = "[robot: {kind: vernie, color: /led}, robot: {kind: diffdrive, odometry: /odom}]"
+    page = load_text(tmp_path, f"{TALKERS}    content: {content}\n").pages[0]
+    assert [(w.kind, w.target, w.options) for w in page.content if isinstance(w, Widget)] == [
+        (
+            "robot",
+            "",
+            {"kind": "vernie", "twist": "/cmd_vel", "color": "/led", "sensors": "/vernie"},
+        ),
+        ("robot", "", {"kind": "diffdrive", "twist": "/cmd_vel", "odometry": "/odom"}),
     ]
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from sitegen.config.blocks import Block, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
-from sitegen.config.schema import MARKDOWN, WIDGETS
+from sitegen.config.schema import MARKDOWN, ROBOTS, WIDGETS
 from sitegen.config.section import check, conforms
 from sitegen.errors import Place, Problems, nearest
 from sitegen.model import Markdown, Node, Widget
@@ -90,6 +90,9 @@ class Reader:
         return name, value
 
     def _widget(self, kind: str, value: Value) -> Iterator[Widget]:
+        if kind == "robot":
+            yield from self._robot(value)
+            return
         keys = WIDGETS[kind]
         if not any(key.name == "node" for key in keys):
             yield from self._panel(kind, value)
@@ -123,3 +126,21 @@ class Reader:
             self.problems.add(value.place, value.key, message)
             return
         yield Widget(kind, "", options, value.place)
+
+    def _robot(self, value: Value) -> Iterator[Widget]:
+        """Yield a robot; which options it has, its kind decides."""
+        section = check(value, WIDGETS["robot"], self.problems)
+        kind = section.get("kind")
+        if not kind:
+            return
+        if kind.text not in ROBOTS:
+            message = f"no robot is called '{kind.text}'; {nearest(kind.text, ROBOTS)}"
+            self.problems.add(kind.place, kind.key, message)
+            return
+        own = ROBOTS[kind.text]
+        for name, entry in section.entries.items():
+            if name not in ("kind", *own):
+                message = f"a {kind.text} has no '{name}'; it has {' and '.join(own)}"
+                self.problems.add(entry.place, entry.key, message)
+        given = {name: section.option(name) for name in ("kind", *own)}
+        yield Widget("robot", "", given, value.place)

@@ -159,4 +159,17 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "graph": (),
     "log": (Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),),
+    "robot": (
+        Key("kind", "text", "which robot it is", "kind: vernie", True),
+        Key("twist", "name", "the topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
+        Key("color", "name", "the topic of its colours", "color: /color", default="/color"),
+        Key("sensors", "name", "where it publishes", "sensors: /vernie", default="/vernie"),
+        Key("odometry", "name", "the topic of where it is", "odometry: /odom"),
+    ),
+}
+
+# The kinds of robots, and which keys of `robot` each has.
+ROBOTS: Mapping[str, tuple[str, ...]] = {
+    "vernie": ("twist", "color", "sensors"),
+    "diffdrive": ("twist", "odometry"),
 }

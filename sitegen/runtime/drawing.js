@@ -11,10 +11,11 @@ const LARGEST = 4;
 const STRIDE = 48;
 const MARGIN = 16;
 
-/** @param {string} tag @param {Record<string, string | number>} [attributes] */
-export function shape(tag, attributes = {}) {
+/** @param {string} tag @param {Record<string, string | number>} attributes @param {Element[]} content */
+export function shape(tag, attributes = {}, ...content) {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...content);
   return element;
 }
 
