@@ -32,13 +32,13 @@ class Size:
 
 
 SIZES = [
-    Size("16 B", "16", 16, rounds=1000, messages=20_000, warm_up=400),
-    Size("1 KB", "1k", 1024, rounds=1000, messages=20_000, warm_up=400),
+    Size("16 B", "16", 16, rounds=3000, messages=20_000, warm_up=1000),
+    Size("1 KB", "1k", 1024, rounds=3000, messages=20_000, warm_up=1000),
     Size("1 MB", "1m", 1024 * 1024, rounds=80, messages=100, warm_up=20),
 ]
 SMALL = SIZES[0]
 
-CALLS = 1000
+CALLS = 3000
 
 # The clock of an isolated page steps by 5 µs.
 CLOCK = 0.005

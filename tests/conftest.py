@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -13,6 +14,7 @@ from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page
 from sitegen.build import build
 from sitegen.report import Report
 
+ROOT = Path(__file__).parent.parent
 # A browser that lacks JSPI gets the other build of each node.
 WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
@@ -83,3 +85,14 @@ def context(browser: Browser, serve: Serve, engine: str) -> Iterator[BrowserCont
         context.add_init_script(WITHOUT_JSPI)
     yield context
     context.close()
+
+
+@pytest.fixture
+def stage(tab: Page, serve: Serve, tmp_path: Path) -> Page:
+    """A page with a graph that does what the test says; see stage.py."""
+    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
+    shutil.copytree(ROOT / "themes/default", tmp_path / "theme")
+    shutil.copytree(ROOT / "tests/panels", tmp_path, dirs_exist_ok=True)
+    tab.goto(serve(tmp_path))
+    tab.wait_for_selector("body[data-ready]")
+    return tab

@@ -1,0 +1,46 @@
+"""A panel in a graph that does what the test says."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from playwright.sync_api import Locator
+from playwright.sync_api import Page as Tab
+
+
+def show(page: Tab, kind: str, options: dict[str, Any] | None = None) -> Locator:
+    page.evaluate(
+        "async ([kind, options]) => { await show(kind, options); await frames(); }",
+        [kind, options or {}],
+    )
+    return page.locator("#panel")
+
+
+def add(page: Tab, kind: str, node: str, name: str, type: str, **qos: Any) -> None:
+    page.evaluate("(endpoint) => ros.graph.add(...endpoint)", [kind, node, name, type, qos])
+
+
+def chatter(page: Tab) -> None:
+    add(page, "publisher", "/talker", "/chatter", "std_msgs/msg/String", program="talker")
+    add(page, "subscription", "/listener", "/chatter", "std_msgs/msg/String", program="listener")
+
+
+def subscribed(page: Tab) -> list[str]:
+    found: list[str] = page.evaluate(
+        "ros.subscriptions.map(({topic, bytes}) => bytes ? `${topic} bytes` : topic).sort()"
+    )
+    return found
+
+
+def hide_tab(page: Tab, hidden: bool) -> None:
+    page.evaluate(
+        """(state) => {
+          Object.defineProperty(document, "visibilityState", { value: state, configurable: true });
+          document.dispatchEvent(new Event("visibilitychange"));
+        }""",
+        "hidden" if hidden else "visible",
+    )
+
+
+def cells(panel: Locator) -> list[str]:
+    return [" ".join(row.split()) for row in panel.locator("tbody tr").all_inner_texts()]
