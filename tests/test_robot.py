@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from browser import Built, Serve
 from panel import Panel
 from playwright.sync_api import Browser, Locator, expect
 from playwright.sync_api import Page as Tab
+from stage import add, hide_tab, show
 
 from sitegen.config.schema import ROBOTS, WIDGETS
 
@@ -21,31 +21,18 @@ ROOT = Path(__file__).parent.parent
 ROBOT_FILES = ROOT / "sitegen/runtime/robots"
 
 
-@pytest.fixture
-def page(tab: Tab, serve: Serve, tmp_path: Path) -> Tab:
-    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
-    shutil.copytree(ROOT / "themes/default", tmp_path / "theme")
-    shutil.copytree(ROOT / "tests/panels", tmp_path, dirs_exist_ok=True)
-    tab.goto(serve(tmp_path))
-    tab.wait_for_selector("body[data-ready]")
-    return tab
-
-
-def show(page: Tab, **options: Any) -> Locator:
-    defaults = {"color": "/color", "twist": "/cmd_vel", "sensors": "/vernie"}
-    page.evaluate("(options) => show('robot', options)", {**defaults, **options})
-    panel = page.locator("#panel")
+def show_robot(stage: Tab, **options: Any) -> Locator:
+    """A robot, and two nodes that publish what it listens to."""
+    given = {"color": "/color", "twist": "/cmd_vel", "sensors": "/vernie", **options}
+    panel = show(stage, "robot", given)
     expect(panel.get_by_role("img")).to_be_visible()
-    for name, topic, kind in (
-        ("/dancer", "/cmd_vel", "geometry_msgs/msg/Twist"),
-        ("/colors", "/color", "std_msgs/msg/String"),
-    ):
-        page.evaluate("(end) => ros.graph.add('publisher', ...end)", [name, topic, kind])
+    add(stage, "publisher", "/dancer", "/cmd_vel", "geometry_msgs/msg/Twist")
+    add(stage, "publisher", "/colors", "/color", "std_msgs/msg/String")
     return panel
 
 
-def command(page: Tab, x: float, z: float) -> None:
-    page.evaluate(
+def command(stage: Tab, x: float, z: float) -> None:
+    stage.evaluate(
         """([x, z]) => ros.emit("/cmd_vel", {
           linear: { x, y: 0, z: 0 }, angular: { x: 0, y: 0, z },
         })""",
@@ -53,8 +40,8 @@ def command(page: Tab, x: float, z: float) -> None:
     )
 
 
-def color(page: Tab, name: str) -> None:
-    page.evaluate("(data) => ros.emit('/color', { data })", name)
+def color(stage: Tab, name: str) -> None:
+    stage.evaluate("(data) => ros.emit('/color', { data })", name)
 
 
 def reading(panel: Locator, name: str) -> Locator:
@@ -73,16 +60,6 @@ def expect_power(panel: Locator, a: int, b: int) -> None:
     expect(reading(panel, "Motor B")).to_have_text(f"{b} %")
 
 
-def hide_tab(page: Tab) -> None:
-    page.evaluate(
-        """() => {
-          const hidden = { value: "hidden", configurable: true };
-          Object.defineProperty(document, "visibilityState", hidden);
-          document.dispatchEvent(new Event("visibilitychange"));
-        }"""
-    )
-
-
 # The family
 
 
@@ -92,8 +69,8 @@ def test_every_kind_is_a_file_and_every_option_is_a_key() -> None:
     assert {key for own in ROBOTS.values() for key in own} == keys
 
 
-def test_arcs_are_driven_exactly(page: Tab) -> None:
-    ends = page.evaluate(
+def test_arcs_are_driven_exactly(stage: Tab) -> None:
+    ends = stage.evaluate(
         """async () => {
           const { drive } = await import("./runtime/robots/parts/motion.js");
           const start = { x: 0, y: 0, heading: 0 };
@@ -111,23 +88,23 @@ def test_arcs_are_driven_exactly(page: Tab) -> None:
     assert ends[3] == [0, 0, 1]
 
 
-def test_a_differential_drive_goes_where_it_is_told(page: Tab) -> None:
-    panel = show(page, kind="diffdrive")
+def test_a_differential_drive_goes_where_it_is_told(stage: Tab) -> None:
+    panel = show_robot(stage, kind="diffdrive")
     assert pose(panel) == (0, 0, 0)
-    command(page, 0.5, 0)
+    command(stage, 0.5, 0)
     expect(reading(panel, "Speed")).to_have_text("0.50 m/s")
-    page.wait_for_timeout(600)
-    command(page, 0, 0)
+    stage.wait_for_timeout(600)
+    command(stage, 0, 0)
     expect(reading(panel, "Speed")).to_have_text("0.00 m/s")
     x, y, turn = pose(panel)
     assert 0.2 < x < 0.5
     assert (y, turn) == (0, 0)
-    page.wait_for_timeout(200)
+    stage.wait_for_timeout(200)
     assert pose(panel) == (x, y, turn)
 
-    command(page, 0, 1)
-    page.wait_for_timeout(500)
-    command(page, 0, 0)
+    command(stage, 0, 1)
+    stage.wait_for_timeout(500)
+    command(stage, 0, 0)
     expect(reading(panel, "Turn")).to_have_text("0.00 rad/s")
     assert pose(panel)[:2] == (x, y)
     assert 15 < pose(panel)[2] < 60
@@ -136,15 +113,15 @@ def test_a_differential_drive_goes_where_it_is_told(page: Tab) -> None:
     expect(reading(panel, "Heading")).to_have_text("0°")
 
 
-def test_a_differential_drive_stands_where_odometry_says(page: Tab) -> None:
-    page.evaluate(
+def test_a_differential_drive_stands_where_odometry_says(stage: Tab) -> None:
+    stage.evaluate(
         """() => {
           ros.types["nav_msgs/msg/Odometry"] = ros.fields("std_msgs/msg/String any");
         }"""
     )
-    panel = show(page, kind="diffdrive", odometry="/odom")
-    command(page, 1, 1)
-    page.evaluate(
+    panel = show_robot(stage, kind="diffdrive", odometry="/odom")
+    command(stage, 1, 1)
+    stage.evaluate(
         """() => ros.emit("/odom", {
           pose: { pose: { position: { x: 3, y: -2, z: 0 },
             orientation: { x: 0, y: 0, z: Math.SQRT1_2, w: Math.SQRT1_2 } } },
@@ -156,11 +133,11 @@ def test_a_differential_drive_stands_where_odometry_says(page: Tab) -> None:
     expect(reading(panel, "Speed")).to_have_text("0.25 m/s")
     expect(reading(panel, "Turn")).to_have_text("-0.50 rad/s")
     # The view has followed it.
-    robot, stage = panel.locator("svg > g > g").bounding_box(), panel.locator("svg").bounding_box()
+    robot, floor = panel.locator("svg > g > g").bounding_box(), panel.locator("svg").bounding_box()
     assert robot
-    assert stage
-    assert stage["x"] < robot["x"] < stage["x"] + stage["width"] - robot["width"]
-    assert stage["y"] < robot["y"] < stage["y"] + stage["height"] - robot["height"]
+    assert floor
+    assert floor["x"] < robot["x"] < floor["x"] + floor["width"] - robot["width"]
+    assert floor["y"] < robot["y"] < floor["y"] + floor["height"] - robot["height"]
 
 
 # Vernie
@@ -180,8 +157,8 @@ def test_a_differential_drive_stands_where_odometry_says(page: Tab) -> None:
         (0.5, 1, -33, 100),
     ],
 )
-def test_power_of_the_motors(page: Tab, x: float, z: float, a: int, b: int) -> None:
-    found = page.evaluate(
+def test_power_of_the_motors(stage: Tab, x: float, z: float, a: int, b: int) -> None:
+    found = stage.evaluate(
         """async ([x, z]) =>
           (await import("./runtime/robots/vernie.js")).motorPower(x, z)""",
         [x, z],
@@ -189,16 +166,16 @@ def test_power_of_the_motors(page: Tab, x: float, z: float, a: int, b: int) -> N
     assert found == [a, b]
 
 
-def test_vernie_moves_on_the_page(page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_vernie_moves_on_the_page(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     assert pose(panel) == (0, 0, 90)
-    command(page, 1, 0)
+    command(stage, 1, 0)
     expect_power(panel, 100, 100)
-    page.wait_for_timeout(500)
-    command(page, 0, -0.5)
+    stage.wait_for_timeout(500)
+    command(stage, 0, -0.5)
     expect_power(panel, 50, -50)
-    page.wait_for_timeout(300)
-    command(page, 0, 0)
+    stage.wait_for_timeout(300)
+    command(stage, 0, 0)
     expect_power(panel, 0, 0)
     x, y, turn = pose(panel)
     assert abs(x) < 1e-6
@@ -206,21 +183,21 @@ def test_vernie_moves_on_the_page(page: Tab) -> None:
     assert turn < 70
 
 
-def test_the_light_of_vernie(page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_the_light_of_vernie(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     light = panel.locator(".ros-light")
     expect(reading(panel, "Light")).to_have_text("off")
-    color(page, "green")
+    color(stage, "green")
     expect(reading(panel, "Light")).to_have_text("green")
     expect(light).to_have_css("fill", "rgb(43, 201, 95)")
-    color(page, "Light Blue")
+    color(stage, "Light Blue")
     expect(reading(panel, "Light")).to_have_text("lightblue")
-    color(page, "<b>mauve</b>")
+    color(stage, "<b>mauve</b>")
     expect(panel.get_by_role("status")).to_contain_text(
         "Its light has no colour '<b>mauve</b>'; it knows off, pink,"
     )
     expect(reading(panel, "Light")).to_have_text("lightblue")
-    color(page, "off")
+    color(stage, "off")
     expect(panel.get_by_role("status")).to_have_text("")
     expect(reading(panel, "Light")).to_have_text("off")
 
@@ -228,50 +205,50 @@ def test_the_light_of_vernie(page: Tab) -> None:
 # When they stop
 
 
-def test_it_stops_without_commands(page: Tab) -> None:
-    panel = show(page, kind="vernie")
-    command(page, 0.5, 0)
+def test_it_stops_without_commands(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
+    command(stage, 0.5, 0)
     expect_power(panel, 50, 50)
-    page.wait_for_timeout(700)
-    command(page, 0.4, 0)
-    page.wait_for_timeout(700)
+    stage.wait_for_timeout(700)
+    command(stage, 0.4, 0)
+    stage.wait_for_timeout(700)
     expect_power(panel, 40, 40)
     expect(panel.get_by_role("status")).to_have_text("Stopped: no command for a second")
     expect_power(panel, 0, 0)
 
 
-def test_it_stops_when_nobody_publishes(page: Tab) -> None:
-    panel = show(page, kind="vernie")
-    command(page, 0.5, 0)
+def test_it_stops_when_nobody_publishes(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
+    command(stage, 0.5, 0)
     expect_power(panel, 50, 50)
-    page.evaluate("ros.graph.remove('/dancer')")
+    stage.evaluate("ros.graph.remove('/dancer')")
     expect(panel.get_by_role("status")).to_have_text(
         "Stopped: nobody publishes on /cmd_vel any more", timeout=500
     )
     expect_power(panel, 0, 0)
     expect(panel).to_contain_text("/cmd_vel: nobody publishes")
     # A command that was still on its way.
-    command(page, 0.5, 0)
-    page.wait_for_timeout(100)
+    command(stage, 0.5, 0)
+    stage.wait_for_timeout(100)
     expect_power(panel, 0, 0)
 
 
-def test_it_stops_when_the_page_is_hidden(page: Tab) -> None:
-    panel = show(page, kind="vernie")
-    command(page, 0.5, 0)
+def test_it_stops_when_the_page_is_hidden(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
+    command(stage, 0.5, 0)
     expect_power(panel, 50, 50)
-    hide_tab(page)
+    hide_tab(stage, True)
     expect(panel.get_by_role("status")).to_have_text("Stopped: the page was hidden", timeout=500)
-    command(page, 0.5, 0)
-    page.wait_for_timeout(100)
+    command(stage, 0.5, 0)
+    stage.wait_for_timeout(100)
     expect_power(panel, 0, 0)
 
 
-def test_it_stops_at_what_is_no_number(page: Tab) -> None:
-    panel = show(page, kind="vernie")
-    command(page, 0.5, 0)
+def test_it_stops_at_what_is_no_number(stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
+    command(stage, 0.5, 0)
     expect_power(panel, 50, 50)
-    page.evaluate(
+    stage.evaluate(
         """ros.emit("/cmd_vel", {
           linear: { x: NaN, y: 0, z: 0 }, angular: { x: 0, y: 0, z: 0 } })"""
     )
@@ -279,20 +256,20 @@ def test_it_stops_at_what_is_no_number(page: Tab) -> None:
     expect_power(panel, 0, 0)
 
 
-def test_a_page_without_the_types_says_so(page: Tab) -> None:
-    page.evaluate("delete ros.types['geometry_msgs/msg/Twist']")
-    panel = show(page, kind="diffdrive")
+def test_a_page_without_the_types_says_so(stage: Tab) -> None:
+    stage.evaluate("delete ros.types['geometry_msgs/msg/Twist']")
+    panel = show_robot(stage, kind="diffdrive")
     expect(panel).to_contain_text(
         "/cmd_vel: no node of this page uses geometry_msgs/msg/Twist, so it cannot be read"
     )
 
 
-def test_nothing_is_left_after_unmount(page: Tab) -> None:
-    page.evaluate("ros.types['std_msgs/msg/Float32'] = ros.fields('float32 data')")
-    panel = show(page, kind="vernie")
-    command(page, 0.5, 0)
-    page.evaluate("unmount()")
-    assert page.evaluate("[ros.subscriptions.length, ros.closed]") == [0, 2]
+def test_nothing_is_left_after_unmount(stage: Tab) -> None:
+    stage.evaluate("ros.types['std_msgs/msg/Float32'] = ros.fields('float32 data')")
+    panel = show_robot(stage, kind="vernie")
+    command(stage, 0.5, 0)
+    stage.evaluate("unmount()")
+    assert stage.evaluate("[ros.subscriptions.length, ros.closed]") == [0, 2]
     expect(panel).to_be_empty()
 
 
@@ -335,41 +312,41 @@ def expect_bytes(hub: MoveHub, expected: list[str]) -> None:
     assert hub.take() == expected
 
 
-def test_the_hub_is_sent_colors_and_power(hub: MoveHub, page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_the_hub_is_sent_colors_and_power(hub: MoveHub, stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     expect(reading(panel, "Robot")).to_have_text("simulated here")
     connect(panel, hub)
     expect(reading(panel, "Robot")).to_have_text("Move Hub")
-    color(page, "red")
+    color(stage, "red")
     expect_bytes(hub, [light(9)])
-    color(page, "mauve")
-    color(page, "blue")
+    color(stage, "mauve")
+    color(stage, "blue")
     expect_bytes(hub, [light(3)])
-    command(page, 0.5, 0.1)
+    command(stage, 0.5, 0.1)
     expect_bytes(hub, motors(40, 60))
-    command(page, 0.5, -0.1)
+    command(stage, 0.5, -0.1)
     expect_bytes(hub, motors(60, 40))
     # Only what changes is sent.
-    command(page, 0.5, -0.1)
-    command(page, 0.4, 0)
+    command(stage, 0.5, -0.1)
+    command(stage, 0.4, 0)
     expect_bytes(hub, motors(40, 40)[:1])
-    command(page, -1, 1)
+    command(stage, -1, 1)
     expect_bytes(hub, motors(-100, 0))
-    command(page, 0, 0)
+    command(stage, 0, 0)
     expect_bytes(hub, motors(0, 0)[:1])
 
 
-def test_what_comes_too_fast_is_not_queued(hub: MoveHub, page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_what_comes_too_fast_is_not_queued(hub: MoveHub, stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     connect(panel, hub)
     for hundredth in range(1, 101):
-        command(page, hundredth / 100, 0)
-    page.wait_for_timeout(200)
+        command(stage, hundredth / 100, 0)
+    stage.wait_for_timeout(200)
     got = hub.take()
     assert got[-2:] == motors(100, 100)
     assert len(got) < 100
     # Faster than any node: of 1000 commands in one go only the last is sent.
-    page.evaluate(
+    stage.evaluate(
         """() => {
           for (let n = 1; n <= 1000; n++) {
             ros.emit("/cmd_vel", {
@@ -380,51 +357,51 @@ def test_what_comes_too_fast_is_not_queued(hub: MoveHub, page: Tab) -> None:
     expect_bytes(hub, motors(-100, -100))
 
 
-def test_the_hub_stops_without_commands(hub: MoveHub, page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_the_hub_stops_without_commands(hub: MoveHub, stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     connect(panel, hub)
-    command(page, 0.5, 0)
+    command(stage, 0.5, 0)
     expect_bytes(hub, motors(50, 50))
-    page.wait_for_timeout(800)
+    stage.wait_for_timeout(800)
     assert hub.take() == []
-    page.wait_for_timeout(400)
+    stage.wait_for_timeout(400)
     assert sorted(set(hub.take())) == motors(0, 0)
 
 
 @pytest.mark.parametrize("end", ["publisher", "hidden", "closed", "disconnect", "unmount"])
-def test_the_hub_stops_at_once(hub: MoveHub, page: Tab, end: str) -> None:
-    panel = show(page, kind="vernie")
+def test_the_hub_stops_at_once(hub: MoveHub, stage: Tab, end: str) -> None:
+    panel = show_robot(stage, kind="vernie")
     connect(panel, hub)
-    command(page, 0.5, 0.2)
+    command(stage, 0.5, 0.2)
     expect_bytes(hub, motors(30, 70))
     if end == "publisher":
-        page.evaluate("ros.graph.remove('/dancer')")
+        stage.evaluate("ros.graph.remove('/dancer')")
     elif end == "hidden":
-        hide_tab(page)
+        hide_tab(stage, True)
     elif end == "closed":
-        page.goto("about:blank")
+        stage.goto("about:blank")
     elif end == "disconnect":
         panel.get_by_role("button", name="Disconnect").click()
     else:
-        page.evaluate("unmount()")
-    page.wait_for_timeout(300)
+        stage.evaluate("unmount()")
+    stage.wait_for_timeout(300)
     got = hub.take()
     assert sorted(set(got)) == motors(0, 0)
     command_again = end in ("publisher", "hidden")
     if command_again:
-        command(page, 1, 0)
-        page.wait_for_timeout(150)
+        command(stage, 1, 0)
+        stage.wait_for_timeout(150)
         assert hub.take() == []
 
 
-def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, page: Tab) -> None:
-    page.evaluate(
+def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, stage: Tab) -> None:
+    stage.evaluate(
         """() => {
           ros.types["std_msgs/msg/Float32"] = ros.fields("float32 data");
           ros.types["std_msgs/msg/Bool"] = ros.fields("bool data");
         }"""
     )
-    panel = show(page, kind="vernie")
+    panel = show_robot(stage, kind="vernie")
     hand = panel.get_by_label("Hand before it")
     expect(hand).to_be_visible()
     connect(panel, hub)
@@ -443,7 +420,7 @@ def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, page: Tab) -> 
     expect(reading(panel, "Distance")).to_have_text("free")
     hub.say("06 00 45 3a f6 2d")
     expect(reading(panel, "Tilt")).to_have_text("-10°, 45°")
-    published = page.evaluate("ros.published.map(({ topic, message }) => [topic, message])")
+    published = stage.evaluate("ros.published.map(({ topic, message }) => [topic, message])")
     assert published == [
         ["/vernie/button", {"data": True}],
         ["/vernie/distance", {"data": pytest.approx(0.0943)}],
@@ -455,26 +432,26 @@ def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, page: Tab) -> 
     ]
 
 
-def test_a_connection_that_is_lost(hub: MoveHub, page: Tab) -> None:
-    panel = show(page, kind="vernie")
+def test_a_connection_that_is_lost(hub: MoveHub, stage: Tab) -> None:
+    panel = show_robot(stage, kind="vernie")
     connect(panel, hub)
-    command(page, 0.5, 0)
+    command(stage, 0.5, 0)
     expect_bytes(hub, motors(50, 50))
     hub.disappear()
     expect(panel.get_by_role("status")).to_have_text(
         "The connection was lost: the hub is off, or too far away. Connect again."
     )
     expect(reading(panel, "Robot")).to_have_text("simulated here")
-    command(page, 0.4, 0)
+    command(stage, 0.4, 0)
     expect_power(panel, 40, 40)
     assert hub.take() == []
     connect_again = panel.get_by_role("button", name="Connect")
     expect(connect_again).to_be_enabled()
 
 
-def test_a_hub_that_is_not_chosen(hub: MoveHub, page: Tab) -> None:
+def test_a_hub_that_is_not_chosen(hub: MoveHub, stage: Tab) -> None:
     hub.chosen = False
-    panel = show(page, kind="vernie")
+    panel = show_robot(stage, kind="vernie")
     panel.get_by_role("button", name="Connect").click()
     expect(panel.get_by_role("status")).to_contain_text("No hub was chosen. Press the green button")
     hub.chosen = True
@@ -482,9 +459,9 @@ def test_a_hub_that_is_not_chosen(hub: MoveHub, page: Tab) -> None:
     expect(panel.get_by_role("status")).to_have_text("")
 
 
-def test_a_hub_that_does_not_answer(hub: MoveHub, page: Tab) -> None:
+def test_a_hub_that_does_not_answer(hub: MoveHub, stage: Tab) -> None:
     hub.answers = False
-    panel = show(page, kind="vernie")
+    panel = show_robot(stage, kind="vernie")
     panel.get_by_role("button", name="Connect").click()
     expect(panel.get_by_role("status")).to_contain_text("The hub does not answer. Is it on, near,")
     expect(panel.get_by_role("button", name="Connect")).to_be_enabled()
@@ -504,12 +481,12 @@ def test_a_hub_that_does_not_answer(hub: MoveHub, page: Tab) -> None:
     ],
     ids=["no Bluetooth", "no https"],
 )
-def test_a_page_that_cannot_reach_a_hub(page: Tab, without: str, note: str) -> None:
-    page.evaluate(without)
-    panel = show(page, kind="vernie")
+def test_a_page_that_cannot_reach_a_hub(stage: Tab, without: str, note: str) -> None:
+    stage.evaluate(without)
+    panel = show_robot(stage, kind="vernie")
     expect(panel.get_by_role("status")).to_contain_text(note)
     expect(panel.get_by_role("button", name="Connect")).to_be_disabled()
-    command(page, 0.5, 0)
+    command(stage, 0.5, 0)
     expect_power(panel, 50, 50)
 
 
