@@ -90,7 +90,12 @@ class Compiler:
         self._tools = tools
         self._root = root
         self._report = report
-        paths = [CLIENT, *(HERE / name for name in GENERATOR), interfaces.ROS / ".digest"]
+        paths = [
+            CLIENT,
+            *(HERE / name for name in GENERATOR),
+            interfaces.ROS / ".digest",
+            interfaces.OWN,
+        ]
         self._base = digest_of(paths, tools.identity)
         self._nodes = cache / "nodes"
         self._work = cache / "work" / self._base
@@ -137,6 +142,7 @@ class Compiler:
         complete = self._work / "ros.complete"
         if not complete.exists():
             interfaces.write_ros(self._cmake("").ros)
+            interfaces.write_own(self._cmake("").ros)
             complete.touch()
 
     def _compile_library(self, engine: str) -> None:
@@ -225,7 +231,7 @@ class Compiler:
                 problems += Diagnosis(self._root, package).of_build(executable, done.stdout)
             else:
                 program = cmake.program(package, executable)
-                prefixes = [cmake.prefix(one) for one in (*job.needs, package)]
+                prefixes = [cmake.ros, *map(cmake.prefix, (*job.needs, package))]
                 self._keep(program, prefixes, self.build(job, executable, engine))
             self._report.done(f"{package.name}/{executable} ({engine})")
         return problems

@@ -8,6 +8,7 @@ from __future__ import annotations
 import importlib
 import json
 import shutil
+import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -18,6 +19,8 @@ from sitegen import definitions, typesupport
 from sitegen.errors import SiteError
 
 ROS = Path(__file__).parent / "ros"
+# Packages that every ROS has and no wheel brings: their definitions are ours.
+OWN = Path(__file__).parent / "share"
 KINDS = ("msg", "srv", "action")
 RUNTIME = ("rcutils", "rosidl_runtime_c", "rosidl_runtime_cpp", "rosidl_typesupport_interface")
 
@@ -88,6 +91,16 @@ def write_ros(prefix: Path) -> None:
         descriptions = [file for kind in KINDS for file in share.glob(f"{kind}/*.json")]
         if descriptions:
             write_package(prefix, share.name, descriptions)
+
+
+def write_own(prefix: Path) -> None:
+    """Generate the packages of OWN into the CMake prefix, each in a process of its own."""
+    for folder in sorted(OWN.iterdir()):
+        files = sorted(f.relative_to(folder).as_posix() for f in folder.glob("*/*.*"))
+        command = [sys.executable, "-m", "sitegen.interfaces", str(prefix), "", folder.name]
+        done = subprocess.run([*command, str(folder), *files], capture_output=True, text=True)
+        if done.returncode:
+            raise RuntimeError(f"{folder.name} could not be generated:\n{done.stderr}")
 
 
 def generate(
@@ -176,7 +189,13 @@ def main() -> int:
     """Do what rosidl_generate_interfaces() asks for while CMake configures a package."""
     prefix, others, package, folder, *files = sys.argv[1:]
     try:
-        generate(Path(prefix), list(map(Path, others.split(";"))), package, Path(folder), files)
+        generate(
+            Path(prefix),
+            [Path(other) for other in others.split(";") if other],
+            package,
+            Path(folder),
+            files,
+        )
     except SiteError as error:
         print(*(f"{PROBLEM}{line}" for line in error.lines), sep="\n", file=sys.stderr)
         return 1

@@ -45,3 +45,15 @@ def test_callers_get_their_own_answers(context: BrowserContext, serve: Serve, bu
     client.expect_state("stopped")
     server.stop()
     expect_nothing_left(page)
+
+
+def test_a_program_may_serve_itself_and_use_the_interfaces_of_the_tutorials(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(serve(built(SITE)))
+    adder = Panel(page, "adder")
+    adder.expect_state("stopped")
+    adder.start()
+    adder.wait_for("Sum: 42")
+    adder.expect_state("stopped")
