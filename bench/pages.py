@@ -31,7 +31,7 @@ FIRST_LINES = """
   window.firstLines = new Promise((resolve, reject) => {
     setTimeout(() => reject(new Error("no line in 20 seconds")), 20000);
     const look = () => {
-      const logs = [...document.querySelectorAll(".ros-log")];
+      const logs = [...document.querySelectorAll(".ros-console [role=log]")];
       if (logs.length === 0 || logs.some((log) => !log.hasChildNodes())) return;
       observer.disconnect();
       resolve(performance.now());
