@@ -28,6 +28,14 @@ RUNTIME = ("rcutils", "rosidl_runtime_c", "rosidl_runtime_cpp", "rosidl_typesupp
 PROBLEM = "sitegen: "
 
 
+def rosidl(module: str) -> Any:
+    """Import a module of rosidl, which is vendored: its wheels are for one platform."""
+    python = str(ROS / "python")
+    if python not in sys.path:
+        sys.path.insert(0, python)
+    return importlib.import_module(module)
+
+
 def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> None:
     """Add `package` to the CMake prefix: its type supports and its CMake configuration.
 
@@ -111,7 +119,7 @@ def generate(
     `files` are its `.msg`, `.srv`, `.action` and `.idl` files, relative to `folder`; `others` are
     the prefixes of packages that they may use. Raises a SiteError that says what is wrong in which.
     """
-    sys.path.insert(0, str(ROS / "python"))  # rosidl is vendored, as its wheels name one platform
+    rosidl("rosidl_adapter")  # for definitions.check, which must find it
     packages = {path.name: path for path in shares([ROS, *others]) if path.name != package}
     problems = definitions.check(package, folder, files, packages)
     if problems:
@@ -126,9 +134,9 @@ def generate(
 def _generate(
     prefix: Path, package: str, folder: Path, files: Sequence[str], packages: Mapping[str, Path]
 ) -> None:
-    adapter = importlib.import_module("rosidl_adapter")
-    description = importlib.import_module("rosidl_generator_type_description")
-    cpp = importlib.import_module("rosidl_generator_cpp")
+    adapter = rosidl("rosidl_adapter")
+    description = rosidl("rosidl_generator_type_description")
+    cpp = rosidl("rosidl_generator_cpp")
     share = prefix / "share" / package
     share.mkdir(parents=True)
     idls = []

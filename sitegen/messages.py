@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 import re
-import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from sitegen import typesupport
-from sitegen.interfaces import ROS, shares
+from sitegen.interfaces import ROS, rosidl, shares
 
 # A type's name as it stands in a program: the end of the text that names a type support.
 NAMED = re.compile(rb"([a-z][a-z0-9_]*/(?:msg|srv|action)/[A-Z][A-Za-z0-9_]*)\0")
@@ -59,18 +57,21 @@ def _describe(
         if one in found or one not in described:
             continue
         fields = [field for field in described[one] if field["name"] != FILLER]
-        defaults = dict(_defaults(one, packages))
+        source = _source(one, packages)
+        defaults = {f.name: f.default_value for f in source.fields} if source else {}
+        constants = source.constants if source else []
         found[one] = {
             "fields": [_field(field, defaults) for field in fields],
-            "constants": list(_constants(one, packages)),
+            "constants": [{"name": c.name, "type": c.type, "value": c.value} for c in constants],
         }
         missing += [field["type"]["nested_type_name"] for field in fields]
 
 
 def _field(field: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
     entry = {"name": field["name"], "type": _type(field["type"])}
-    if field["name"] in defaults:
-        entry["default"] = defaults[field["name"]]
+    default = defaults.get(field["name"])
+    if default is not None:
+        entry["default"] = default
     return entry
 
 
@@ -83,26 +84,11 @@ def _type(kind: Mapping[str, Any]) -> str:
     return str(name + ARRAYS[array].format(kind["capacity"]))
 
 
-def _constants(name: str, packages: Mapping[str, Path]) -> Iterator[dict[str, Any]]:
-    source = _source(name, packages)
-    for constant in source.constants if source else ():
-        yield {"name": constant.name, "type": constant.type, "value": constant.value}
-
-
-def _defaults(name: str, packages: Mapping[str, Path]) -> Iterator[tuple[str, Any]]:
-    source = _source(name, packages)
-    for field in source.fields if source else ():
-        if field.default_value is not None:
-            yield field.name, field.default_value
-
-
 def _source(name: str, packages: Mapping[str, Path]) -> Any:
     """Return the parsed definition of a message as its author wrote it, None for IDL files.
 
     Constants and defaults are there; type descriptions leave them out.
     """
-    sys.path.insert(0, str(ROS / "python"))
-    parser = importlib.import_module("rosidl_adapter.parser")
     package, kind, interface = typesupport.interface_of(name).split("/")
     file = packages.get(package, Path()) / kind / f"{interface}.{kind}"
     if not file.is_file():
@@ -112,4 +98,4 @@ def _source(name: str, packages: Mapping[str, Path]) -> Any:
     index = {"": 0, "Request": 0, "Goal": 0, "Response": 1, "Result": 1, "Feedback": 2}.get(part)
     if index is None or index >= len(texts):
         return None
-    return parser.parse_message_string(package, interface, texts[index])
+    return rosidl("rosidl_adapter.parser").parse_message_string(package, interface, texts[index])
