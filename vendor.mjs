@@ -11,6 +11,7 @@ const TARGET = "sitegen/runtime/vendor";
 const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
+  minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
 
 const packages = new Set();

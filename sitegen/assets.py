@@ -34,6 +34,14 @@ def runtime(site: Site) -> list[Artifact]:
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
 
 
+def search(site: Site) -> list[Artifact]:
+    """Return the modules that the search of a site needs: one that has more than one page."""
+    if len(site.pages) < 2:
+        return []
+    files = [*_with_imports([RUNTIME / "searchIndex.js"]), RUNTIME / "vendor" / "licenses.txt"]
+    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in files]
+
+
 def preloads(site: Site) -> dict[str, list[str]]:
     """Return, by page path, the modules that the page loads as soon as it can: all but rosMain.js.
 

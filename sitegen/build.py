@@ -41,6 +41,7 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)
+    artifacts += assets.search(site)
     artifacts += assets.programs(builds.items())
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
     check_paths(artifacts)

@@ -1,0 +1,5 @@
+"""Turn the Site's pages into HTML, one page.json for each that runs nodes, and their files."""
+
+from sitegen.pages.render import Renderer, render
+
+__all__ = ["Renderer", "render"]
