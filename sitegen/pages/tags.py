@@ -43,14 +43,14 @@ def _pages(site: Site, language: str) -> Iterator[Page]:
     lines = [
         f"- [{_escaped(tag)}](/{_path(tag, site, language)}) ({len(tagged[tag])})" for tag in names
     ]
-    yield _page(site, language, _path("", site, language), said["tags"], lines)
+    yield _page(site, language, _path("", site, language), said.tags, lines)
     for tag in names:
         rows = [
             f"- [{_escaped(page.title)}](/{page.path})"
             + (f"<br>{_escaped(page.description)}" if page.description else "")
             for page in tagged[tag]
         ]
-        yield _page(site, language, _path(tag, site, language), said["tagged"].format(tag), rows)
+        yield _page(site, language, _path(tag, site, language), said.tagged.format(tag), rows)
 
 
 def _path(tag: str, site: Site, language: str) -> str:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import yaml
 
 
-def texts(folders: Iterable[Path], language: str) -> Mapping[str, Any]:
+def texts(folders: Iterable[Path], language: str) -> SimpleNamespace:
     """Return the texts of a theme by name, English where it does not know the language.
 
     `folders` are those of the theme, the most general first. A text of `de` serves `de-AT` too.
@@ -20,4 +21,4 @@ def texts(folders: Iterable[Path], language: str) -> Mapping[str, Any]:
             file = folder / "texts" / f"{tag}.yaml"
             if file.is_file():
                 found |= yaml.safe_load(file.read_text(encoding="utf-8")) or {}
-    return found
+    return SimpleNamespace(**found)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import jinja2
@@ -27,6 +27,7 @@ class Theme:
     path: str
     template: jinja2.Template
     style: str
+    _texts: dict[str, SimpleNamespace] = field(default_factory=dict)
 
     @classmethod
     def of(cls, folder: Path, site: Site) -> Theme:
@@ -47,7 +48,7 @@ class Theme:
             raise SiteError([f"{where}: theme: {error.message}; correct the template"]) from error
         return cls(folders, path, template, _style(site.look))
 
-    def html(self, **names: Any) -> str:
+    def html(self, /, **names: Any) -> str:
         """Return a page."""
         try:
             return self.template.render(**names)
@@ -55,9 +56,11 @@ class Theme:
             where = f"themes/{self.folders[-1].name}"
             raise SiteError([f"{where}: theme: {error.message}; see docs/themes.md"]) from error
 
-    def texts(self, language: str) -> Mapping[str, Any]:
+    def texts(self, language: str) -> SimpleNamespace:
         """Return what the theme says in a language."""
-        return texts(self.folders, language)
+        if language not in self._texts:
+            self._texts[language] = texts(self.folders, language)
+        return self._texts[language]
 
     def artifacts(self) -> list[Artifact]:
         """Return everything that its pages load: files of the theme go before the default's."""
