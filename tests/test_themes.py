@@ -72,9 +72,7 @@ def test_a_template_can_use_all_of_it(tmp_path: Path) -> None:
         ("\n{% if %}", "page.html:2: theme: Expected an expression, got 'end of statement block'"),
     ],
 )
-def test_what_is_wrong_with_a_template_is_said(
-    tmp_path: Path, template: str, fault: str
-) -> None:
+def test_what_is_wrong_with_a_template_is_said(tmp_path: Path, template: str, fault: str) -> None:
     file = site(tmp_path)
     (tmp_path / "themes/mine").mkdir(parents=True)
     (tmp_path / "themes/mine/page.html").write_text(template)

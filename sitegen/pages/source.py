@@ -21,7 +21,9 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
     if file is None:
         return ""
     try:
-        lines = file.read_text(encoding="utf-8").splitlines()
+        lines = (
+            file.read_text(encoding="utf-8").replace("\r\n", "\n").removesuffix("\n").split("\n")
+        )
     except (OSError, UnicodeDecodeError):
         problems.add(source.place, "source", f"'{file.name}' is no text in UTF-8; name another")
         return ""
@@ -30,9 +32,15 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
         return ""
     first, last = _range(source, lines, file.name, problems)
     marks = (_BEGIN, _END)
-    rows = [line for line in lines[first - 1 : last] if not any(m.match(line) for m in marks)]
+    rows = [
+        (number, line)
+        for number, line in enumerate(lines[first - 1 : last], start=first)
+        if not any(mark.match(line) for mark in marks)
+    ]
+    text = "\n".join(line for _, line in rows)
+    numbers = tuple(number for number, _ in rows)
     title = relative(file, site.packages[source.node.package].path) if source.node else file.name
-    return code("\n".join(rows), language_of(file.name), title=title, first=first)
+    return code(text, language_of(file.name), title=title, numbers=numbers)
 
 
 def _file(source: Source, site: Site, problems: Problems) -> Path | None:

@@ -37,7 +37,9 @@ def _code(
 ) -> str:
     marked = tuple(sorted(_numbers(options.get("hl_lines", ""))))
     first = int(options.get("linenums", 0))
-    return code(source, language, title=options.get("title", ""), first=first, marked=marked)
+    numbers = range(first, first + source.count("\n") + 1) if first else ()
+    title = options.get("title", "")
+    return code(source, language, title=title, numbers=tuple(numbers), marked=marked)
 
 
 def _diagram(source: str, *_: object, **__: object) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 
 from markupsafe import escape
 from pygments.lexer import Lexer
@@ -79,15 +79,20 @@ def language_of(name: str) -> str:
 
 @functools.lru_cache(maxsize=4096)
 def code(
-    text: str, language: str, *, title: str = "", first: int = 0, marked: tuple[int, ...] = ()
+    text: str,
+    language: str,
+    *,
+    title: str = "",
+    numbers: tuple[int, ...] = (),
+    marked: tuple[int, ...] = (),
 ) -> str:
-    """Return a block of code: `first` numbers its lines from there on, `marked` lines stand out.
+    """Return a block of code: `numbers` are those of its lines, if any; `marked` lines stand out.
 
-    Marked lines count from 1, whatever the number of the first.
+    Marked lines count from 1, whatever their numbers are.
     """
-    body = "".join(_words(text.strip("\n") + "\n", language))
-    if first or marked:
-        body = "".join(_lines(body, first, marked))
+    body = "".join(_words(text.removesuffix("\n") + "\n", language))
+    if numbers or marked:
+        body = "".join(_lines(body, numbers, marked))
     head = f'<p class="code-title">{escape(title)}</p>' if title else ""
     name = f' class="language-{escape(language)}"' if language else ""
     # It may be wider than the page, and who has no mouse scrolls what has the focus.
@@ -105,16 +110,16 @@ def _words(text: str, language: str) -> Iterator[str]:
         if not name or word.isspace():
             yield escape(word)
             continue
-        for line in word.splitlines(keepends=True):
-            bare = line.removesuffix("\n")
-            yield f'<span class="{name}">{escape(bare)}</span>{line[len(bare) :]}'
+        for place, line in enumerate(word.split("\n")):
+            yield "\n" * bool(place)
+            yield f'<span class="{name}">{escape(line)}</span>' if line else ""
 
 
-def _lines(body: str, first: int, marked: Collection[int]) -> Iterator[str]:
-    for number, line in enumerate(body.splitlines(keepends=True)):
-        name = "line marked" if number + 1 in marked else "line"
-        data = f' data-line="{first + number}"' if first else ""
-        yield f'<span class="{name}"{data}>{line}</span>'
+def _lines(body: str, numbers: Sequence[int], marked: Collection[int]) -> Iterator[str]:
+    for place, line in enumerate(body.split("\n")[:-1]):
+        name = "line marked" if place + 1 in marked else "line"
+        data = f' data-line="{numbers[place]}"' if numbers else ""
+        yield f'<span class="{name}"{data}>{line}\n</span>'
 
 
 @functools.cache

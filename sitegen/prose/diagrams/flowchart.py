@@ -12,7 +12,7 @@ from sitegen.prose.diagrams.layers import Box, place
 from sitegen.prose.diagrams.svg import Point
 
 DIRECTIONS = {"TB", "TD", "BT", "LR", "RL"}
-MARGIN = 12.0
+MARGIN, OWN = 12.0, 36.0
 
 # What stands around the text of a box, the longer ones first.
 SHAPES = {
@@ -118,14 +118,15 @@ def _names(rest: str, line: str, chart: _Chart) -> tuple[list[str], str]:
 
 def _draw(chart: _Chart, direction: str) -> str:
     sideways = direction in ("LR", "RL")
+    own = {arrow.start: arrow for arrow in chart.arrows if arrow.start == arrow.end}
+    arrows = [arrow for arrow in chart.arrows if arrow.start != arrow.end]
     boxes = {}
     for name, (text, shape) in chart.boxes.items():
         w, h = _size(text, shape)
+        # An arrow to itself is on the right of a box, which stays in the middle of its room.
+        w += 2 * (OWN + svg.width(own[name].text)) if name in own else 0
         boxes[name] = Box(h, w) if sideways else Box(w, h)
-    ways = place(
-        boxes,
-        [(a.start, a.end, _label_size(a.text, sideways)) for a in chart.arrows if a.start != a.end],
-    )
+    ways = place(boxes, [(a.start, a.end, _label_size(a.text, sideways)) for a in arrows])
     total = (
         max(box.x + box.across / 2 for box in [*boxes.values(), *(b for way in ways for b in way)]),
         max(box.y + box.down / 2 for box in boxes.values()),
@@ -136,28 +137,43 @@ def _draw(chart: _Chart, direction: str) -> str:
         return (y + MARGIN, x + MARGIN) if sideways else (x + MARGIN, y + MARGIN)
 
     parts, labels = [], []
-    for arrow, way in zip((a for a in chart.arrows if a.start != a.end), ways, strict=True):
+    for arrow, way in zip(arrows, ways, strict=True):
         points = [at(box) for box in way]
         points[0] = _edge(points[0], points[1], *chart.boxes[arrow.start])
         points[-1] = _edge(points[-1], points[-2], *chart.boxes[arrow.end])
-        parts.append(svg.path(points, f"arrow {arrow.line}".strip(), smooth=True))
-        if arrow.head:
-            parts.append(svg.arrow(points[-1], points[-2]))
-        if arrow.back:
-            parts.append(svg.arrow(points[0], points[1]))
-        if arrow.text:
-            middle = points[len(points) // 2]
-            w, h = svg.width(arrow.text) + 8, svg.height(arrow.text)
-            labels.append(
-                svg.rectangle(middle[0] - w / 2, middle[1] - h / 2, w, h, "paper")
-                + svg.label(arrow.text, *middle, "quiet")
-            )
+        parts.append(_line(arrow, points))
+        labels.append(_label(arrow.text, *points[len(points) // 2]))
+    for name, arrow in own.items():
+        (x, y), (w, _) = at(boxes[name]), _size(*chart.boxes[name])
+        right = x + w / 2
+        points = [
+            (right, y - 8),
+            (right + OWN - 8, y - 9),
+            (right + OWN - 8, y + 9),
+            (right, y + 8),
+        ]
+        parts.append(_line(arrow, points))
+        labels.append(_label(arrow.text, right + OWN + svg.width(arrow.text) / 2, y))
     for name, (text, shape) in chart.boxes.items():
         x, y = at(boxes[name])
         w, h = _size(text, shape)
         parts.append(_OUTLINES.get(shape, _rounded)(x, y, w, h) + svg.label(text, x, y))
     size = (total[1], total[0]) if sideways else total
     return svg.drawing(parts + labels, size[0] + 2 * MARGIN, size[1] + 2 * MARGIN, _said(chart))
+
+
+def _line(arrow: _Arrow, points: Sequence[Point]) -> str:
+    line = svg.path(points, f"arrow {arrow.line}".strip(), smooth=True)
+    head = svg.arrow(points[-1], points[-2]) if arrow.head else ""
+    return line + head + (svg.arrow(points[0], points[1]) if arrow.back else "")
+
+
+def _label(text: str, x: float, y: float) -> str:
+    if not text:
+        return ""
+    w, h = svg.width(text) + 8, svg.height(text)
+    paper = svg.rectangle(x - w / 2, y - h / 2, w, h, "paper")
+    return paper + svg.label(text, x, y, "quiet")
 
 
 def _said(chart: _Chart) -> str:
