@@ -26,6 +26,10 @@ _TAG = re.compile(
 _ADDRESS = re.compile(r"""(\s(?:href|src|poster)\s*=\s*)(["'])(.*?)\2""", re.I | re.S)
 _HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>", re.I | re.S)
 _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
+# A box to tick, and the words that say what for.
+_TASK = re.compile(
+    r'(<input type="checkbox" disabled(?: checked)?/>.*?)(?=<[uo]l|</li>|</p>)', re.S
+)
 _MARKUP = re.compile(r"<[^>]*>")
 _KEYS = {"a": "link", "img": "image", "iframe": "frame"}
 
@@ -60,6 +64,7 @@ class Prose:
         text = self._drawn(text, source)
         text = self._apart(text)
         text = _HEADING.sub(self._heading, text)
+        text = _TASK.sub(r"<label>\1</label>", text) if "task-list" in text else text
         text = text.replace("<table", '<div class="table" tabindex="0"><table')
         text = text.replace("</table>", "</table></div>")
         text = _TAG.sub(lambda tag: self._tag(tag, source), text)
