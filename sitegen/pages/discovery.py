@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import quote
-from xml.sax.saxutils import escape, quoteattr
+
+from markupsafe import escape
 
 from sitegen.model import Artifact, Page, Site
 
@@ -46,10 +47,10 @@ def _feed(site: Site) -> str:
     newest = dated[0].date if dated else "1970-01-01"
     entries = "".join(_entry(site, page) for page in dated)
     return (
-        f'{XML}<feed xmlns="http://www.w3.org/2005/Atom" xml:lang={quoteattr(site.language)}>\n'
+        f'{XML}<feed xmlns="http://www.w3.org/2005/Atom" xml:lang="{escape(site.language)}">\n'
         f"<title>{escape(site.title)}</title>\n<id>{escape(site.url)}</id>\n"
-        f"<link href={quoteattr(site.url)}/>\n"
-        f'<link rel="self" href={quoteattr(site.url + FEED)}/>\n'
+        f'<link href="{escape(site.url)}"/>\n'
+        f'<link rel="self" href="{escape(site.url + FEED)}"/>\n'
         f"<author><name>{escape(site.title)}</name></author>\n"
         f"<updated>{newest}T00:00:00Z</updated>\n{entries}</feed>\n"
     )
@@ -60,7 +61,7 @@ def _entry(site: Site, page: Page) -> str:
     summary = f"<summary>{escape(page.description)}</summary>\n" if page.description else ""
     return (
         f"<entry>\n<title>{escape(page.title)}</title>\n<id>{escape(url)}</id>\n"
-        f"<link href={quoteattr(url)}/>\n<updated>{page.date}T00:00:00Z</updated>\n"
+        f'<link href="{escape(url)}"/>\n<updated>{page.date}T00:00:00Z</updated>\n'
         f"{summary}</entry>\n"
     )
 

@@ -68,12 +68,29 @@ EXTENSIONS = (
 )
 
 
+# Patterns of Python-Markdown itself that few texts need, with the same kind of sign. Each is tried
+# at every place of a text, which is most of the time that a page takes.
+PATTERNS = {
+    ("reference", "image_reference", "short_reference", "short_image_ref"): re.compile(r"\]:"),
+    ("autolink", "automail", "html"): re.compile("<"),
+    ("image_link",): re.compile(r"!\["),
+    ("escape",): re.compile(r"\\"),
+    ("entity",): re.compile("&"),
+    ("linebreak",): re.compile("  \n"),
+}
+
+
 def converter(text: str) -> markdown.Markdown:
     """Return the converter for `text`, ready for it."""
-    return _converter(tuple(bool(syntax.sign.search(text)) for syntax in EXTENSIONS)).reset()
+    signs = (*(syntax.sign for syntax in EXTENSIONS), *PATTERNS.values())
+    return _converter(tuple(bool(sign.search(text)) for sign in signs)).reset()
 
 
 @functools.cache
 def _converter(needed: tuple[bool, ...]) -> markdown.Markdown:
-    made = [syntax.made() for syntax, need in zip(EXTENSIONS, needed, strict=True) if need]
-    return markdown.Markdown(output_format="html", extensions=made)
+    made = [syntax.made() for syntax, need in zip(EXTENSIONS, needed, strict=False) if need]
+    converter = markdown.Markdown(output_format="html", extensions=made)
+    for names, need in zip(PATTERNS, needed[len(EXTENSIONS) :], strict=True):
+        for name in () if need else names:
+            converter.inlinePatterns.deregister(name)
+    return converter

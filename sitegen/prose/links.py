@@ -65,6 +65,10 @@ class Links:
     files: dict[str, Path] = field(default_factory=dict)
     anchors: list[Anchor] = field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        files = {part.place.file for part in self.page.content}
+        self._own = {os.path.realpath(file) for file in files if file.suffix == ".md"}
+
     def resolve(self, url: str, key: str, source: Markdown) -> tuple[str | None, Path | None]:
         """Return where `url` leads from this page, None if it is right as written, and the file.
 
@@ -108,8 +112,7 @@ class Links:
         known = self.library.sources
         shown = known.get(written) or (known.get(os.path.realpath(written)) if known else None)
         if shown:
-            here = any(os.path.realpath(p.place.file) == written for p in self.page.content)
-            return self.page.path if here else shown.path
+            return self.page.path if written in self._own else shown.path
         here_on = posixpath.normpath(posixpath.join("/", self.page.path, name))
         for path in (here_on, posixpath.normpath("/" + name)):
             folder = path.removesuffix("/index.html").strip("/")

@@ -63,11 +63,11 @@ class Prose:
         self._check(text, source)
         text = self._drawn(text, source)
         text = self._apart(text)
+        text = _TAG.sub(lambda tag: self._tag(tag, source), text)
         text = _HEADING.sub(self._heading, text)
         text = _TASK.sub(r"<label>\1</label>", text) if "task-list" in text else text
         text = text.replace("<table", '<div class="table" tabindex="0"><table')
         text = text.replace("</table>", "</table></div>")
-        text = _TAG.sub(lambda tag: self._tag(tag, source), text)
         self.ids.update(_ID.findall(text))
         return text
 
