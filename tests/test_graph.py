@@ -15,19 +15,22 @@ RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
 SETTING = """
 const { Graph } = await import("./graph.js");
 const { Participant } = await import("./participant/participant.js");
+const { DEFAULT_QOS: QOS } = await import("./protocol.js");
 const graph = new Graph();
-const warnings = [];
+const complaints = [];
 function join() {
   let participant;
-  const id = graph.join((message) => participant.receive(message));
-  const post = ({ op, endpoint, id: gone }) => {
+  const receive = (message) => participant.receive(message);
+  const id = graph.join(receive, "", (text) => complaints.push(text));
+  const post = ({ op, endpoint, id: gone, count, peer, text }) => {
     if (op === "create") graph.create(id, endpoint);
     if (op === "destroy") graph.destroy(id, gone);
+    if (op === "missed") graph.miss(id, gone, count);
+    if (op === "complain") graph.complain(peer, text);
   };
-  participant = new Participant(id, post, (logger, text) => warnings.push(`${logger}: ${text}`));
+  participant = new Participant(id, post);
   return { participant, leave: () => graph.leave(id) };
 }
-const QOS = { depth: 10, reliable: true, transientLocal: false, keepAll: false };
 const publisher = (of, qos, topic = "/a", type = "T") =>
   of.participant.create("publisher", "/ns/talker", topic, type, { ...QOS, ...qos });
 const subscription = (of, qos, topic = "/a", type = "T") =>
@@ -133,25 +136,30 @@ def test_what_does_not_suit_does_not_match_and_is_told(play: Any) -> None:
       const other = subscription(b, {}, "/a", "U");
       publish(a, p, 1);
       await settle(a, b);
-      return { heard: [reliable, best, durable, other].map((s) => heard(b, s)), warnings };
+      const event = (of, id, kind) => {
+        const { total, policy } = of.participant.takeEvent(id, kind) ?? {};
+        return [total, policy];
+      };
+      return {
+        heard: [reliable, best, durable, other].map((s) => heard(b, s)),
+        events: [event(b, reliable, "incompatible"), event(b, best, "incompatible"),
+          event(b, durable, "incompatible"), event(b, other, "type"), event(a, p, "incompatible"),
+          event(a, p, "type"), event(a, p, "matched"), event(a, p, "matched")],
+        mismatches: graph.topics()[0].mismatches.map(({ policy }) => policy),
+      };
     """) == {
         "heard": [[], [1], [], []],
-        "warnings": [
-            f"{logger}: {text} Last incompatible policy: {policy}_QOS_POLICY"
-            for policy in ("RELIABILITY", "DURABILITY")
-            for logger, text in (
-                (
-                    "listener",
-                    "New publisher discovered on topic '/a', offering incompatible QoS. "
-                    "No messages will be received from it.",
-                ),
-                (
-                    "ns.talker",
-                    "New subscription discovered on topic '/a', requesting incompatible QoS. "
-                    "No messages will be sent to it.",
-                ),
-            )
+        "events": [
+            [1, "RELIABILITY"],
+            [None, None],
+            [1, "DURABILITY"],
+            [1, "TYPE"],
+            [2, "DURABILITY"],
+            [1, "TYPE"],
+            [1, ""],
+            [None, None],
         ],
+        "mismatches": ["RELIABILITY", "DURABILITY", "TYPE"],
     }
 
 
@@ -178,6 +186,8 @@ def test_who_leaves_is_forgotten_and_the_others_go_on(play: Any) -> None:
                 "types": ["T"],
                 "publishers": ["/ns/talker"],
                 "subscriptions": ["/listener"],
+                "missed": 0,
+                "mismatches": [],
             }
         ],
         0,
