@@ -75,7 +75,7 @@ export class Writer {
    */
   publish(message) {
     this.#expire();
-    if (this.#full()) return false;
+    if (this.#exceeds(0) && this.#mustKeep()) return false;
     const sample = { sequence: ++this.#sequence, timestamp: now(), message };
     let keep = this.#qos.transientLocal;
     for (const flow of this.#flows) {
@@ -139,10 +139,10 @@ export class Writer {
     this.#send(flow.remote, sample);
   }
 
-  /** Whether it has to keep all, and cannot keep more. */
-  #full() {
+  /** Whether its oldest message may not be lost, and somebody has not got it yet. */
+  #mustKeep() {
     const { keepAll, reliable } = this.#qos;
-    if (!keepAll || !reliable || !this.#exceeds(0)) return false;
+    if (!keepAll || !reliable) return false;
     const oldest = this.#sequence + 1 - this.#history.length;
     return this.#flows.some((flow) => this.#owes(flow) && flow.next <= oldest);
   }
@@ -158,7 +158,7 @@ export class Writer {
   #keep(sample) {
     this.#history.push(sample);
     this.#bytes += sample.message.length;
-    while (this.#history.length > 1 && this.#exceeds(1)) this.#forget();
+    while (this.#history.length > 1 && this.#exceeds(1) && !this.#mustKeep()) this.#forget();
   }
 
   /** Forget the oldest. Who has not got it yet goes on with the next. */
