@@ -183,7 +183,7 @@ def test_vernie_moves_on_the_page(stage: Tab) -> None:
     command(stage, 0, 0)
     stage.clock.run_for(100)
     expect_power(panel, 0, 0)
-    # Half a second at 0.3 m/s; then the tracks, 0.16 m apart, turn against each other at half of it.
+    # Half a second at 0.3 m/s; then its tracks, 0.16 m apart, run against each other at 0.15 m/s.
     x, y, turn = pose(panel)
     assert abs(x) < 1e-6
     assert y == pytest.approx(0.15, abs=0.01)
