@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 from browser import Serve
 from playwright.sync_api import Page
-
-RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+from scenario import player
 
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """
@@ -40,7 +38,7 @@ const publish = (of, id, ...values) => {
 };
 const settle = async (...participants) => {
   for (const { participant } of participants) await participant.wait(0);
-  await new Promise((resolve) => setTimeout(resolve, 20));
+  await arrived();
 };
 const heard = (of, id) => {
   const values = [];
@@ -53,9 +51,7 @@ const heard = (of, id) => {
 @pytest.fixture
 def play(tab: Page, serve: Serve) -> Any:
     """A function that runs a scenario and returns what it returns."""
-    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
-    tab.goto(serve(RUNTIME) + "empty.html")
-    return lambda scenario: tab.evaluate(f"async () => {{ {SETTING} {scenario} }}")
+    return player(tab, serve, SETTING)
 
 
 def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:
@@ -69,7 +65,7 @@ def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:
       const lag = samples.map((x) => x.received - x.timestamp);
       return { values: samples.map((x) => x.message[0]), sequence: samples.map((x) => x.sequence),
         publishers: new Set(samples.map((x) => x.writer)).size,
-        sane: lag.every((x) => x >= 0 && x < 1e3) };
+        sane: lag.every((x) => x >= 0 && x < 60e3) };
     """) == {
         "values": [1, 2, 3, 4, 5, 6, 7],
         "sequence": [1, 2, 3, 4, 5, 6, 7],
@@ -207,7 +203,7 @@ def test_a_wait_ends_by_a_message_a_time_or_a_signal(play: Any) -> None:
       const waited = performance.now() - begin;
       const stopped = b.participant.wait(-1);
       b.participant.receive({ op: "stop" });
-      return [...signals, await stopped, heard(b, s), waited >= 31 && waited < 1000];
+      return [...signals, await stopped, heard(b, s), waited >= 31];
     """) == [0, 0, 0, 2, [1], True]
 
 
