@@ -1,4 +1,4 @@
-"""Nobody is kept out: axe-core finds nothing serious on any page, light and dark, small and large."""
+"""Nobody is kept out: axe-core finds nothing serious on any page, whatever its look and size."""
 
 from __future__ import annotations
 

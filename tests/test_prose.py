@@ -106,13 +106,15 @@ def test_formulas_are_mathml(tmp_path: Path) -> None:
 
 def test_a_formula_that_is_none_is_told_by_its_line(tmp_path: Path) -> None:
     assert problems(tmp_path, "Text\n\n$$\n\\frac{a\n$$\n\nand $\\foo$") == [
-        'page.md:6: formula: Expected closing token "}", but reached end of input; write it as TeX does',
+        'page.md:6: formula: Expected closing token "}", but reached end of input; '
+        "write it as TeX does",
         "page.md:9: formula: Unknown command \"\\foo\" at '\\foo'; write it as TeX does",
     ]
 
 
 def test_headings_have_ids_that_links_reach(tmp_path: Path) -> None:
-    text = "## Über uns\n\n## Über uns\n\n## Other {#own}\n\n[a](#über-uns_1) [b](#own) [c](#%C3%BCber-uns)"
+    text = "## Über uns\n\n## Über uns\n\n## Other {#own}\n\n"
+    text += "[a](#über-uns_1) [b](#own) [c](#%C3%BCber-uns)"
     found = html(tmp_path, text)
     assert re.findall(r'<h2 id="(.*?)"', found) == ["über-uns", "über-uns_1", "own"]
 

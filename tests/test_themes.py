@@ -1,4 +1,4 @@
-"""Themes: what a template is given, what an own one takes over, and the ones that sitegen brings."""
+"""Themes: what a template is given, what an own one takes over, and what sitegen brings."""
 
 from __future__ import annotations
 
