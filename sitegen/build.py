@@ -37,7 +37,8 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
 
     # Markdown pages become HTML with a page.json each.
     types = {page.path: types_of(page, builds) for page in site.pages if assets.takes_part(page)}
-    artifacts = pages.render(site, modules=assets.preloads(site), types=types)
+    versions = assets.versions(builds.items())
+    artifacts = pages.render(site, modules=assets.preloads(site), types=types, versions=versions)
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)

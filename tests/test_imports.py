@@ -16,7 +16,7 @@ RUNTIME = PACKAGE / "runtime"
 ALLOWED = {
     "__main__": {"build", "errors", "report", "theme"},
     "build": {"assets", "config", "cpp", "errors", "model", "pages", "report", "workspace"},
-    "assets": {"model"},
+    "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},

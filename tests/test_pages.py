@@ -156,6 +156,19 @@ def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:
     }
 
 
+def test_another_program_has_another_address(author: Author) -> None:
+    author.page("a/", author.widget("console", "talker"))
+    versions = {("cpp_pubsub", "talker", "jspi"): "0123456789"}
+    sources = {a.path: a.source for a in render(author.site(asyncify=False), versions=versions)}
+    entry = sources["a/page.json"]
+    assert isinstance(entry, bytes)
+    stem = "../nodes/cpp_pubsub/talker.jspi"
+    assert json.loads(entry)["nodes"]["talker"]["builds"]["jspi"] == {
+        "script": f"{stem}.js?v=0123456789",
+        "wasm": f"{stem}.wasm?v=0123456789",
+    }
+
+
 def test_buttons_may_ask_for_a_start(author: Author) -> None:
     author.page("", author.widget("buttons", "talker", autostart=True))
     assert json.loads(author.built()["page.json"])["nodes"]["talker"]["autostart"] is True

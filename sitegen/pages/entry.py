@@ -10,7 +10,13 @@ from sitegen.pages.blocks import slots_of
 from sitegen.prose import address
 
 
-def page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> bytes:
+# A digest of each form of a program, by package, executable and engine.
+Versions = Mapping[tuple[str, str, str], str]
+
+
+def page_json(
+    site: Site, page: Page, types: Mapping[str, object] | None, versions: Versions
+) -> bytes:
     """Return the page's PageEntry; `types` are the message types of a page with panels."""
     waiting = {
         widget.target
@@ -24,7 +30,7 @@ def page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> byt
                 "executable": node.executable,
                 "arguments": node.command_line(),
                 "autostart": name not in waiting,
-                "builds": _builds(site, page, node),
+                "builds": _builds(site, page, node, versions),
             }
             for name, node in page.nodes.items()
         },
@@ -43,10 +49,12 @@ def page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> byt
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 
-def _builds(site: Site, page: Page, node: Node) -> dict[str, dict[str, str]]:
-    engines = ("jspi", "asyncify") if site.asyncify else ("jspi",)
-    stems = {engine: f"nodes/{node.package}/{node.executable}.{engine}" for engine in engines}
-    return {
-        engine: {"script": address(page, f"{stem}.js"), "wasm": address(page, f"{stem}.wasm")}
-        for engine, stem in stems.items()
-    }
+def _builds(site: Site, page: Page, node: Node, versions: Versions) -> dict[str, dict[str, str]]:
+    builds = {}
+    for engine in ("jspi", "asyncify") if site.asyncify else ("jspi",):
+        stem = address(page, f"nodes/{node.package}/{node.executable}.{engine}")
+        # Another program has another address, so that browsers may keep this one for good.
+        version = versions.get((node.package, node.executable, engine), "")
+        query = f"?v={version}" if version else ""
+        builds[engine] = {"script": f"{stem}.js{query}", "wasm": f"{stem}.wasm{query}"}
+    return builds

@@ -16,7 +16,7 @@ from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Markdown, Page, Site
 from sitegen.pages import discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
-from sitegen.pages.entry import page_json
+from sitegen.pages.entry import Versions, page_json
 from sitegen.pages.history import changed_days, edit_link
 from sitegen.pages.nav import Link, Navigation
 from sitegen.pages.policy import FILE_NOTE, policy
@@ -50,13 +50,15 @@ def render(
     *,
     modules: Mapping[str, Sequence[str]] | None = None,
     types: Mapping[str, Mapping[str, object]] | None = None,
+    versions: Versions | None = None,
 ) -> list[Artifact]:
     """Return the artifacts of all pages and of the themes.
 
     `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
-    `types` has, by page path, the message types of pages that take part in the graph.
+    `types` has, by page path, the message types of pages that take part in the graph; `versions`
+    has a digest of each program.
     """
-    renderer = Renderer(site, modules=modules or {}, types=types or {})
+    renderer = Renderer(site, modules=modules or {}, types=types or {}, versions=versions or {})
     return renderer.site_artifacts(renderer.every_page())
 
 
@@ -69,10 +71,12 @@ class Renderer:
         *,
         modules: Mapping[str, Sequence[str]],
         types: Mapping[str, Mapping[str, object]],
+        versions: Versions,
     ) -> None:
         self.site = tags.with_tags(site)
         self._modules = modules
         self._types = types
+        self._versions = versions
         self._library = Library.of(self.site)
         self._navigation = Navigation(site)
         self._tags = tags.links(self.site)
@@ -118,7 +122,7 @@ class Renderer:
         html = self._html(page, parts, prose)
         artifacts = [Artifact(f"{page.path}index.html", html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
-            entry = page_json(self.site, page, self._types.get(page.path))
+            entry = page_json(self.site, page, self._types.get(page.path), self._versions)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url:
