@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from bench import building, messages, pages
+from bench import building, messages, pages, prose
 from bench.figure import Figure, table
 
 PARTS: dict[str, Callable[[], list[Figure]]] = {
@@ -22,6 +22,7 @@ PARTS: dict[str, Callable[[], list[Figure]]] = {
     "start": pages.start,
     "size": pages.size,
     "build": building.build,
+    "prose": prose.prose,
 }
 RESULTS = Path(__file__).parent / "results"
 
