@@ -260,10 +260,10 @@ MIRRORED = {
         { level: 2, name: "a", message: "b: c, d", hardware_id: "7", values: [] },
         { level: 0, name: "", message: "", hardware_id: "", values: [
           { key: "k, 1", value: "v\n2" }, { key: "true", value: "~" }] }] }]""",
-    # Each takes much longer to write as YAML than the script waits between two questions.
-    "/image sensor_msgs/msg/Image": """[1, 2, 3].map((n) => ({
-      header: { stamp: { sec: 1, nanosec: 2 }, frame_id: `image ${n}` }, height: 1, width: 200000,
-      encoding: "mono8", is_bigendian: 0, step: 200000, data: new Uint8Array(200000).fill(n) }))""",
+    # To write a large one as YAML takes longer than the script waits until it asks again.
+    "/image sensor_msgs/msg/Image": """[500_000, 1, 2, 500_000, 3, 4].map((width) => ({
+      header: { stamp: { sec: 1, nanosec: 2 }, frame_id: `image ${width}` }, height: 1, width,
+      encoding: "mono8", is_bigendian: 0, step: width, data: new Uint8Array(width).fill(7) }))""",
 }
 
 
