@@ -15,13 +15,18 @@ CHARACTERISTIC = "00001624-1212-efde-1623-785feabcde23"
 # Notifications are switched on by a descriptor of this kind.
 CONFIGURATION = "00002902-0000-1000-8000-00805f9b34fb"
 PROPERTIES = {"write": True, "writeWithoutResponse": True, "notify": True}
-# Keeps the characteristic that the page listens to.
+# Keeps the characteristic that the page listens to, and notes what the page writes, and when.
 HEAR = """if (window.isSecureContext) {
   const { prototype } = BluetoothRemoteGATTCharacteristic;
-  const { startNotifications } = prototype;
+  const { startNotifications, writeValueWithoutResponse } = prototype;
   prototype.startNotifications = function () {
     window.heard = this;
     return startNotifications.call(this);
+  };
+  window.written = [];
+  prototype.writeValueWithoutResponse = function (message) {
+    written.push([performance.now(), [...message]]);
+    return writeValueWithoutResponse.call(this, message);
   };
 }"""
 
@@ -65,6 +70,11 @@ class MoveHub:
         """Return the messages since the last time."""
         messages, self.messages[:] = list(self.messages), []
         return messages
+
+    def written(self) -> list[tuple[float, str]]:
+        """Return all that the page has written, each with the page's time in ms."""
+        found = self.tab.evaluate("written")
+        return [(time, bytes(message).hex(" ")) for time, message in found]
 
     def _connected(self, event: dict[str, Any]) -> None:
         self.connections += event["type"] == "connection"

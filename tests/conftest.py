@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, Serve, chromium, serving
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect
 
 from sitegen.build import build
 from sitegen.report import Report
@@ -17,6 +17,10 @@ from sitegen.report import Report
 ROOT = Path(__file__).parent.parent
 # A browser that lacks JSPI gets the other build of each node.
 WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
+
+
+# A slow machine is no fault of what is tested: what is waited for may take its time.
+expect.set_options(timeout=60_000)
 
 
 @pytest.fixture(scope="session")

@@ -45,7 +45,7 @@ class Panel:
         return [match[3] for match in found if match and match[2] != "rclcpp"]
 
     def wait_for(self, text: str) -> None:
-        expect(self.console).to_contain_text(text, timeout=15_000)
+        expect(self.console).to_contain_text(text)
 
 
 def numbers(panel: Panel, before: str) -> list[int]:
@@ -72,7 +72,7 @@ def graph(page: Page) -> dict[str, list[str]]:
 def expect_nothing_left(page: Page) -> None:
     """After Stop nothing is in the graph and no worker runs."""
     assert graph(page)["all"] == []
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 60
     while page.workers and time.monotonic() < deadline:
         page.wait_for_timeout(50)  # the browser tells of a worker's end a moment later
     assert page.workers == []

@@ -32,6 +32,12 @@ def subscribed(page: Tab) -> list[str]:
     return found
 
 
+def stop_clock(page: Tab) -> None:
+    """Let the page's time pass only when the test says so, by `page.clock.run_for`."""
+    page.clock.install(time=0)
+    page.clock.pause_at(3_600_000)
+
+
 def hide_tab(page: Tab, hidden: bool) -> None:
     page.evaluate(
         """(state) => {

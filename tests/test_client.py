@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import pytest
 from browser import Serve
 from playwright.sync_api import Page
-
-RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+from scenario import player
 
 SETTING = """
 const { Graph } = await import("./graph.js");
@@ -30,7 +28,6 @@ const types = {
 const graph = new Graph();
 const client = new PageClient(graph, types);
 const other = new PageClient(graph, types);
-const settle = () => new Promise((resolve) => setTimeout(resolve, 30));
 const plain = (value) => JSON.parse(JSON.stringify(value, (key, one) =>
   typeof one === "bigint" ? `${one}n` : ArrayBuffer.isView(one) ? [...one] : one));
 """
@@ -39,9 +36,7 @@ const plain = (value) => JSON.parse(JSON.stringify(value, (key, one) =>
 @pytest.fixture
 def play(tab: Page, serve: Serve) -> Any:
     """A function that runs a scenario and returns what it returns."""
-    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
-    tab.goto(serve(RUNTIME) + "empty.html")
-    return lambda scenario: tab.evaluate(f"async () => {{ {SETTING} {scenario} }}")
+    return player(tab, serve, SETTING)
 
 
 def test_messages_of_every_kind_of_field_come_back(play: Any) -> None:
@@ -56,7 +51,7 @@ def test_messages_of_every_kind_of_field_come_back(play: Any) -> None:
         wide: "€ 𝄞", wides: ["b", ""], at: { x: 1, y: -2 }, path: [{ x: 3, y: 4 }] });
       all.publish({});
       nothing.publish({});
-      await settle();
+      await arrived();
       return plain(heard);
     """) == [
         [
@@ -107,7 +102,7 @@ def test_what_is_closed_leaves_nothing(play: Any) -> None:
       try { publisher.publish({}); } catch (error) { refused = error.message; }
       end();
       publisher.close();
-      await settle();
+      await arrived();
       return { during, refused, heard, after: graph.endpoints() };
     """) == {
         "during": [
@@ -138,7 +133,7 @@ def test_services_are_promises(play: Any) -> None:
       const qos = { depth: 10, reliable: true, transientLocal: false, keepAll: false };
       const service = server.create("service", "/server", "/half", "demo/srv/Half", qos);
       const answers = [call(7), call(8)];
-      await settle();
+      await arrived();
       for (let one; (one = server.take(service)); ) {
         const { value } = codec.read("demo/srv/Half_Request", one.message);
         const response = codec.write("demo/srv/Half_Response", { half: value / 2 });

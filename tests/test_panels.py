@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -51,7 +52,7 @@ def test_rate_and_bandwidth_are_measured(stage: Tab) -> None:
     expect(panel.locator("tbody td small").first).to_have_text("75.0 kB/s")
     stage.evaluate("clearInterval(publisher)")
     # A publisher that is silent slows down, and soon has no rate at all.
-    expect(panel.locator("tbody td span").first).to_have_text(NONE, timeout=9000)
+    expect(panel.locator("tbody td span").first).to_have_text(NONE)
 
 
 def test_a_topic_is_echoed_paused_and_bounded(stage: Tab) -> None:
@@ -269,7 +270,7 @@ def test_nodes_tell_what_runs_and_what_it_does(stage: Tab) -> None:
     ]  # fmt: skip
     panel.get_by_label("Show hidden").check()
     expect(item.locator("dl")).to_contain_text("/rosout")
-    expect(item).to_contain_text("for 1 s")
+    expect(item).to_contain_text(re.compile(r"for [1-9]\d* s"))
     stage.evaluate("ros.graph.remove('/talker'); ros.nodes.get('talker').become('failed')")
     expect(item.locator("dl")).to_have_count(0)
     expect(item.locator(".ros-state")).to_have_text("failed")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from browser import Serve
 from playwright.sync_api import Page as Tab
+from playwright.sync_api import expect
 
 ROOT = Path(__file__).parent.parent
 
@@ -192,7 +193,7 @@ def test_the_keyboard_scrolls_the_console(page: Tab) -> None:
     log.focus()
     page.keyboard.press("Home")
     page.wait_for_function("document.querySelector('#console .ros-lines').scrollTop === 0")
-    assert page.locator("#console .ros-newest").is_visible()
+    expect(page.locator("#console .ros-newest")).to_be_visible()
 
 
 def test_clear_empties_the_console_and_the_hint_returns(page: Tab) -> None:

@@ -3,14 +3,15 @@
 // linked to whom.
 // Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
 
-import { incompatibility, sends } from "./protocol.js";
+import { incompatibility, KINDS, sends } from "./protocol.js";
 
-/** @import { Endpoint, ToWorker } from "./protocol.js" */
+/** @import { Endpoint, Mismatch, ToWorker } from "./protocol.js" */
 
 /**
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
- * @typedef {{id: number, program: string, post: Post, endpoints: Map<number, Endpoint>,
- *   links: Set<number>}} Participant
+ * @typedef {(text: string) => void} Complain
+ * @typedef {{id: number, program: string, post: Post, complain: Complain,
+ *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>}} Participant
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
  * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
  *   publishers and the subscriptions, of a service the clients and the servers
@@ -29,11 +30,14 @@ export class Graph extends EventTarget {
 
   /**
    * Let a worker take part and return its id.
-   * @param {Post} post to the worker @param {string} [program] that it runs
+   * @param {Post} post to the worker @param {string} program that it runs, empty for the page itself
+   * @param {Complain} complain called with what is wrong with the worker's part
    */
-  join(post, program = "") {
+  join(post, program, complain) {
     const id = this.#nextId++;
-    this.#participants.set(id, { id, program, post, endpoints: new Map(), links: new Set() });
+    this.#participants.set(id, {
+      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(),
+    });
     return id;
   }
 
@@ -55,6 +59,10 @@ export class Graph extends EventTarget {
   create(id, endpoint) {
     const owner = this.#participants.get(id);
     if (!owner) return;
+    if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) {
+      owner.complain("announced what is no endpoint; it was dropped");
+      return;
+    }
     owner.endpoints.set(endpoint.id, endpoint);
     if (endpoint.kind !== "node") {
       const member = { owner, endpoint };
@@ -71,6 +79,7 @@ export class Graph extends EventTarget {
     const endpoint = owner?.endpoints.get(endpointId);
     if (!owner || !endpoint) return;
     owner.endpoints.delete(endpointId);
+    owner.missed.delete(endpointId);
     if (endpoint.kind !== "node") {
       const { mine, others } = this.#sides(endpoint);
       const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
@@ -83,10 +92,23 @@ export class Graph extends EventTarget {
     this.#changed();
   }
 
+  /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
+  miss(id, endpoint, count) {
+    this.#participants.get(id)?.missed.set(endpoint, count);
+    this.#changed();
+  }
+
+  /** Pass on what a worker says about another, which sent it nonsense. @param {number} peer @param {string} text */
+  complain(peer, text) {
+    this.#participants.get(peer)?.complain(text);
+  }
+
   /** Everything that takes part, in the order of its coming. */
   endpoints() {
-    return [...this.#participants.values()].flatMap(({ program, endpoints }) =>
-      [...endpoints.values()].map((endpoint) => ({ ...endpoint, program })),
+    return [...this.#participants.values()].flatMap(({ program, endpoints, missed }) =>
+      [...endpoints.values()].map((endpoint) => ({
+        ...endpoint, program, missed: missed.get(endpoint.id) ?? 0,
+      })),
     );
   }
 
@@ -102,6 +124,8 @@ export class Graph extends EventTarget {
       types: types(channel),
       publishers: nodesOf(channel.senders),
       subscriptions: nodesOf(channel.receivers),
+      missed: sum([...channel.receivers].map(({ owner, endpoint }) => owner.missed.get(endpoint.id) ?? 0)),
+      mismatches: mismatches(channel),
     }));
   }
 
@@ -139,26 +163,27 @@ export class Graph extends EventTarget {
    * @param {Member} a @param {Member} b
    */
   #meet(a, b) {
-    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
+    if (a.owner === b.owner) return;
     const policy = incompatibility(...inOrder(a, b));
-    if (policy) {
-      for (const { owner, endpoint } of [a, b]) {
-        owner.post({ op: "incompatible", local: endpoint.id, policy });
-      }
-      return;
-    }
-    this.#link(a.owner, b.owner);
-    const durable = a.endpoint.qos.transientLocal && b.endpoint.qos.transientLocal;
+    if (!policy) this.#link(a.owner, b.owner);
     for (const [to, about] of bothWays(a, b)) {
-      to.owner.post({ op: "match", ...pair(to, about), durable });
+      const local = to.endpoint.id;
+      if (policy) {
+        to.owner.post({ op: "incompatible", local, policy });
+      } else {
+        const { id: remote, qos } = about.endpoint;
+        to.owner.post({ op: "match", local, peer: about.owner.id, remote, qos });
+      }
     }
   }
 
   /** @param {Member} a @param {Member} b */
   #part(a, b) {
-    if (a.owner === b.owner || a.endpoint.type !== b.endpoint.type) return;
-    if (incompatibility(...inOrder(a, b))) return;
-    for (const [to, about] of bothWays(a, b)) to.owner.post({ op: "unmatch", ...pair(to, about) });
+    if (a.owner === b.owner || incompatibility(...inOrder(a, b))) return;
+    for (const [to, about] of bothWays(a, b)) {
+      const [local, remote] = [to.endpoint.id, about.endpoint.id];
+      to.owner.post({ op: "unmatch", local, peer: about.owner.id, remote });
+    }
   }
 
   /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
@@ -207,7 +232,26 @@ function bothWays(a, b) {
   return [[a, b], [b, a]];
 }
 
-/** @param {Member} to @param {Member} about */
-function pair(to, about) {
-  return { local: to.endpoint.id, peer: about.owner.id, remote: about.endpoint.id };
+/** Who on a topic does not hear whom, and why. @param {Channel} channel @returns {Mismatch[]} */
+function mismatches({ senders, receivers }) {
+  return [...senders].flatMap(({ endpoint: from }) =>
+    [...receivers].flatMap(({ endpoint: to }) => {
+      const policy = incompatibility(from, to);
+      return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
+    }),
+  );
+}
+
+/** @param {number[]} numbers */
+function sum(numbers) {
+  return numbers.reduce((total, number) => total + number, 0);
+}
+
+/** Whether it is one; a worker may run anybody's program. @param {any} endpoint */
+function isEndpoint(endpoint) {
+  const { id, kind, node, name, type, qos } = endpoint ?? {};
+  return Number.isSafeInteger(id) && id > 0 && id < 2 ** 32 && KINDS.includes(kind) &&
+    [node, name, type].every((text) => typeof text === "string") &&
+    typeof qos === "object" && qos !== null &&
+    [qos.depth, qos.deadline, qos.lifespan, qos.lease].every((number) => number >= 0);
 }

@@ -121,7 +121,8 @@ export class NodeProcess extends EventTarget {
     });
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
-    const id = this.#graph.join(post, this.name);
+    const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
+    const id = this.#graph.join(post, this.name, complain);
     const run = { worker, id };
     this.#run = run;
     worker.onmessage = (event) => this.#receive(id, event.data);
@@ -150,6 +151,12 @@ export class NodeProcess extends EventTarget {
         break;
       case "destroy":
         this.#graph.destroy(id, message.id);
+        break;
+      case "missed":
+        this.#graph.miss(id, message.id, message.count);
+        break;
+      case "complain":
+        this.#graph.complain(message.peer, message.text);
         break;
       case "lines":
         this.#emitLines(message.lines);

@@ -3,15 +3,15 @@
 
 import { Codec } from "./messages/codec.js";
 import { Participant } from "./participant/participant.js";
+import { DEFAULT_QOS } from "./protocol.js";
 
 /** @import { Graph } from "./graph.js" */
 /** @import { MessageInfo, MessageType, Publisher, Qos } from "./protocol.js" */
 
 // Hidden, as the tools of ROS hide the nodes that they look with.
 const NODE = "/_page";
-/** @type {Qos} */
-const QOS = { depth: 10, reliable: false, transientLocal: false, keepAll: false };
-const RELIABLE = { reliable: true };
+// A panel that is slower than what it shows has seen enough.
+const BEST_EFFORT = { ...DEFAULT_QOS, reliable: false };
 
 export class PageClient {
   #codec;
@@ -24,15 +24,14 @@ export class PageClient {
     this.#codec = new Codec(types);
     /** @type {Participant} */
     let participant;
-    const id = graph.join((message) => participant.receive(message));
-    participant = new Participant(
-      id,
-      (message) => {
-        if (message.op === "create") graph.create(id, message.endpoint);
-        if (message.op === "destroy") graph.destroy(id, message.id);
-      },
-      (logger, text) => console.warn(`${logger}: ${text}`),
-    );
+    const warn = (/** @type {string} */ text) => console.warn(`the page ${text}`);
+    const id = graph.join((message) => participant.receive(message), "", warn);
+    participant = new Participant(id, (message) => {
+      if (message.op === "create") graph.create(id, message.endpoint);
+      if (message.op === "destroy") graph.destroy(id, message.id);
+      if (message.op === "missed") graph.miss(id, message.id, message.count);
+      if (message.op === "complain") graph.complain(message.peer, message.text);
+    });
     this.#participant = participant;
   }
 
@@ -54,7 +53,7 @@ export class PageClient {
    * @param {(message: Uint8Array, info: MessageInfo) => void} callback @param {Partial<Qos>} [qos]
    */
   subscribeBytes(topic, type, callback, qos) {
-    return this.#receive("subscription", topic, type, { ...QOS, ...qos }, (sample) => {
+    return this.#receive("subscription", topic, type, { ...BEST_EFFORT, ...qos }, (sample) => {
       const { message, sequence, timestamp, received } = sample;
       callback(message, { size: message.length, sequence, timestamp, received });
     }).close;
@@ -62,13 +61,12 @@ export class PageClient {
 
   /** @param {string} topic @param {string} type @param {Partial<Qos>} [qos] @returns {Publisher} */
   advertise(topic, type, qos) {
-    const id = this.#participant.create("publisher", NODE, topic, type, {
-      ...QOS, ...RELIABLE, ...qos,
-    });
+    const id = this.#participant.create("publisher", NODE, topic, type, { ...DEFAULT_QOS, ...qos });
     return {
       publish: (message) => {
-        this.#participant.publish(id, this.#codec.write(type, message));
+        const sent = this.#participant.publish(id, this.#codec.write(type, message));
         this.#participant.flush();
+        if (!sent) throw new Error(`the subscriptions of ${topic} have no room for more messages now`);
       },
       close: () => this.#participant.destroy(id),
     };
@@ -83,7 +81,7 @@ export class PageClient {
   call(service, type, request, timeout = 5000) {
     return new Promise((resolve, reject) => {
       const bytes = this.#codec.write(`${type}_Request`, request);
-      const client = this.#receive("client", service, type, { ...QOS, ...RELIABLE }, (sample) => {
+      const client = this.#receive("client", service, type, DEFAULT_QOS, (sample) => {
         done(() => resolve(this.#codec.read(`${type}_Response`, sample.message)));
       });
       const timer = setTimeout(() => {
@@ -109,7 +107,7 @@ export class PageClient {
 
   /**
    * @param {"subscription" | "client"} kind @param {string} name @param {string} type @param {Qos} qos
-   * @param {(sample: import("./participant/queue.js").Sample) => void} handler
+   * @param {(sample: import("./participant/queue.js").Received) => void} handler
    */
   #receive(kind, name, type, qos, handler) {
     const id = this.#participant.create(kind, NODE, name, type, qos);

@@ -39,10 +39,13 @@
  * endpoint is the name of its NodeHandle, empty for the page's own.
  * @typedef {EventTarget & {
  *   nodes(): string[],
- *   endpoints(): (Endpoint & {program: string})[],
- *   topics(): {name: string, types: string[], publishers: string[], subscriptions: string[]}[],
+ *   endpoints(): (Endpoint & {program: string, missed: number})[],
+ *   topics(): {name: string, types: string[], publishers: string[], subscriptions: string[],
+ *     missed: number, mismatches: Mismatch[]}[],
  *   services(): {name: string, types: string[], servers: string[], clients: string[]}[],
  * }} GraphView
+ * @typedef {{publisher: string, subscription: string, policy: Policy}} Mismatch nodes that do not hear each
+ *   other, for this reason
  *
  * A message type, by its name ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). A field's
  * type is written as in a .msg file, nested types with their whole name: "float64[3]",
@@ -68,34 +71,56 @@
 /**
  * An endpoint of the graph as its participant announces it; `id` is unique in that participant.
  * @typedef {{id: number, kind: EndpointKind, node: string, name: string, type: string, qos: Qos}} Endpoint
- * @typedef {"node" | "publisher" | "subscription" | "service" | "client"} EndpointKind
- * @typedef {{depth: number, reliable: boolean, transientLocal: boolean, keepAll: boolean}} Qos
+ * @typedef {(typeof KINDS)[number]} EndpointKind
+ *
+ * Quality of service, what a publisher offers and a subscription asks for. The last `depth` messages
+ * are kept, or all. `deadline` is the longest time between messages, `lifespan` how long one is worth
+ * having, `lease` how long a publisher counts as alive that must say so itself if `manual`; in ms.
+ * @typedef {{depth: number, reliable: boolean, transientLocal: boolean, keepAll: boolean,
+ *   deadline: number, lifespan: number, manual: boolean, lease: number}} Qos
+ * @typedef {"RELIABILITY" | "LIVELINESS" | "DEADLINE" | "DURABILITY" | "TYPE"} Policy
  */
 
+export const KINDS = /** @type {const} */ (["node", "publisher", "subscription", "service", "client"]);
+
+/** What ROS 2 gives who does not ask for more. @type {Qos} */
+export const DEFAULT_QOS = Object.freeze({
+  depth: 10, reliable: true, transientLocal: false, keepAll: false,
+  deadline: Infinity, lifespan: Infinity, manual: false, lease: Infinity,
+});
+
 /**
- * Worker to page.
+ * Worker to page; `missed` are the messages of a subscription that its program was too slow for.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
+ *   | {op: "missed", id: number, count: number}
+ *   | {op: "complain", peer: number, text: string}
  *   | {op: "lines", lines: Line[]}
  *   | {op: "memory", bytes: number}
  *   | {op: "exit", code: number, error: string}} FromWorker
  */
 
 /**
- * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`;
- * a `durable` match is one of transient local endpoints, and begins with what the publisher keeps.
- * Endpoints of one worker find each other there.
+ * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`, whose
+ * quality of service is `qos`. Endpoints of one worker find each other there.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[]}
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
- *   | {op: "match", local: number, peer: number, remote: number, durable: boolean}
+ *   | {op: "match", local: number, peer: number, remote: number, qos: Qos}
  *   | {op: "unmatch", local: number, peer: number, remote: number}
- *   | {op: "incompatible", local: number, policy: string}
+ *   | {op: "incompatible", local: number, policy: Policy}
  *   | {op: "stop"}} ToWorker
+ */
+
+/**
+ * Worker to worker, beside frames: what a reader has taken, so that its writer may send more; and that a
+ * writer lives though it sends nothing. Both by the ids that they have in their workers.
+ * @typedef {{op: "credit", writer: number, reader: number, records: number, bytes: number}
+ *   | {op: "alive", writer: number, reader: number}} FromPeer
  */
 
 /** Whether an endpoint is one that messages or requests go out from. @param {Endpoint} endpoint */
@@ -104,23 +129,27 @@ export function sends({ kind }) {
 }
 
 /**
- * The policy of which a sender offers less than a receiver asks for, or "".
- * @param {Endpoint} sender @param {Endpoint} receiver
+ * The policy of which a sender offers less than a receiver asks for, or "". Of several, the one that ROS 2
+ * names.
+ * @param {Endpoint} sender @param {Endpoint} receiver @returns {Policy | ""}
  */
-export function incompatibility({ qos: offered }, { qos: requested }) {
-  if (requested.reliable && !offered.reliable) return "RELIABILITY_QOS_POLICY";
-  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY_QOS_POLICY";
+export function incompatibility({ type: sent, qos: offered }, { type: wanted, qos: requested }) {
+  if (sent !== wanted) return "TYPE";
+  if (requested.reliable && !offered.reliable) return "RELIABILITY";
+  if ((requested.manual && !offered.manual) || requested.lease < offered.lease) return "LIVELINESS";
+  if (requested.deadline < offered.deadline) return "DEADLINE";
+  if (requested.transientLocal && !offered.transientLocal) return "DURABILITY";
   return "";
 }
 
 /** The name that an endpoint of a worker has in the whole page. @param {number} worker @param {number} id */
 export function pageId(worker, id) {
-  return worker * 0x10000 + id;
+  return worker * 2 ** 32 + id;
 }
 
 /** Worker and id of an endpoint. @param {number} name */
 export function fromPageId(name) {
-  return { peer: Math.floor(name / 0x10000), id: name % 0x10000 };
+  return { peer: Math.floor(name / 2 ** 32), id: name % 2 ** 32 };
 }
 
 /**
@@ -128,7 +157,7 @@ export function fromPageId(name) {
  * message's CDR bytes, padded to 8. All numbers are little-endian, as WebAssembly has them.
  *
  *   0  uint32   reader      id of the endpoint it is for, in the worker that receives
- *   4  uint32   writer      the endpoint it is from, unique in the page
+ *   4  uint32   writer      id of the endpoint it is from, in the worker that sends
  *   8  uint32   sequence    of this writer, from 1; a response has that of its request
  *   12 uint32   size        of the message in bytes
  *   16 float64  timestamp   when it was sent, ms since 1970
@@ -156,22 +185,26 @@ export function writeRecord(frame, offset, head, message) {
 }
 
 /**
- * The records of a frame in order. The messages are views on the frame.
- * @param {ArrayBuffer} frame @returns {Generator<Head & {message: Uint8Array}>}
+ * Hand out the records of a frame in order; the messages are views on the frame. Returns how many bytes
+ * at the end are no records: none, unless whoever made the frame was wrong.
+ * @param {ArrayBuffer} frame @param {(head: Head, message: Uint8Array) => void} deliver
  */
-export function* readRecords(frame) {
+export function readRecords(frame, deliver) {
   const view = new DataView(frame);
-  for (let at = 0; at + HEAD_SIZE <= frame.byteLength;) {
+  let at = 0;
+  while (at + HEAD_SIZE <= frame.byteLength) {
     const size = view.getUint32(at + 12, true);
-    yield {
+    if (at + HEAD_SIZE + size > frame.byteLength) break;
+    const head = {
       reader: view.getUint32(at, true),
       writer: view.getUint32(at + 4, true),
       sequence: view.getUint32(at + 8, true),
       timestamp: view.getFloat64(at + 16, true),
-      message: new Uint8Array(frame, at + HEAD_SIZE, size),
     };
+    deliver(head, new Uint8Array(frame, at + HEAD_SIZE, size));
     at += recordSize(size);
   }
+  return Math.max(0, frame.byteLength - at);
 }
 
 // Asking the browser once is enough, and half of the cost of a time stamp.

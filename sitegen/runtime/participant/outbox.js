@@ -49,10 +49,6 @@ export class Outbox {
     this.#posted = 0;
   }
 
-  close() {
-    this.#port.close();
-  }
-
   #flushBatch() {
     if (this.#used === 0) return;
     const frame = this.#batch.slice(0, this.#used).buffer;

@@ -1,45 +1,54 @@
 // @ts-check
 // A worker's part of the ROS graph: its endpoints, its links to other workers, and waiting.
 
-import { fromPageId, incompatibility, now, pageId, readRecords, sends } from "../protocol.js";
-import { Outbox } from "./outbox.js";
+import { fromPageId, incompatibility, now, pageId, sends } from "../protocol.js";
+import { Link } from "./link.js";
 import { Queue } from "./queue.js";
+import { Reader } from "./reader.js";
+import { Status } from "./status.js";
 import { Waiting } from "./waiting.js";
+import { Writer } from "./writer.js";
 
-/** @import { Endpoint, EndpointKind, FromWorker, Qos, ToWorker } from "../protocol.js" */
+/** @import { Endpoint, EndpointKind, FromWorker, Head, Policy, Qos, ToWorker } from "../protocol.js" */
+/** @import { Received } from "./queue.js" */
+/** @import { EventKind } from "./status.js" */
+/** @import { Sample } from "./writer.js" */
 
 /**
- * @typedef {{peer: number, id: number}} Remote an endpoint that matches one of ours
- * @typedef {{sequence: number, timestamp: number, message: Uint8Array}} Kept
- * @typedef {{
- *   endpoint: Endpoint, remotes: Remote[], queue: Queue, sequence: number, kept: Kept[],
- * }} Local with the messages that a transient local publisher keeps for those who come late
+ * @typedef {{name: number, peer: number, id: number, qos: Qos}} Remote an endpoint that matches one of
+ *   ours; `name` is the one it has in the whole page
+ * @typedef {{endpoint: Endpoint, remotes: Remote[], status: Status, writer?: Writer, reader?: Reader,
+ *   queue?: Queue, sequence: number}} Local a publisher has a writer, a subscription a reader, services and
+ *   clients a queue; `sequence` numbers the requests of a client
  */
 
 const SIGINT = 2;
+// What subscriptions missed is told to the page this often (ms) at most.
+const REPORT = 500;
 /** Who receives from whom. @type {Partial<Record<EndpointKind, EndpointKind>>} */
 const RECEIVER = { publisher: "subscription", client: "service" };
 
 export class Participant {
   #id;
   #post;
-  #warn;
   /** @type {Map<number, Local>} */
   #locals = new Map();
   #nextId = 1;
-  /** @type {Map<number, Outbox>} */
-  #outboxes = new Map();
+  /** @type {Map<number, Link>} */
+  #links = new Map();
   #waiting = new Waiting();
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #report;
+  /** How many events there were, of all endpoints: who remembers it knows whether to look for new ones. */
+  events = 0;
 
   /**
    * @param {number} id of this worker in the page
    * @param {(message: FromWorker) => void} post to the page
-   * @param {(logger: string, text: string) => void} warn on the console of the node
    */
-  constructor(id, post, warn) {
+  constructor(id, post) {
     this.#id = id;
     this.#post = post;
-    this.#warn = warn;
   }
 
   /**
@@ -49,11 +58,7 @@ export class Participant {
    */
   create(kind, node, name, type, qos) {
     const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
-    // Requests and responses are bounded by who waits for them.
-    const all = qos.keepAll || kind === "service" || kind === "client";
-    const queue = new Queue(all ? Infinity : Math.max(qos.depth, 1));
-    /** @type {Local} */
-    const local = { endpoint, remotes: [], queue, sequence: 0, kept: [] };
+    const local = this.#local(endpoint);
     this.#locals.set(endpoint.id, local);
     for (const other of this.#locals.values()) this.#meet(local, other);
     this.#post({ op: "create", endpoint });
@@ -65,8 +70,10 @@ export class Participant {
     const local = this.#locals.get(id);
     if (!local) return;
     this.#locals.delete(id);
+    local.writer?.close();
+    local.reader?.close();
     for (const { peer, id: other } of local.remotes) {
-      if (peer === this.#id) this.#unmatch(other, { peer, id });
+      if (peer === this.#id) this.#unmatch(other, pageId(this.#id, id));
     }
     this.#post({ op: "destroy", id });
   }
@@ -77,20 +84,28 @@ export class Participant {
   }
 
   /**
-   * Send a copy of `message` to all subscriptions that match the publisher `id`.
+   * Send a copy of `message` to all subscriptions that match the publisher `id`. False if it keeps all
+   * and is full: its subscriptions must take some first.
    * @param {number} id @param {Uint8Array} message
    */
   publish(id, message) {
-    const local = this.#locals.get(id);
-    if (!local) return;
-    const sequence = ++local.sequence;
-    const timestamp = now();
-    const { qos } = local.endpoint;
-    if (qos.transientLocal) {
-      local.kept.push({ sequence, timestamp, message: message.slice() });
-      if (!qos.keepAll && local.kept.length > qos.depth) local.kept.shift();
+    return this.#locals.get(id)?.writer?.publish(message) ?? true;
+  }
+
+  /** Whether reliable subscriptions have not yet got all that `id` published. @param {number} id */
+  behind(id) {
+    return this.#locals.get(id)?.writer?.behind ?? false;
+  }
+
+  /** Say that the publisher `id` lives. @param {number} id */
+  assertLiveliness(id) {
+    for (const { peer, id: reader } of this.#locals.get(id)?.writer?.assert() ?? []) {
+      if (peer === this.#id) {
+        this.#locals.get(reader)?.reader?.hear(pageId(peer, id));
+      } else {
+        this.#links.get(peer)?.tell({ op: "alive", writer: id, reader });
+      }
     }
-    for (const remote of local.remotes) this.#send(id, remote, { sequence, timestamp, message });
   }
 
   /**
@@ -119,17 +134,24 @@ export class Participant {
 
   /** The oldest message that waits at the endpoint `id`. @param {number} id */
   next(id) {
-    return this.#locals.get(id)?.queue.peek();
+    const local = this.#locals.get(id);
+    return (local?.reader ?? local?.queue)?.peek();
   }
 
-  /** Remove that message and return it. @param {number} id */
+  /** Remove that message and return it. @param {number} id @returns {Received | undefined} */
   take(id) {
-    return this.#locals.get(id)?.queue.shift();
+    const local = this.#locals.get(id);
+    return local?.reader ? local.reader.take() : local?.queue?.shift();
+  }
+
+  /** What happened at the endpoint `id` since it was asked the last time. @param {number} id @param {EventKind} kind */
+  takeEvent(id, kind) {
+    return this.#locals.get(id)?.status.take(kind);
   }
 
   /** Send what is held back. */
   flush() {
-    for (const outbox of this.#outboxes.values()) outbox.flush();
+    for (const link of this.#links.values()) link.flush();
   }
 
   /** Send what is held back, then wait as `Waiting.wait` says. @param {number} milliseconds */
@@ -147,24 +169,23 @@ export class Participant {
   receive(message) {
     switch (message.op) {
       case "link":
-        message.port.onmessage = (event) => this.#receiveFrame(event.data);
-        this.#outboxes.set(message.peer, new Outbox(message.port));
+        this.#links.set(message.peer, this.#link(message.peer, message.port));
         break;
       case "unlink":
-        this.#outboxes.get(message.peer)?.close();
-        this.#outboxes.delete(message.peer);
+        this.#links.get(message.peer)?.close();
+        this.#links.delete(message.peer);
         break;
       case "match": {
-        const local = this.#locals.get(message.local);
-        if (local) this.#match(local, { peer: message.peer, id: message.remote }, message.durable);
-        this.#outboxes.get(message.peer)?.flush();
+        const { peer, remote: id, qos } = message;
+        this.#match(message.local, { name: pageId(peer, id), peer, id, qos });
+        this.#links.get(peer)?.flush();
         break;
       }
       case "unmatch":
-        this.#unmatch(message.local, { peer: message.peer, id: message.remote });
+        this.#unmatch(message.local, pageId(message.peer, message.remote));
         break;
       case "incompatible":
-        this.#tellIncompatible(this.#locals.get(message.local)?.endpoint, message.policy);
+        this.#mismatch(message.local, message.policy);
         break;
       case "stop":
         this.#waiting.raise(SIGINT);
@@ -173,72 +194,123 @@ export class Participant {
     this.wake();
   }
 
+  /** @param {Endpoint} endpoint @returns {Local} */
+  #local(endpoint) {
+    const { id, kind, qos } = endpoint;
+    const status = new Status(() => {
+      this.events += 1;
+      this.wake();
+    });
+    /** @type {Local} */
+    const local = { endpoint, remotes: [], status, sequence: 0 };
+    if (kind === "publisher") {
+      local.writer = new Writer(qos, status, (remote, sample) => this.#send(id, remote, sample));
+    } else if (kind === "subscription") {
+      local.reader = new Reader(qos, status, (writer, records, bytes) => {
+        this.#giveCredit(fromPageId(writer), id, records, bytes);
+      });
+    } else if (kind === "service" || kind === "client") {
+      // Requests and responses are bounded by who waits for them.
+      local.queue = new Queue(Infinity);
+    }
+    return local;
+  }
+
+  /** @param {number} peer @param {MessagePort} port */
+  #link(peer, port) {
+    return new Link(port, {
+      deliver: (head, message) => this.#deliver(peer, head, message),
+      credit: (writer, reader, records, bytes) => {
+        this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
+        this.#links.get(peer)?.flush();
+      },
+      hear: (writer, reader) => this.#locals.get(reader)?.reader?.hear(pageId(peer, writer)),
+      wake: () => this.wake(),
+      complain: (text) => this.#post({ op: "complain", peer, text }),
+    });
+  }
+
   /** Match endpoints of this worker, without asking the page. @param {Local} a @param {Local} b */
   #meet(a, b) {
     const [sender, receiver] = sends(a.endpoint) ? [a, b] : [b, a];
     const { endpoint: from } = sender;
     const { endpoint: to } = receiver;
-    if (to.kind !== RECEIVER[from.kind] || from.name !== to.name || from.type !== to.type) return;
+    if (to.kind !== RECEIVER[from.kind] || from.name !== to.name) return;
     const policy = incompatibility(from, to);
-    if (policy) {
-      this.#tellIncompatible(to, policy);
-      this.#tellIncompatible(from, policy);
-      return;
+    for (const { mine, other } of [{ mine: to, other: from }, { mine: from, other: to }]) {
+      const { id, qos } = other;
+      if (policy) {
+        this.#mismatch(mine.id, policy);
+      } else {
+        this.#match(mine.id, { name: pageId(this.#id, id), peer: this.#id, id, qos });
+      }
     }
-    this.#match(receiver, { peer: this.#id, id: from.id }, false);
-    const durable = from.qos.transientLocal && to.qos.transientLocal;
-    this.#match(sender, { peer: this.#id, id: to.id }, durable);
-  }
-
-  /** @param {Local} local @param {Remote} remote @param {boolean} durable */
-  #match(local, remote, durable) {
-    local.remotes.push(remote);
-    if (!durable) return;
-    for (const kept of local.kept) this.#send(local.endpoint.id, remote, kept);
   }
 
   /** @param {number} id @param {Remote} remote */
-  #unmatch(id, { peer, id: other }) {
-    const remotes = this.#locals.get(id)?.remotes ?? [];
-    const gone = remotes.findIndex((remote) => remote.peer === peer && remote.id === other);
-    if (gone >= 0) remotes.splice(gone, 1);
+  #match(id, remote) {
+    const local = this.#locals.get(id);
+    if (!local) return;
+    local.remotes.push(remote);
+    local.status.add("matched", 1, 1);
+    local.reader?.match(remote);
+    local.writer?.match(remote);
   }
 
-  /** @param {number} id @param {Remote} remote @param {Kept} sample */
-  #send(id, remote, { sequence, timestamp, message }) {
-    const head = { reader: remote.id, writer: pageId(this.#id, id), sequence, timestamp };
-    if (remote.peer === this.#id) {
-      this.#deliver(head, message.slice());
+  /** @param {number} id @param {number} name of what matched */
+  #unmatch(id, name) {
+    const local = this.#locals.get(id);
+    const gone = local?.remotes.findIndex((remote) => remote.name === name) ?? -1;
+    if (!local || gone < 0) return;
+    local.remotes.splice(gone, 1);
+    local.reader?.unmatch(name);
+    local.writer?.unmatch(name);
+    local.status.add("matched", 0, -1);
+  }
+
+  /** @param {number} id @param {Policy} policy */
+  #mismatch(id, policy) {
+    this.#locals.get(id)?.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
+  }
+
+  /** @param {number} id @param {{peer: number, id: number}} remote @param {Sample} sample */
+  #send(id, { peer, id: reader }, { sequence, timestamp, message }) {
+    const head = { reader, writer: id, sequence, timestamp };
+    if (peer === this.#id) {
+      this.#deliver(peer, head, message.slice());
     } else {
-      this.#outboxes.get(remote.peer)?.send(head, message);
+      this.#links.get(peer)?.send(head, message);
     }
   }
 
-  /**
-   * Warn in the words of ROS, which people know and search for.
-   * @param {Endpoint | undefined} endpoint @param {string} policy
-   */
-  #tellIncompatible(endpoint, policy) {
-    if (!endpoint) return;
-    const [other, does, sent] = endpoint.kind === "publisher"
-      ? ["subscription", "requesting", "sent to it"]
-      : ["publisher", "offering", "received from it"];
-    this.#warn(
-      endpoint.node.slice(1).replaceAll("/", "."),
-      `New ${other} discovered on topic '${endpoint.name}', ${does} incompatible QoS. ` +
-        `No messages will be ${sent}. Last incompatible policy: ${policy}`,
-    );
-  }
-
-  /** @param {ArrayBuffer} frame */
-  #receiveFrame(frame) {
-    for (const record of readRecords(frame)) this.#deliver(record, record.message);
-    this.wake();
-  }
-
-  /** @param {import("../protocol.js").Head} head @param {Uint8Array} message */
-  #deliver({ reader, writer, sequence, timestamp }, message) {
+  /** @param {number} peer @param {Head} head @param {Uint8Array} message */
+  #deliver(peer, { reader, writer, sequence, timestamp }, message) {
+    const local = this.#locals.get(reader);
     // A message may still be under way when its receiver goes.
-    this.#locals.get(reader)?.queue.push({ writer, sequence, timestamp, received: now(), message });
+    if (!local) return;
+    const sample = { writer: pageId(peer, writer), sequence, timestamp, received: now(), message };
+    local.queue?.push(sample);
+    if (!local.reader) return;
+    const { missed } = local.reader;
+    local.reader.push(sample);
+    if (local.reader.missed > missed) this.#reportMissed();
+  }
+
+  /** @param {{peer: number, id: number}} writer @param {number} reader @param {number} records @param {number} bytes */
+  #giveCredit({ peer, id: writer }, reader, records, bytes) {
+    if (peer === this.#id) {
+      this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
+    } else {
+      this.#links.get(peer)?.tell({ op: "credit", writer, reader, records, bytes });
+    }
+  }
+
+  #reportMissed() {
+    this.#report ??= setTimeout(() => {
+      this.#report = undefined;
+      for (const [id, { reader }] of this.#locals) {
+        if (reader?.missed) this.#post({ op: "missed", id, count: reader.missed });
+      }
+    }, REPORT);
   }
 }

@@ -2,12 +2,13 @@
 // The messages that wait at an endpoint, oldest first.
 
 /**
+ * A message, and the name that its writer has in the page.
  * @typedef {{writer: number, sequence: number, timestamp: number, received: number,
- *   message: Uint8Array}} Sample
+ *   message: Uint8Array}} Received
  */
 
 export class Queue {
-  /** @type {(Sample | undefined)[]} */
+  /** @type {(Received | undefined)[]} */
   #samples = [];
   #first = 0;
   #depth;
@@ -17,10 +18,12 @@ export class Queue {
     this.#depth = depth;
   }
 
-  /** @param {Sample} sample */
+  /** Add the newest and return the one that made room for it, if any. @param {Received} sample */
   push(sample) {
-    if (this.#samples.length - this.#first >= this.#depth) this.shift();
+    const full = this.#samples.length - this.#first >= this.#depth;
+    const replaced = full ? this.shift() : undefined;
     this.#samples.push(sample);
+    return replaced;
   }
 
   /** The oldest, which stays. */

@@ -2,17 +2,21 @@
 // The host functions of clients/cpp/include/rclcpp/detail/host.h, between WebAssembly's memory and
 // the worker's participant. `heap` is a view on that memory, fresh with every call.
 
-import { now } from "../protocol.js";
+import { KINDS, now } from "../protocol.js";
 
-/** @import { EndpointKind, Severity } from "../protocol.js" */
+/** @import { Policy, Severity } from "../protocol.js" */
+/** @import { EventKind } from "../participant/status.js" */
 /** @import { Participant } from "../participant/participant.js" */
 /** @import { Printer } from "./printer.js" */
 
-/** @type {EndpointKind[]} */
-const KINDS = ["node", "publisher", "subscription", "service", "client"];
 const RELIABLE = 1;
 const TRANSIENT_LOCAL = 2;
 const KEEP_ALL = 4;
+const MANUAL = 8;
+/** @type {EventKind[]} */
+const EVENTS = ["deadline", "liveliness", "incompatible", "matched", "lost", "type"];
+/** As rmw numbers them. @type {Partial<Record<Policy, number>>} */
+const POLICIES = { DURABILITY: 2, DEADLINE: 4, LIVELINESS: 8, RELIABILITY: 16 };
 /** @type {Record<number, Severity>} */
 const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal" };
 
@@ -42,22 +46,31 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
   return {
     /**
      * @param {Uint8Array} heap @param {number} kind @param {number} node @param {number} name
-     * @param {number} type @param {number} depth @param {number} qos
+     * @param {number} type @param {number} qos
      */
-    create(heap, kind, node, name, type, depth, qos) {
+    create(heap, kind, node, name, type, qos) {
       noteSize(heap);
       return participant.create(
-        /** @type {EndpointKind} */ (KINDS[kind]), text(heap, node), text(heap, name), text(heap, type), {
-        depth,
-        reliable: (qos & RELIABLE) !== 0,
-        transientLocal: (qos & TRANSIENT_LOCAL) !== 0,
-        keepAll: (qos & KEEP_ALL) !== 0,
-      });
+        KINDS[kind] ?? "node", text(heap, node), text(heap, name), text(heap, type), readQos(heap, qos));
     },
     /** @param {number} id */
     destroy: (id) => participant.destroy(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
-    publish: (heap, id, data, size) => participant.publish(id, heap.subarray(data, data + size)),
+    publish: (heap, id, data, size) => Number(participant.publish(id, heap.subarray(data, data + size))),
+    /** @param {number} id */
+    behind: (id) => Number(participant.behind(id)),
+    /** @param {number} id */
+    assert: (id) => participant.assertLiveliness(id),
+    events: () => participant.events,
+    /** @param {Uint8Array} heap @param {number} id @param {number} kind @param {number} to */
+    takeEvent(heap, id, kind, to) {
+      const event = participant.takeEvent(id, EVENTS[kind] ?? "deadline");
+      if (!event) return 0;
+      const { total, totalChange, current, currentChange, policy } = event;
+      const number = policy && policy !== "TYPE" ? POLICIES[policy] ?? 0 : 0;
+      new Int32Array(heap.buffer, to, 5).set([total, totalChange, current, currentChange, number]);
+      return 1;
+    },
     /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
     request: (heap, id, data, size) => participant.request(id, heap.subarray(data, data + size)),
     /**
@@ -66,7 +79,7 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
      */
     respond(heap, id, client, sequence, data, size) {
       // WebAssembly has no unsigned numbers: those of the upper half arrive negative.
-      participant.respond(id, client >>> 0, sequence >>> 0, heap.subarray(data, data + size));
+      participant.respond(id, client, sequence >>> 0, heap.subarray(data, data + size));
     },
     /** @param {number} id */
     matched: (id) => participant.matched(id),
@@ -78,8 +91,8 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
       const view = new DataView(heap.buffer, info);
       view.setFloat64(0, sample.timestamp, true);
       view.setFloat64(8, sample.received, true);
-      view.setUint32(16, sample.sequence, true);
-      view.setUint32(20, sample.writer, true);
+      view.setFloat64(16, sample.writer, true);
+      view.setUint32(24, sample.sequence, true);
       return sample.message.length;
     },
     /** @param {Uint8Array} heap @param {number} id @param {number} to */
@@ -108,5 +121,21 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
     /** @param {Uint8Array} heap @param {number} message */
     fail: (heap, message) => fail(text(heap, message)),
     ended,
+  };
+}
+
+/** @param {Uint8Array} heap @param {number} pointer to a ros_qos */
+function readQos(heap, pointer) {
+  const view = new DataView(heap.buffer, pointer);
+  const flags = view.getInt32(28, true);
+  return {
+    deadline: view.getFloat64(0, true),
+    lifespan: view.getFloat64(8, true),
+    lease: view.getFloat64(16, true),
+    depth: view.getInt32(24, true),
+    reliable: (flags & RELIABLE) !== 0,
+    transientLocal: (flags & TRANSIENT_LOCAL) !== 0,
+    keepAll: (flags & KEEP_ALL) !== 0,
+    manual: (flags & MANUAL) !== 0,
   };
 }

@@ -22,11 +22,7 @@ onmessage = (event) => {
     script = import(event.data.script);
     script.catch(() => {});
   } else if (event.data.op === "start") {
-    const warn = (/** @type {string} */ logger, /** @type {string} */ text) => {
-      printer.log("warn", logger, text);
-      printer.flush();
-    };
-    participant = new Participant(event.data.id, post, warn);
+    participant = new Participant(event.data.id, post);
     run(event.data, participant).catch((error) => end(1, describe(error)));
   } else {
     participant?.receive(event.data);

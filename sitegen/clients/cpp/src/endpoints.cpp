@@ -1,6 +1,7 @@
 // Publishers, subscriptions, services and clients, as far as their types do not matter.
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "rclcpp/client.hpp"
 #include "rclcpp/detail/host.h"
@@ -20,11 +21,13 @@ namespace detail
 namespace
 {
 
-std::int32_t flags(const QoS & qos)
+ros_qos host_qos(const QoS & qos)
 {
-  return (qos.reliability() == ReliabilityPolicy::BestEffort ? 0 : ROS_RELIABLE) |
+  const double never = std::numeric_limits<double>::infinity();
+  const std::int32_t flags = (qos.reliability() == ReliabilityPolicy::BestEffort ? 0 : ROS_RELIABLE) |
          (qos.durability() == DurabilityPolicy::TransientLocal ? ROS_TRANSIENT_LOCAL : 0) |
          (qos.history() == HistoryPolicy::KeepAll ? ROS_KEEP_ALL : 0);
+  return {never, never, never, static_cast<std::int32_t>(qos.depth()), flags};
 }
 
 std::int64_t nanoseconds(double milliseconds)
@@ -38,11 +41,11 @@ Endpoint::Endpoint(
   std::int32_t kind, const node_interfaces::NodeBaseInterface & node, const std::string & name,
   const std::string & type, const QoS & qos)
 : name_(node.resolve(name)), qos_(qos),
-  id_(
-    ros_create(
-      kind, node.get_fully_qualified_name(), name_.c_str(), type.c_str(),
-      static_cast<std::int32_t>(qos.depth()), flags(qos)))
+  id_(0)
 {
+  const ros_qos policies = host_qos(qos);
+  id_ = ros_create(
+    kind, node.get_fully_qualified_name(), name_.c_str(), type.c_str(), &policies);
 }
 
 Endpoint::~Endpoint() {ros_destroy(id_);}
@@ -135,7 +138,7 @@ ServiceBase::ServiceBase(
 void ServiceBase::respond(
   const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response)
 {
-  std::uint32_t writer;
+  double writer;
   std::memcpy(&writer, to.writer_guid, sizeof(writer));
   const auto bytes = detail::encode(type, response);
   const auto sequence = static_cast<std::uint32_t>(to.sequence_number);

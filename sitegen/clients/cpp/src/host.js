@@ -1,11 +1,17 @@
 // Emscripten's side of include/rclcpp/detail/host.h: every call goes on to Module.ros, the worker's
 // host object (runtime/workers/cppHost.js), with the views on memory that it needs.
 mergeInto(LibraryManager.library, {
-  ros_create: function(kind, node, name, type, depth, qos) {
-    return Module["ros"]["create"](HEAPU8, kind, node, name, type, depth, qos);
+  ros_create: function(kind, node, name, type, qos) {
+    return Module["ros"]["create"](HEAPU8, kind, node, name, type, qos);
   },
   ros_destroy: function(id) { Module["ros"]["destroy"](id); },
-  ros_publish: function(id, data, size) { Module["ros"]["publish"](HEAPU8, id, data, size); },
+  ros_publish: function(id, data, size) { return Module["ros"]["publish"](HEAPU8, id, data, size); },
+  ros_behind: function(id) { return Module["ros"]["behind"](id); },
+  ros_assert: function(id) { Module["ros"]["assert"](id); },
+  ros_events: function() { return Module["ros"]["events"](); },
+  ros_take_event: function(id, kind, event) {
+    return Module["ros"]["takeEvent"](HEAPU8, id, kind, event);
+  },
   ros_request: function(id, data, size) { return Module["ros"]["request"](HEAPU8, id, data, size); },
   ros_respond: function(id, client, sequence, data, size) {
     Module["ros"]["respond"](HEAPU8, id, client, sequence, data, size);

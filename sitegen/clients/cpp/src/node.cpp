@@ -33,8 +33,10 @@ NodeBaseInterface::NodeBaseInterface(const std::string & name, const std::string
   namespace_(
     with_slash(detail::remap_node(detail::arguments(), name, "__ns", name_space))),
   full_name_((namespace_ == "/" ? "/" : namespace_ + "/") + name_),
-  id_(ros_create(ROS_NODE, full_name_.c_str(), "", "", 0, 0))
+  id_(0)
 {
+  const ros_qos none{};
+  id_ = ros_create(ROS_NODE, full_name_.c_str(), "", "", &none);
 }
 
 NodeBaseInterface::~NodeBaseInterface() {ros_destroy(id_);}

@@ -168,7 +168,7 @@ public:
   }
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t) override
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
     const auto found = pending_.find(static_cast<std::int64_t>(info.publication_sequence_number));
     if (found == pending_.end()) {return;}  // removed, or answered by another server

@@ -60,7 +60,7 @@ public:
 
 protected:
   void handle(
-    const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t writer) override
+    const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override
   {
     auto request = std::make_shared<Request>();
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();

@@ -47,7 +47,7 @@ public:
     callback_(std::forward<CallbackT>(callback)) {}
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t) override
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
     if (callback_.wants_bytes()) {
       callback_.dispatch_bytes(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));

@@ -10,27 +10,62 @@ extern "C" {
 #endif
 
 enum {ROS_NODE = 0, ROS_PUBLISHER = 1, ROS_SUBSCRIPTION = 2, ROS_SERVICE = 3, ROS_CLIENT = 4};
-enum {ROS_RELIABLE = 1, ROS_TRANSIENT_LOCAL = 2, ROS_KEEP_ALL = 4};
+enum {ROS_RELIABLE = 1, ROS_TRANSIENT_LOCAL = 2, ROS_KEEP_ALL = 4, ROS_MANUAL_BY_TOPIC = 8};
+enum
+{
+  ROS_EVENT_DEADLINE = 0,      /* missed: offered by a publisher, requested by a subscription */
+  ROS_EVENT_LIVELINESS = 1,    /* lost by a publisher; changed, as a subscription sees it */
+  ROS_EVENT_INCOMPATIBLE = 2,  /* an endpoint was found that would match, but for a policy */
+  ROS_EVENT_MATCHED = 3,
+  ROS_EVENT_LOST = 4,          /* messages that did not reach a subscription */
+  ROS_EVENT_TYPE = 5           /* an endpoint was found that would match, but for its type */
+};
+
+typedef struct
+{
+  double deadline;  /* ms, infinity if there is none; the same for the next two */
+  double lifespan;
+  double lease;     /* of liveliness */
+  int32_t depth;
+  int32_t flags;    /* ROS_RELIABLE, … */
+} ros_qos;
+
+typedef struct
+{
+  int32_t total;           /* of liveliness changed: publishers that are not alive */
+  int32_t total_change;    /* since it was told the last time */
+  int32_t current;         /* matched endpoints; publishers that are alive */
+  int32_t current_change;
+  int32_t policy;          /* the last that was incompatible, as rmw numbers them */
+} ros_event;
 
 typedef struct
 {
   double source_timestamp;    /* when it was sent, ms since 1970 */
   double received_timestamp;  /* when it arrived here */
+  double writer;              /* which endpoint sent it: a whole number, unique in the page */
   uint32_t sequence;          /* counts what its writer sent, from 1; that of the request in a response */
-  uint32_t writer;            /* which endpoint sent it, unique in the page */
 } ros_message_info;
 
 /* Announce an endpoint and return its id (> 0). `node` is the node's fully qualified name. */
 int32_t ros_create(
-  int32_t kind, const char * node, const char * name, const char * type,
-  int32_t depth, int32_t qos);
+  int32_t kind, const char * node, const char * name, const char * type, const ros_qos * qos);
 void ros_destroy(int32_t id);
-void ros_publish(int32_t id, const uint8_t * data, uint32_t size);
+/* Returns 0 if the publisher keeps all and is full: its subscriptions must take some first. */
+int32_t ros_publish(int32_t id, const uint8_t * data, uint32_t size);
+/* Whether some reliable subscription has not yet got all that a publisher sent. */
+int32_t ros_behind(int32_t id);
+/* Say that a publisher is alive. */
+void ros_assert(int32_t id);
+/* How many events there were so far, of all endpoints of this program. */
+uint32_t ros_events(void);
+/* Tell what happened at an endpoint since the last time it was asked; returns 0 if nothing did. */
+int32_t ros_take_event(int32_t id, int32_t kind, ros_event * event);
 /* Send a request from a client to a server that matches; returns the number of its response. */
 uint32_t ros_request(int32_t id, const uint8_t * data, uint32_t size);
 /* Send a response from a server to the writer of a request, with that request's sequence. */
 void ros_respond(
-  int32_t id, uint32_t client, uint32_t sequence, const uint8_t * data, uint32_t size);
+  int32_t id, double client, uint32_t sequence, const uint8_t * data, uint32_t size);
 /* How many endpoints at the other side match this one now. */
 int32_t ros_matched(int32_t id);
 /* Size of the oldest message that waits at a subscription, a service or a client, -1 if none does. */

@@ -54,7 +54,7 @@ public:
 protected:
   /// `writer` is the endpoint that sent the message.
   virtual void handle(
-    const SerializedMessage & bytes, rmw_message_info_t & info, std::uint32_t writer) = 0;
+    const SerializedMessage & bytes, rmw_message_info_t & info, double writer) = 0;
 
   /// Read `bytes` into `message`; when they are of another type, log an error and return false.
   bool decode(

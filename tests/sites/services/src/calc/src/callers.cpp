@@ -33,7 +33,7 @@ int main(int argc, char ** argv)
   auto one = node->create_client<Divide>("divide");
   auto two = node->create_client<Divide>("divide");
   one->wait_for_service();
-  two->wait_for_service(1s);
+  two->wait_for_service(60s);
   for (int i = 0; i < 100; ++i) {
     call(one, i);
     call(two, 1000 + i);
@@ -46,7 +46,7 @@ int main(int argc, char ** argv)
       with_request.set_value(std::to_string(asked->divisor) + answer->error);
     });
   auto text = with_request.get_future();
-  rclcpp::spin_until_future_complete(node, text, 5s);
+  rclcpp::spin_until_future_complete(node, text, 60s);
 
   const auto forgotten = one->async_send_request(request);
   const bool removed = one->remove_pending_request(forgotten);
@@ -54,9 +54,13 @@ int main(int argc, char ** argv)
 
   auto patience = node->create_client<std_srvs::srv::Trigger>("/patience");
   patience->wait_for_service();
-  auto answer = patience->async_send_request(std::make_shared<std_srvs::srv::Trigger::Request>());
+  auto enough = node->create_client<std_srvs::srv::Trigger>("/enough");
+  enough->wait_for_service();
+  const auto plea = std::make_shared<std_srvs::srv::Trigger::Request>();
+  auto answer = patience->async_send_request(plea);
   const auto early = rclcpp::spin_until_future_complete(node, answer, 1ms);
-  const auto late = rclcpp::spin_until_future_complete(node, answer, 5s);
+  enough->async_send_request(plea);
+  const auto late = rclcpp::spin_until_future_complete(node, answer, 60s);
 
   RCLCPP_INFO(
     node->get_logger(), "right %d, wrong %d, %s, removed %d %d, early %d, late %d: %s", right, wrong,

@@ -1,5 +1,4 @@
-// Serves /divide, and /patience, which it answers a second later.
-#include <chrono>
+// Serves /divide, and /patience, which it answers when /enough is called.
 #include <memory>
 #include <utility>
 #include <vector>
@@ -8,7 +7,6 @@
 #include "rclcpp/rclcpp.hpp"
 #include "std_srvs/srv/trigger.hpp"
 
-using namespace std::chrono_literals;
 using calc_interfaces::srv::Divide;
 using std_srvs::srv::Trigger;
 
@@ -36,15 +34,16 @@ int main(int argc, char ** argv)
     [&waiting](std::shared_ptr<rmw_request_id_t> id, std::shared_ptr<Trigger::Request>) {
       waiting.push_back(std::move(id));
     });
-  auto timer = node->create_wall_timer(200ms, [&]() {
-        for (const auto & id : waiting) {
-          Trigger::Response response;
-          response.success = true;
-          response.message = "at last";
-          patience->send_response(*id, response);
-        }
-        waiting.clear();
-      });
+  auto enough = node->create_service<Trigger>(
+    "enough", [&](Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {
+      for (const auto & id : waiting) {
+        Trigger::Response response;
+        response.success = true;
+        response.message = "at last";
+        patience->send_response(*id, response);
+      }
+      waiting.clear();
+    });
 
   RCLCPP_INFO(node->get_logger(), "Ready on %s", service->get_service_name());
   rclcpp::spin(node);

@@ -1,0 +1,82 @@
+// @ts-check
+// The port to one other worker. What comes from there is checked: it may be anybody's program.
+
+import { readRecords } from "../protocol.js";
+import { Outbox } from "./outbox.js";
+
+/** @import { FromPeer, Head } from "../protocol.js" */
+
+/**
+ * @typedef {{
+ *   deliver(head: Head, message: Uint8Array): void,
+ *   credit(writer: number, reader: number, records: number, bytes: number): void,
+ *   hear(writer: number, reader: number): void,
+ *   wake(): void,
+ *   complain(text: string): void,
+ * }} Listener `writer` is the id in the worker that writes, `reader` that in the worker that reads
+ */
+
+export class Link {
+  #port;
+  #outbox;
+  #listener;
+  #complained = false;
+
+  /** @param {MessagePort} port @param {Listener} listener */
+  constructor(port, listener) {
+    this.#port = port;
+    this.#outbox = new Outbox(port);
+    this.#listener = listener;
+    port.onmessage = (event) => this.#receive(event.data);
+    port.onmessageerror = () => this.#complain("a message that cannot be read");
+  }
+
+  /** Send a copy of `message`, maybe with others after it. @param {Head} head @param {Uint8Array} message */
+  send(head, message) {
+    this.#outbox.send(head, message);
+  }
+
+  /** @param {FromPeer} message */
+  tell(message) {
+    this.#port.postMessage(message);
+  }
+
+  /** Send what is held back. */
+  flush() {
+    this.#outbox.flush();
+  }
+
+  close() {
+    this.#port.close();
+  }
+
+  /** @param {unknown} data */
+  #receive(data) {
+    if (data instanceof ArrayBuffer) {
+      const rest = readRecords(data, this.#listener.deliver);
+      if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are no records`);
+    } else {
+      const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});
+      if (op === "credit" && [writer, reader, records, bytes].every(isCount)) {
+        this.#listener.credit(writer, reader, records, bytes);
+      } else if (op === "alive" && [writer, reader].every(isCount)) {
+        this.#listener.hear(writer, reader);
+      } else {
+        this.#complain("what is no frame");
+      }
+    }
+    this.#listener.wake();
+  }
+
+  /** Once: who sends one sends many. @param {string} what */
+  #complain(what) {
+    if (this.#complained) return;
+    this.#complained = true;
+    this.#listener.complain(`sent ${what} to other nodes; it was dropped`);
+  }
+}
+
+/** @param {unknown} value */
+function isCount(value) {
+  return Number.isSafeInteger(value) && Number(value) >= 0;
+}

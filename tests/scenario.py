@@ -1,0 +1,44 @@
+"""Scenarios in an empty page, with the modules of the runtime and nothing around them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from browser import Serve
+from playwright.sync_api import Page
+
+RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+
+# Counts what is under way between ports, so that a scenario can wait until all of it has come.
+PORTS = """
+let underWay = 0;
+const { postMessage } = MessagePort.prototype;
+MessagePort.prototype.postMessage = function (...message) {
+  underWay++;
+  postMessage.apply(this, message);
+};
+globalThis.MessageChannel = class extends MessageChannel {
+  constructor() {
+    super();
+    for (const port of [this.port1, this.port2]) {
+      port.addEventListener("message", () => underWay--);
+    }
+  }
+};
+const arrived = async () => {
+  for (let tries = 0; tries < 6000; tries++) {
+    await new Promise((resolve) => setTimeout(resolve, 10));
+    if (underWay === 0) return;
+  }
+  throw new Error(`${underWay} messages never came`);
+};
+"""
+
+
+def player(tab: Page, serve: Serve, setting: str) -> Callable[[str], Any]:
+    """Return a function that runs a scenario after `setting` and returns what it returns."""
+    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
+    tab.goto(serve(RUNTIME) + "empty.html")
+    return lambda scenario: tab.evaluate(f"async () => {{ {PORTS} {setting} {scenario} }}")

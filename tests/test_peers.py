@@ -1,0 +1,184 @@
+"""Participants in real workers: flow control, floods and chance. See peers/."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Browser, Page
+
+ROOT = Path(__file__).parent.parent
+ALL = {"keepAll": True}
+
+
+@pytest.fixture
+def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
+    """A function that plays a scene with workers and returns what it returns."""
+    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
+    shutil.copytree(ROOT / "tests/peers", tmp_path, dirs_exist_ok=True)
+    tab.goto(serve(tmp_path))
+    opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
+    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")
+
+
+def test_a_reader_that_is_blocked_gets_the_newest_and_little_else(play: Any) -> None:
+    """A window is under way when it stops, and the depth of the publisher waits for it."""
+    assert play("""
+      const [a, b] = [start(), start()];
+      const p = await a.ask("create", { kind: "publisher", topic: "/t", qos: { depth: 5 } });
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos: { depth: 5000 } });
+      await until(() => a.ask("matched", { id: p }));
+      const blocked = b.ask("block", { duration: 1000 });
+      await a.ask("publish", { id: p, count: 10000 });
+      await blocked;
+      await until(async () => (await b.ask("heard", { id: s })).last[0] === 10000);
+      const lost = await b.ask("event", { id: s, kind: "lost" });
+      await until(() => graph.topics()[0].missed > 0);
+      const { count } = await b.ask("heard", { id: s });
+      return [count, lost.total, graph.topics()[0].missed, await b.ask("faults")];
+    """) == [1024 + 5, 10_000 - 1029, 10_000 - 1029, []]
+
+
+def test_who_keeps_all_waits_for_who_wants_all(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [start(), start(), start()];
+      const all = { keepAll: true };
+      const p = await a.ask("create", { kind: "publisher", topic: "/t", qos: all });
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos: all });
+      const t = await c.ask("create", { kind: "subscription", topic: "/t", qos: { ...all, reliable: false } });
+      await until(async () => (await a.ask("matched", { id: p })) === 2);
+      b.ask("eat", { count: 0 });
+      await a.ask("publish", { id: p, count: 20000 });
+      // The one that may lose messages does not wait for the one that may not.
+      await until(async () => (await c.ask("heard", { id: t })).count === 1024 + 5000);
+      const published = await a.ask("published", { id: p });
+      b.ask("eat", { count: Infinity });
+      await until(async () => (await b.ask("heard", { id: s })).count === 20000);
+      return [published, await b.ask("faults"), await a.ask("waiting")];
+    """) == [1024 + 5000, [], False]
+
+
+def test_messages_of_nothing_and_of_a_quarter_of_a_gigabyte(play: Any) -> None:
+    assert play("""
+      const [a, b] = [start(), start()];
+      const p = await a.ask("create", { kind: "publisher", topic: "/t", qos: { keepAll: true } });
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos: { keepAll: true } });
+      await until(() => a.ask("matched", { id: p }));
+      for (const size of [4, 256 * 1024 * 1024, 4, 256 * 1024 * 1024, 4]) {
+        await a.ask("publish", { id: p, count: 1, size });
+      }
+      await until(async () => (await b.ask("heard", { id: s })).count === 5);
+      return [await b.ask("faults"), complaints];
+    """) == [[], []]
+
+
+def test_a_peer_that_is_killed_leaves_no_trace(play: Any) -> None:
+    """Its peers are in the middle of publishing to it and hearing from it, again and again."""
+    assert play("""
+      const [a, b] = [start(), start()];
+      const topics = { kind: "publisher", topic: "/to", qos: { keepAll: true } };
+      const p = await a.ask("create", topics);
+      const s = await b.ask("create", { kind: "subscription", topic: "/from" });
+      let flooding = true;
+      const flood = (async () => {
+        while (flooding) await a.ask("publish", { id: p, count: 500 });
+      })();
+      for (let turn = 0; turn < 50; turn++) {
+        const c = start();
+        await c.ask("create", { kind: "subscription", topic: "/to", qos: { keepAll: true } });
+        const q = await c.ask("create", { kind: "publisher", topic: "/from" });
+        const before = (await b.ask("heard", { id: s })).count;
+        c.ask("flood", { id: q, size: 1000, duration: 1e6 });
+        await until(async () => (await b.ask("heard", { id: s })).count > before);
+        c.kill();
+      }
+      flooding = false;
+      await flood;
+      await until(async () => (await a.ask("matched", { id: p })) === 0);
+      await until(async () => (await b.ask("matched", { id: s })) === 0);
+      await until(async () => !(await a.ask("waiting")));
+      return [graph.endpoints().length, await b.ask("faults"), complaints];
+    """) == [2, [], []]
+
+
+def test_foreign_nonsense_is_dropped_and_told(play: Any) -> None:
+    assert play("""
+      const [a, b] = [start(), start()];
+      const p = await a.ask("create", { kind: "publisher", topic: "/t" });
+      const s = await b.ask("create", { kind: "subscription", topic: "/t" });
+      await until(() => a.ask("matched", { id: p }));
+      // A worker of which we hold the port.
+      let port;
+      const sent = [];
+      const foreign = graph.join((message) => {
+        if (message.op === "link") port ??= message.port;
+        if (message.op === "match") sent.push(message.remote);
+      }, "foreign", (text) => complaints.push(text));
+      const qos = { depth: 1, reliable: true, deadline: Infinity, lifespan: Infinity, lease: Infinity };
+      for (const endpoint of [undefined, 7, {}, { id: 1 }, { id: -1, kind: "publisher" },
+        { id: 1, kind: "monster", node: "/f", name: "/t", type: "test/msg/Numbers", qos },
+        { id: 1, kind: "publisher", node: "/f", name: {}, type: "test/msg/Numbers", qos },
+        { id: 1, kind: "publisher", node: "/f", name: "/t", type: "test/msg/Numbers", qos: null }]) {
+        graph.create(foreign, endpoint);
+      }
+      const refused = complaints.length;
+      const endpoint = { kind: "publisher", node: "/f", name: "/t", type: "test/msg/Numbers", qos };
+      graph.create(foreign, { id: 1, ...endpoint });
+      await until(() => port);
+      const big = new ArrayBuffer(100);
+      new DataView(big).setUint32(12, 0xffffffff, true);
+      for (const nonsense of [null, "hello", 5, {}, { op: "credit" }, { op: "alive", writer: "x" },
+        { op: "credit", writer: 1, reader: -1, records: 1e99, bytes: NaN }, big, new ArrayBuffer(7),
+        { op: "credit", writer: p, reader: 1, records: 9e9, bytes: 9e9 }, [], new Map()]) {
+        port.postMessage(nonsense);
+      }
+      // To a reader that is not there, and to one that is.
+      const frame = new ArrayBuffer(32);
+      const view = new DataView(frame);
+      view.setUint32(0, 4711, true);
+      view.setUint32(12, 4, true);
+      port.postMessage(frame.slice(0));
+      await until(() => complaints.length > refused);
+      await a.ask("publish", { id: p, count: 3 });
+      await until(async () => (await b.ask("heard", { id: s })).count === 3);
+      graph.leave(foreign);
+      return [refused, complaints.slice(refused), await b.ask("faults"), graph.endpoints().length];
+    """) == [8, ["sent what is no frame to other nodes; it was dropped"], [], 2]
+
+
+def resident(browser: Browser) -> int:
+    """Memory of all renderers, in bytes."""
+    session = browser.new_browser_cdp_session()
+    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
+    session.detach()
+    pids = [process["id"] for process in processes if process["type"] == "renderer"]
+    pages = [int(Path(f"/proc/{pid}/statm").read_text().split()[1]) for pid in pids]
+    return sum(pages) * 4096
+
+
+@pytest.mark.parametrize("qos", [{"depth": 10}, {"depth": 10, "reliable": False}, ALL])
+def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, qos: dict[str, Any]) -> None:
+    """Several gigabytes for a reader that takes little of it: what waits has a bound."""
+    before = resident(browser)
+    published, heard, last, faults = play(f"""
+      const [a, b] = [start(), start()];
+      const qos = {str(qos).replace("True", "true").replace("False", "false")};
+      const p = await a.ask("create", {{ kind: "publisher", topic: "/t", qos }});
+      const s = await b.ask("create", {{ kind: "subscription", topic: "/t", qos }});
+      await until(() => a.ask("matched", {{ id: p }}));
+      b.ask("eat", {{ count: 1 }});
+      const published = await a.ask("flood", {{ id: p, size: 100000, duration: 3000 }});
+      window.flooded = true;
+      b.ask("eat", {{ count: Infinity }});
+      await until(async () => (await b.ask("heard", {{ id: s }})).last[0] === published);
+      const {{ count, last }} = await b.ask("heard", {{ id: s }});
+      return [published, count, last[0], await b.ask("faults")];
+    """)
+    grown = resident(browser) - before
+    assert last == published
+    assert faults == []
+    assert heard == published if qos is ALL else heard < published
+    assert grown < 1.5e9, (published, grown)
