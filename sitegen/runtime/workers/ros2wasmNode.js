@@ -28,18 +28,15 @@ onmessage = (event) => {
   } else {
     participant?.receive(event.data);
     script?.look();
+    flushSoon();
   }
 };
 
 /** @param {Extract<ToWorker, {op: "adopt"}>} node */
 function run({ id, name, program }) {
-  const warn = (/** @type {string} */ logger, /** @type {string} */ text) => {
-    printer.log("warn", logger, text);
-    printer.flush();
-  };
-  const graph = new Participant(id, post, warn);
+  const graph = new Participant(id, post);
   participant = graph;
-  const complaints = new Complaints((text) => warn("ros2wasm", text));
+  const complaints = new Complaints((text) => printer.print("warn", `${name}: ${text}`));
   // As a classic script, which these are: they assign to variables that they do not declare.
   const own = new Worker(program.script, { name });
   worker = own;

@@ -4,6 +4,7 @@
 import { Codec } from "../../messages/codec.js";
 import { isPlain, toYaml } from "../../messages/yaml.js";
 import { fromYaml } from "../../messages/yamlReader.js";
+import { DEFAULT_QOS } from "../../protocol.js";
 import { topicsOf } from "./names.js";
 
 /** @import { MessageType, Qos } from "../../protocol.js" */
@@ -19,23 +20,16 @@ import { topicsOf } from "./names.js";
  * @typedef {"publisher" | "subscription" | "service" | "client"} Kind
  */
 
-// The depth of their stacks.
-const DEPTH = 10;
-// Their middleware does not tell what its nodes ask for. To offer all and to ask for little finds the
-// most others.
+// Their middleware does not tell what its nodes ask for. To offer the usual and to ask for less finds the
+// most others. The usual depth is that of their stacks.
 /** @type {Record<Kind, Qos>} */
 const QOS = {
-  publisher: qos({ reliable: true }),
-  subscription: qos({ reliable: false }),
-  service: qos({ reliable: true }),
-  client: qos({ reliable: true }),
+  publisher: DEFAULT_QOS,
+  subscription: { ...DEFAULT_QOS, reliable: false },
+  service: DEFAULT_QOS,
+  client: DEFAULT_QOS,
 };
 const NONE = () => undefined;
-
-/** @param {Partial<Qos>} differs @returns {Qos} */
-export function qos(differs) {
-  return { depth: DEPTH, reliable: false, transientLocal: false, keepAll: false, ...differs };
-}
 
 export class Endpoints {
   #participant;
@@ -88,7 +82,7 @@ export class Endpoints {
    * @param {number} id @param {string} name @param {string} type @returns {Endpoint}
    */
   #service(id, name, type) {
-    /** @type {import("../../participant/queue.js").Sample | undefined} */
+    /** @type {import("../../participant/queue.js").Received | undefined} */
     let asked;
     return {
       id,
@@ -103,7 +97,7 @@ export class Endpoints {
       },
       send: (yaml) => {
         if (!asked) {
-          this.#complaints.add(`answer ${name}`, `it answered on ${name}, where nobody had asked`);
+          this.#complaints.add(`answer ${name}`, `answered on ${name}, where nobody had asked`);
           return;
         }
         const { writer, sequence } = asked;
@@ -138,7 +132,7 @@ export class Endpoints {
         const bytes = this.#toBytes(name, `${type}_Request`, yaml);
         if (!bytes) return;
         waiting.push(bytes);
-        if (waiting.length > DEPTH) waiting.shift();
+        if (waiting.length > DEFAULT_QOS.depth) waiting.shift();
         look();
       },
       look,
@@ -153,7 +147,7 @@ export class Endpoints {
       const what = error instanceof Error ? error.message : error;
       this.#complaints.add(
         `yaml ${type} ${name}`,
-        `what it sent on ${name} is no ${type}: ${what}; check the type that site.yaml gives ${name}`,
+        `sent on ${name} what is no ${type}: ${what}; check the type that site.yaml gives ${name}`,
       );
       return undefined;
     }
@@ -166,7 +160,7 @@ export class Endpoints {
       return toYaml(this.#codec.read(type, bytes), type, this.#types, Infinity, quote);
     } catch (error) {
       const what = error instanceof Error ? error.message : error;
-      this.#complaints.add(`cdr ${name}`, `a message on ${name} cannot be read as ${type}: ${what}`);
+      this.#complaints.add(`cdr ${name}`, `cannot read a message on ${name} as ${type}: ${what}`);
       return undefined;
     }
   }

@@ -10,7 +10,10 @@ const NAMED = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\]/;
 /** @type {Record<string, number>} */
 const LEVELS = { DEBUG: 10, INFO: 20, WARN: 30, ERROR: 40, FATAL: 50 };
 
-/** The lines of what a script sent, without the characters around them. @param {string} text @returns {Line[]} */
+/**
+ * The lines of what a script sent, without the characters around them.
+ * @param {string} text @returns {Line[]}
+ */
 export function toLines(text) {
   const plain = text.replace(ESCAPES, "");
   const name = NAMED.exec(plain)?.[1];

@@ -3,8 +3,10 @@
 
 // A service is two topics to its middleware; the second form is that of its first versions.
 const PART = /^\/(request|response)_?(\/.+)$/;
-const PARAMETERS =
-  /^(\/.+)?\/(?:describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters|set_parameters_atomically)$/;
+const PARAMETERS = new RegExp(
+  "^(/.+)?/(?:describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters" +
+    "|set_parameters_atomically)$",
+);
 const OWN = new Set(["/rosout", "/parameter_events"]);
 
 /** The name in the graph that a script means by `topic`. @param {string} topic */

@@ -2,10 +2,11 @@
 // What a script of the ROS2WASM project says, and what that means in the graph.
 
 import { shown } from "./complaints.js";
-import { Endpoints, qos } from "./endpoints.js";
+import { Endpoints } from "./endpoints.js";
 import { toLines, toLog } from "./log.js";
 import { absolute, ownOf, partOf } from "./names.js";
 import { Codec } from "../../messages/codec.js";
+import { DEFAULT_QOS } from "../../protocol.js";
 
 /** @import { Ros2wasmEntry } from "../../protocol.js" */
 /** @import { Participant } from "../../participant/participant.js" */
@@ -37,7 +38,7 @@ const KINDS = new Map([
 const ACTIONS = ["action_server", "action_client"];
 const LOG = "rcl_interfaces/msg/Log";
 // As other nodes have it: the log keeps lines for those who come late.
-const LOG_QOS = qos({ depth: 1000, reliable: true, transientLocal: true });
+const LOG_QOS = { ...DEFAULT_QOS, depth: 1000, transientLocal: true };
 // A script keeps one message of a topic, which the next replaces, read or not; until it has read one it
 // asks for more every 10 ms. What it asked before an answer reached it gets no other, therefore: after
 // an answer its topic rests for this long (ms).
@@ -97,12 +98,12 @@ export class Script {
     const needs = COMMANDS.get(command);
     if (!needs) {
       const what = typeof command === "string" ? `'${shown(command)}'` : shown(data);
-      this.#complaints.add(`command ${what}`, `it sent ${what}, which is no command`);
+      this.#complaints.add(`command ${what}`, `sent ${what}, which is no command`);
       return;
     }
     const lacks = needs.find((key) => typeof texts[key] !== "string");
     if (lacks) {
-      const what = `it sent '${command}' with ${shown(texts[lacks])} for '${lacks}', which must be text`;
+      const what = `sent '${command}' with ${shown(texts[lacks])} for '${lacks}', which must be text`;
       this.#complaints.add(`${command} ${lacks}`, what);
       return;
     }
@@ -160,9 +161,9 @@ export class Script {
     }
     if (!kind) {
       const what = ACTIONS.includes(role)
-        ? `it registered as ${role} of ${shown(name)}; ROS2WASM does not say how the parts of an action travel, ` +
-          "so nobody can reach it"
-        : `it registered as '${shown(role)}' of ${shown(name)}, which is no role`;
+        ? `registered as ${role} of ${shown(name)}; ROS2WASM does not say how the parts of an action ` +
+          "travel, so nobody can reach it"
+        : `registered as '${shown(role)}' of ${shown(name)}, which is no role`;
       this.#complaints.add(`role ${role} ${name}`, what);
       return none;
     }
@@ -178,7 +179,8 @@ export class Script {
     const given = type ? `, which site.yaml calls ${type}` : ", and site.yaml does not say of which type";
     this.#complaints.add(
       `type ${name}`,
-      `it registered as ${role} of ${shown(name)}${given}; give '${this.#name}' there types: {${shown(name)}: ${wanted}}`,
+      `registered as ${role} of ${shown(name)}${given}; ` +
+        `give '${this.#name}' there types: {${shown(name)}: ${wanted}}`,
     );
     return none;
   }
@@ -191,7 +193,7 @@ export class Script {
     const same = this.#registered.filter((one) => one.gid === gid && one.role === role);
     const gone = same.find((one) => one.name === name) ?? same[0];
     if (!gone) {
-      const what = `it is no ${shown(role)} of ${shown(name)} any more, and never was one`;
+      const what = `took back ${shown(name)} (${shown(role)}), which it had not registered`;
       this.#complaints.add(`deregister ${name}`, what);
       return;
     }
@@ -230,7 +232,7 @@ export class Script {
   /** @param {string} name @param {string} did @param {string} role */
   #tellUnknown(name, did, role) {
     if (this.#without.has(name)) return; // told when it was registered
-    this.#complaints.add(`unknown ${role} ${name}`, `it ${did} ${shown(name)} and is no ${role} of it`);
+    this.#complaints.add(`unknown ${role} ${name}`, `${did} ${shown(name)} and is no ${role} of it`);
   }
 
   /** @param {string} text */
@@ -245,7 +247,7 @@ export class Script {
   #enterNode(node) {
     this.#node = node;
     if (this.#nodes.has(node)) return;
-    this.#nodes.set(node, this.#participant.create("node", node, "", "", qos({ depth: 0 })));
+    this.#nodes.set(node, this.#participant.create("node", node, "", "", DEFAULT_QOS));
     this.#log ||= this.#participant.create("publisher", node, "/rosout", LOG, LOG_QOS);
   }
 
