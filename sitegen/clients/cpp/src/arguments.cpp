@@ -65,20 +65,6 @@ bool parse_log_level(const std::string & text, Arguments & arguments)
   return level >= 0;
 }
 
-std::string join(const std::string & name_space, const std::string & name)
-{
-  return (name_space == "/" ? name_space : name_space + "/") + name;
-}
-
-/// `name` as a full name: absolute stays, "~" is the node, everything else is in the namespace.
-std::string expand(
-  const std::string & node, const std::string & name_space, const std::string & name)
-{
-  if (!name.empty() && name[0] == '/') {return name;}
-  if (!name.empty() && name[0] == '~') {return join(name_space, node) + name.substr(1);}
-  return join(name_space, name);
-}
-
 }  // namespace
 
 Arguments parse_arguments(int argc, char const * const * argv)
@@ -119,13 +105,14 @@ std::string remap_node(
 
 std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
-  const std::string & name)
+  const std::string & name, NameKind kind)
 {
-  const std::string full = expand(node, name_space, name);
+  const std::string full = expand_name(node, name_space, name, kind);
   for (const auto & rule : arguments.remaps) {
     const bool applies = rule.node.empty() || rule.node == node;
-    if (applies && expand(node, name_space, rule.from) == full) {
-      return expand(node, name_space, rule.to);
+    if (!applies || rule.from.rfind("__", 0) == 0) {continue;}
+    if (expand_name(node, name_space, rule.from, kind) == full) {
+      return expand_name(node, name_space, rule.to, kind);
     }
   }
   return full;

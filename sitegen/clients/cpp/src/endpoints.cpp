@@ -1,4 +1,5 @@
 // Publishers, subscriptions, services and clients, as far as their types do not matter.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -6,6 +7,7 @@
 #include "rclcpp/client.hpp"
 #include "rclcpp/detail/host.h"
 #include "rclcpp/detail/platform.hpp"
+#include "rclcpp/exceptions.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/service.hpp"
@@ -15,19 +17,50 @@
 namespace rclcpp
 {
 
+namespace
+{
+
+// How long a publisher waits for room (ms), as Fast DDS does.
+constexpr double kMaxBlocking = 100;
+
+}  // namespace
+
 namespace detail
 {
 
 namespace
 {
 
-ros_qos host_qos(const QoS & qos)
+// A buffer larger than this (bytes) is not kept for smaller messages.
+constexpr std::size_t kLarge = 1024 * 1024;
+
+/// A time that is not given has no limit. In ms.
+double limit(const Duration & duration)
 {
-  const double never = std::numeric_limits<double>::infinity();
-  const std::int32_t flags = (qos.reliability() == ReliabilityPolicy::BestEffort ? 0 : ROS_RELIABLE) |
-         (qos.durability() == DurabilityPolicy::TransientLocal ? ROS_TRANSIENT_LOCAL : 0) |
-         (qos.history() == HistoryPolicy::KeepAll ? ROS_KEEP_ALL : 0);
-  return {never, never, never, static_cast<std::int32_t>(qos.depth()), flags};
+  const auto nanoseconds = duration.nanoseconds();
+  if (nanoseconds == 0 || nanoseconds == Duration::max().nanoseconds()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return static_cast<double>(nanoseconds) / 1e6;
+}
+
+/// What the page takes for `qos`. Where it is left to the system it is what Fast DDS has, which offers
+/// much and asks for little.
+ros_qos host_qos(std::int32_t kind, const QoS & qos)
+{
+  const bool much = kind != ROS_SUBSCRIPTION;
+  const auto reliability = qos.reliability();
+  const auto durability = qos.durability();
+  const bool reliable = reliability == ReliabilityPolicy::Reliable ||
+    (much && reliability != ReliabilityPolicy::BestEffort);
+  const bool kept = durability == DurabilityPolicy::TransientLocal ||
+    (much && durability != DurabilityPolicy::Volatile);
+  const std::int32_t flags = (reliable ? ROS_RELIABLE : 0) | (kept ? ROS_TRANSIENT_LOCAL : 0) |
+    (qos.history() == HistoryPolicy::KeepAll ? ROS_KEEP_ALL : 0) |
+    (qos.liveliness() == LivelinessPolicy::ManualByTopic ? ROS_MANUAL_BY_TOPIC : 0);
+  return {
+    limit(qos.deadline()), limit(qos.lifespan()), limit(qos.liveliness_lease_duration()),
+    static_cast<std::int32_t>(std::max<std::size_t>(qos.depth(), 1)), flags};
 }
 
 std::int64_t nanoseconds(double milliseconds)
@@ -40,10 +73,12 @@ std::int64_t nanoseconds(double milliseconds)
 Endpoint::Endpoint(
   std::int32_t kind, const node_interfaces::NodeBaseInterface & node, const std::string & name,
   const std::string & type, const QoS & qos)
-: name_(node.resolve(name)), qos_(qos),
-  id_(0)
+: name_(
+    node.resolve(
+      name, kind == ROS_SERVICE || kind == ROS_CLIENT ? NameKind::Service : NameKind::Topic)),
+  qos_(qos), id_(0)
 {
-  const ros_qos policies = host_qos(qos);
+  const ros_qos policies = host_qos(kind, qos);
   id_ = ros_create(
     kind, node.get_fully_qualified_name(), name_.c_str(), type.c_str(), &policies);
 }
@@ -89,7 +124,11 @@ Bytes encode(const MessageMembers & type, const void * message)
   // One buffer for all: the host copies at once.
   static std::vector<std::uint8_t> buffer;
   const std::size_t size = serialized_size(type, message);
-  if (buffer.size() < size) {buffer.resize(size);}
+  if (buffer.size() < size) {
+    buffer.resize(size);
+  } else if (buffer.size() > kLarge && size <= kLarge) {
+    buffer = std::vector<std::uint8_t>(size);
+  }
   serialize(type, message, buffer.data());
   return {buffer.data(), static_cast<std::uint32_t>(size)};
 }
@@ -104,27 +143,65 @@ std::string service_type(const MessageMembers & request)
 
 PublisherBase::PublisherBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-  const detail::MessageMembers & type, const QoS & qos)
-: type_(type), endpoint_(ROS_PUBLISHER, node, topic, type.name, qos)
+  const detail::MessageMembers & type, const QoS & qos, const PublisherOptions & options)
+: type_(type), endpoint_(ROS_PUBLISHER, node, topic, type.name, qos),
+  events_(
+    options.event_callbacks, options.use_default_callbacks,
+    detail::logger_name(node.get_fully_qualified_name()), endpoint_.name())
 {
+}
+
+bool PublisherBase::assert_liveliness() const
+{
+  ros_assert(endpoint_.id());
+  return true;
 }
 
 void PublisherBase::publish_message(const void * message)
 {
   const auto bytes = detail::encode(type_, message);
-  ros_publish(endpoint_.id(), bytes.data, bytes.size);
+  send(bytes.data, bytes.size);
 }
 
 void PublisherBase::publish_bytes(const SerializedMessage & bytes)
 {
   const auto & message = bytes.get_rcl_serialized_message();
-  ros_publish(endpoint_.id(), message.buffer, static_cast<std::uint32_t>(message.buffer_length));
+  send(message.buffer, static_cast<std::uint32_t>(message.buffer_length));
+}
+
+void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
+{
+  if (ros_publish(endpoint_.id(), data, size)) {return;}
+  const double end = detail::now() + kMaxBlocking;
+  do {
+    const double left = end - detail::now();
+    if (left <= 0) {
+      throw exceptions::RCLError(
+              std::string("failed to publish message: the subscriptions of '") +
+              get_topic_name() + "' have no room for more");
+    }
+    detail::wait(left);
+  } while (!ros_publish(endpoint_.id(), data, size));
+}
+
+bool PublisherBase::wait_until_sent(double milliseconds) const
+{
+  const double end = detail::now() + milliseconds;
+  while (ros_behind(endpoint_.id())) {
+    const double left = end - detail::now();
+    if (!ok() || (milliseconds >= 0 && left <= 0)) {return false;}
+    detail::wait(milliseconds < 0 ? -1 : left);
+  }
+  return true;
 }
 
 SubscriptionBase::SubscriptionBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-  const detail::MessageMembers & type, const QoS & qos)
-: Receiver(ROS_SUBSCRIPTION, node, topic, type.name, qos), type_(type)
+  const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptions & options)
+: Receiver(ROS_SUBSCRIPTION, node, topic, type.name, qos), type_(type),
+  events_(
+    options.event_callbacks, options.use_default_callbacks,
+    detail::logger_name(node.get_fully_qualified_name()), name())
 {
 }
 

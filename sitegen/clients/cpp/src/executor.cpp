@@ -108,9 +108,29 @@ FutureReturnCode Executor::spin_until(const std::function<bool()> & done, double
   return FutureReturnCode::SUCCESS;
 }
 
+bool Executor::execute_events(bool only_first)
+{
+  const std::uint32_t events = ros_events();
+  if (events == events_) {return false;}
+  bool any = false;
+  const auto nodes = nodes_;
+  for (const auto & node : nodes) {
+    for (const auto & publisher : lock(node->publishers)) {
+      any = publisher->execute_events() || any;
+      if (any && only_first) {return true;}
+    }
+    for (const auto & subscription : lock(node->subscriptions)) {
+      any = subscription->execute_events() || any;
+      if (any && only_first) {return true;}
+    }
+  }
+  events_ = events;
+  return any;
+}
+
 bool Executor::execute_ready(bool only_first)
 {
-  bool any = false;
+  bool any = execute_events(only_first);
   const auto stop = [&]() {return !ok() || canceled_ || (any && only_first);};
   const auto nodes = nodes_;  // a callback may add or remove nodes
   for (const auto & node : nodes) {
@@ -121,12 +141,16 @@ bool Executor::execute_ready(bool only_first)
         any = true;
       }
     }
-    for (auto receivers : {&node->subscriptions, &node->services, &node->clients}) {
-      for (const auto & receiver : lock(*receivers)) {
-        if (stop()) {return any;}
-        any = receiver->execute_one() || any;
-      }
-    }
+    const auto execute_each = [&](auto & receivers) {
+        for (const auto & receiver : lock(receivers)) {
+          if (stop()) {return;}
+          any = receiver->execute_one() || any;
+        }
+      };
+    execute_each(node->subscriptions);
+    execute_each(node->services);
+    execute_each(node->clients);
+    if (stop()) {return any;}
   }
   return any;
 }

@@ -1,7 +1,5 @@
 #include "rclcpp/node.hpp"
 
-#include <algorithm>
-
 #include "rclcpp/detail/arguments.hpp"
 #include "rclcpp/detail/host.h"
 
@@ -16,13 +14,6 @@ std::string with_slash(const std::string & name_space)
   return name_space.empty() || name_space[0] != '/' ? "/" + name_space : name_space;
 }
 
-/// The logger of a node is named by its full name, with dots.
-std::string logger_name(std::string full_name)
-{
-  std::replace(full_name.begin(), full_name.end(), '/', '.');
-  return full_name.substr(1);
-}
-
 }  // namespace
 
 namespace node_interfaces
@@ -35,15 +26,18 @@ NodeBaseInterface::NodeBaseInterface(const std::string & name, const std::string
   full_name_((namespace_ == "/" ? "/" : namespace_ + "/") + name_),
   id_(0)
 {
+  detail::validate_node_name(name_);
+  detail::validate_namespace(namespace_);
   const ros_qos none{};
   id_ = ros_create(ROS_NODE, full_name_.c_str(), "", "", &none);
 }
 
 NodeBaseInterface::~NodeBaseInterface() {ros_destroy(id_);}
 
-std::string NodeBaseInterface::resolve(const std::string & name) const
+std::string NodeBaseInterface::resolve(
+  const std::string & name, detail::NameKind kind) const
 {
-  return detail::resolve_name(detail::arguments(), name_, namespace_, name);
+  return detail::resolve_name(detail::arguments(), name_, namespace_, name, kind);
 }
 
 }  // namespace node_interfaces
@@ -55,7 +49,7 @@ Node::Node(const std::string & name, const NodeOptions & options)
 
 Node::Node(const std::string & name, const std::string & name_space, const NodeOptions &)
 : base_(std::make_shared<node_interfaces::NodeBaseInterface>(name, name_space)),
-  logger_(logger_name(base_->get_fully_qualified_name())),
+  logger_(detail::logger_name(base_->get_fully_qualified_name())),
   rosout_(*base_, logger_.get_name()),
   clock_(std::make_shared<Clock>(RCL_ROS_TIME))
 {

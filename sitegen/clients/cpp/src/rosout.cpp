@@ -16,9 +16,6 @@ namespace
 
 using Log = rcl_interfaces::msg::Log;
 
-// As rcl has it: who comes late gets the last thousand lines.
-QoS rosout_qos() {return QoS(1000).transient_local();}
-
 // Never destroyed: nodes with static lifetime still log while the program exits.
 std::map<std::string, std::unique_ptr<Publisher<Log>>> & publishers()
 {
@@ -44,7 +41,7 @@ Rosout::Rosout(const node_interfaces::NodeBaseInterface & node, const std::strin
 : logger_(logger)
 {
   publishers().try_emplace(
-    logger, std::make_unique<Publisher<Log>>(node, "/rosout", rosout_qos()));
+    logger, std::make_unique<Publisher<Log>>(node, "/rosout", RosoutQoS()));
 }
 
 Rosout::~Rosout() {publishers().erase(logger_);}

@@ -66,6 +66,21 @@ std::chrono::nanoseconds nanoseconds(double milliseconds)
 
 }  // namespace
 
+Duration Duration::from_rmw_time(rmw_time_t time)
+{
+  const auto most = static_cast<std::uint64_t>(max().nanoseconds());
+  if (time.sec > most / 1000000000) {return max();}
+  return from_nanoseconds(
+    static_cast<std::int64_t>(std::min(most, time.sec * 1000000000 + time.nsec)));
+}
+
+rmw_time_t Duration::to_rmw_time() const
+{
+  if (nanoseconds_ < 0) {throw std::runtime_error("rmw_time_t cannot be negative");}
+  const auto all = static_cast<std::uint64_t>(nanoseconds_);
+  return {all / 1000000000, all % 1000000000};
+}
+
 Duration::operator builtin_interfaces::msg::Duration() const
 {
   return split<builtin_interfaces::msg::Duration>(nanoseconds_);

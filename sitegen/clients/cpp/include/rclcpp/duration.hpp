@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "builtin_interfaces/msg/duration.hpp"
+#include "rmw/types.h"
 
 namespace rclcpp
 {
@@ -31,11 +32,14 @@ public:
   {
     return from_nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
   }
+  static Duration from_rmw_time(rmw_time_t time);
   static Duration max() {return from_nanoseconds(INT64_MAX);}
 
   operator builtin_interfaces::msg::Duration() const;  // NOLINT: implicit upstream
 
   std::int64_t nanoseconds() const {return nanoseconds_;}
+  /// Throws std::runtime_error if it is negative.
+  rmw_time_t to_rmw_time() const;
   double seconds() const {return static_cast<double>(nanoseconds_) / 1e9;}
 
   template<class DurationT>

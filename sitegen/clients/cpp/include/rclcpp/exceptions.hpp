@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,6 +16,58 @@ public:
   explicit UnknownROSArgsError(std::vector<std::string> && unknown_ros_args_in);
 
   const std::vector<std::string> unknown_ros_args;
+};
+
+/// Something that the layers below refused.
+class RCLError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class NameValidationError : public std::invalid_argument
+{
+public:
+  /// `invalid_index` is where in `name` it is wrong.
+  NameValidationError(
+    const char * name_type, const char * name, const char * error_msg,
+    std::size_t invalid_index);
+
+  const std::string name_type;
+  const std::string name;
+  const std::string error_msg;
+  const std::size_t invalid_index;
+};
+
+class InvalidNodeNameError : public NameValidationError
+{
+public:
+  InvalidNodeNameError(const char * node_name, const char * error_msg, std::size_t invalid_index)
+  : NameValidationError("node name", node_name, error_msg, invalid_index) {}
+};
+
+class InvalidNamespaceError : public NameValidationError
+{
+public:
+  InvalidNamespaceError(
+    const char * name_space, const char * error_msg, std::size_t invalid_index)
+  : NameValidationError("namespace", name_space, error_msg, invalid_index) {}
+};
+
+class InvalidTopicNameError : public NameValidationError
+{
+public:
+  InvalidTopicNameError(
+    const char * topic_name, const char * error_msg, std::size_t invalid_index)
+  : NameValidationError("topic name", topic_name, error_msg, invalid_index) {}
+};
+
+class InvalidServiceNameError : public NameValidationError
+{
+public:
+  InvalidServiceNameError(
+    const char * service_name, const char * error_msg, std::size_t invalid_index)
+  : NameValidationError("service name", service_name, error_msg, invalid_index) {}
 };
 
 }  // namespace exceptions

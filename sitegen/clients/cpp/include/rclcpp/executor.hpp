@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
@@ -63,6 +64,8 @@ public:
 private:
   /// `timeout` in ms, negative for none.
   FutureReturnCode spin_until(const std::function<bool()> & done, double timeout);
+  /// Call back for events, or for those of one endpoint only; false if there were none.
+  bool execute_events(bool only_first);
   /// Run one round over what is ready, or only the first; false if nothing was.
   bool execute_ready(bool only_first);
   /// Suspend until something may be ready, `timeout` ms at most.
@@ -73,6 +76,8 @@ private:
   std::vector<NodeBase> nodes_;
   bool canceled_ = false;
   double last_wait_ = 0;
+  /// How many events there had been when all of them were handled.
+  std::uint32_t events_ = 0;
 };
 
 }  // namespace rclcpp

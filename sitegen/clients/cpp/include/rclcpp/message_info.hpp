@@ -1,25 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <cstring>
-
-using rmw_time_point_value_t = std::int64_t;
-
-struct rmw_gid_t
-{
-  const char * implementation_identifier;
-  std::uint8_t data[16];
-};
-
-struct rmw_message_info_t
-{
-  rmw_time_point_value_t source_timestamp;  // ns since 1970
-  rmw_time_point_value_t received_timestamp;
-  std::uint64_t publication_sequence_number;
-  std::uint64_t reception_sequence_number;
-  rmw_gid_t publisher_gid;
-  bool from_intra_process;
-};
+#include "rmw/types.h"
 
 namespace rclcpp
 {

@@ -47,18 +47,22 @@ public:
 
   template<class MessageT, class AllocatorT = std::allocator<void>>
   std::shared_ptr<Publisher<MessageT, AllocatorT>> create_publisher(
-    const std::string & topic, const QoS & qos, const PublisherOptions & = PublisherOptions())
+    const std::string & topic, const QoS & qos,
+    const PublisherOptions & options = PublisherOptions())
   {
-    return std::make_shared<Publisher<MessageT, AllocatorT>>(*base_, topic, qos);
+    auto publisher = std::make_shared<Publisher<MessageT, AllocatorT>>(
+      *base_, topic, qos, options);
+    base_->publishers.push_back(publisher);
+    return publisher;
   }
 
   template<class MessageT, class CallbackT>
   std::shared_ptr<Subscription<MessageT>> create_subscription(
     const std::string & topic, const QoS & qos, CallbackT && callback,
-    const SubscriptionOptions & = SubscriptionOptions())
+    const SubscriptionOptions & options = SubscriptionOptions())
   {
     auto subscription = std::make_shared<Subscription<MessageT>>(
-      *base_, topic, qos, std::forward<CallbackT>(callback));
+      *base_, topic, qos, std::forward<CallbackT>(callback), options);
     base_->subscriptions.push_back(subscription);
     return subscription;
   }

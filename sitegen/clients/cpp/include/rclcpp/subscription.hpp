@@ -8,12 +8,18 @@
 
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/detail/receiver.hpp"
+#include "rclcpp/event_handler.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
 {
 
-struct SubscriptionOptions {};
+struct SubscriptionOptions
+{
+  SubscriptionEventCallbacks event_callbacks;
+  /// Log what is incompatible.
+  bool use_default_callbacks = true;
+};
 
 class SubscriptionBase : public detail::Receiver
 {
@@ -22,14 +28,20 @@ public:
 
   SubscriptionBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-    const detail::MessageMembers & type, const QoS & qos);
+    const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptions & options);
 
   const char * get_topic_name() const {return name().c_str();}
   std::size_t get_publisher_count() const {return matched();}
   QoS get_actual_qos() const {return qos();}
 
+  /// Call back for events; false if there were none.
+  bool execute_events() {return events_.execute(id());}
+
 protected:
   const detail::MessageMembers & type_;
+
+private:
+  detail::Events events_;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -41,9 +53,9 @@ public:
   template<class CallbackT>
   Subscription(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic, const QoS & qos,
-    CallbackT && callback)
+    CallbackT && callback, const SubscriptionOptions & options = SubscriptionOptions())
   : SubscriptionBase(
-      node, topic, rosidl_typesupport_sitegen_cpp::members_of<MessageT>(), qos),
+      node, topic, rosidl_typesupport_sitegen_cpp::members_of<MessageT>(), qos, options),
     callback_(std::forward<CallbackT>(callback)) {}
 
 protected:

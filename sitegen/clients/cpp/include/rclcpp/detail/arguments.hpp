@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rclcpp/detail/names.hpp"
+
 namespace rclcpp
 {
 namespace detail
@@ -36,7 +38,7 @@ std::string remap_node(
 /// Expand the name of a topic or a service as seen by `node` in `name_space` and apply the remap rules.
 std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
-  const std::string & name);
+  const std::string & name, NameKind kind);
 
 /// Those of the running program, since rclcpp::init.
 const Arguments & arguments();

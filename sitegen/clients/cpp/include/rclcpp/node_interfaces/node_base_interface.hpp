@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "rclcpp/detail/names.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
 {
 
+class PublisherBase;
+class SubscriptionBase;
 class TimerBase;
 
 namespace detail
@@ -35,10 +38,11 @@ public:
   const char * get_namespace() const {return namespace_.c_str();}
   const char * get_fully_qualified_name() const {return full_name_.c_str();}
   /// Expand the name of a topic or a service as this node sees it and apply the remap rules.
-  std::string resolve(const std::string & name) const;
+  std::string resolve(const std::string & name, detail::NameKind kind) const;
 
+  std::vector<std::weak_ptr<PublisherBase>> publishers;
   std::vector<std::weak_ptr<TimerBase>> timers;
-  std::vector<std::weak_ptr<detail::Receiver>> subscriptions;
+  std::vector<std::weak_ptr<SubscriptionBase>> subscriptions;
   std::vector<std::weak_ptr<detail::Receiver>> services;
   std::vector<std::weak_ptr<detail::Receiver>> clients;
 

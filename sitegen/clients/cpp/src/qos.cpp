@@ -1,0 +1,104 @@
+#include "rclcpp/qos.hpp"
+
+#include <tuple>
+
+namespace rclcpp
+{
+
+namespace
+{
+
+auto as_tuple(const rmw_qos_profile_t & p)
+{
+  return std::make_tuple(
+    p.history, p.depth, p.reliability, p.durability, p.deadline.sec, p.deadline.nsec,
+    p.lifespan.sec, p.lifespan.nsec, p.liveliness, p.liveliness_lease_duration.sec,
+    p.liveliness_lease_duration.nsec, p.avoid_ros_namespace_conventions);
+}
+
+/// A time that is not given is none, which is the longest.
+std::int64_t limit(const Duration & duration)
+{
+  return duration.nanoseconds() == 0 ? Duration::max().nanoseconds() : duration.nanoseconds();
+}
+
+}  // namespace
+
+std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind)
+{
+  switch (policy_kind) {
+    case RMW_QOS_POLICY_DURABILITY: return "DURABILITY_QOS_POLICY";
+    case RMW_QOS_POLICY_DEADLINE: return "DEADLINE_QOS_POLICY";
+    case RMW_QOS_POLICY_LIVELINESS: return "LIVELINESS_QOS_POLICY";
+    case RMW_QOS_POLICY_RELIABILITY: return "RELIABILITY_QOS_POLICY";
+    case RMW_QOS_POLICY_HISTORY: return "HISTORY_QOS_POLICY";
+    case RMW_QOS_POLICY_LIFESPAN: return "LIFESPAN_QOS_POLICY";
+    default: return "INVALID_QOS_POLICY";
+  }
+}
+
+QoS::QoS(const QoSInitialization & qos_initialization, const rmw_qos_profile_t & initial_profile)
+: profile_(initial_profile)
+{
+  profile_.history = qos_initialization.history_policy;
+  profile_.depth = qos_initialization.depth;
+}
+
+QoS & QoS::keep_last(std::size_t depth)
+{
+  profile_.depth = depth;
+  return history(HistoryPolicy::KeepLast);
+}
+
+QoS & QoS::keep_all()
+{
+  profile_.depth = 0;
+  return history(HistoryPolicy::KeepAll);
+}
+
+bool operator==(const QoS & left, const QoS & right)
+{
+  return as_tuple(left.get_rmw_qos_profile()) == as_tuple(right.get_rmw_qos_profile());
+}
+
+QoSCheckCompatibleResult qos_check_compatible(
+  const QoS & publisher_qos, const QoS & subscription_qos)
+{
+  const QoS & offered = publisher_qos;
+  const QoS & requested = subscription_qos;
+  std::string reason;
+  const auto check = [&reason](bool wrong, const char * what) {
+      if (wrong) {reason += std::string("ERROR: ") + what + ";";}
+    };
+  check(
+    offered.reliability() == ReliabilityPolicy::BestEffort &&
+    requested.reliability() == ReliabilityPolicy::Reliable,
+    "Best effort publisher and reliable subscription");
+  check(
+    offered.durability() == DurabilityPolicy::Volatile &&
+    requested.durability() == DurabilityPolicy::TransientLocal,
+    "Volatile publisher and transient local subscription");
+  const auto none = Duration::max().nanoseconds();
+  const auto deadlines = std::make_pair(limit(offered.deadline()), limit(requested.deadline()));
+  check(
+    deadlines.first == none && deadlines.second != none,
+    "Subscription has a deadline, but publisher does not");
+  check(
+    deadlines.first != none && deadlines.second < deadlines.first,
+    "Subscription deadline is less than publisher deadline");
+  check(
+    offered.liveliness() == LivelinessPolicy::Automatic &&
+    requested.liveliness() == LivelinessPolicy::ManualByTopic,
+    "Publisher's liveliness is automatic and subscription's is manual by topic");
+  const auto leases = std::make_pair(
+    limit(offered.liveliness_lease_duration()), limit(requested.liveliness_lease_duration()));
+  check(
+    leases.first == none && leases.second != none,
+    "Subscription has a liveliness lease duration, but publisher does not");
+  check(
+    leases.first != none && leases.second < leases.first,
+    "Subscription liveliness lease duration is less than publisher");
+  return {reason.empty() ? QoSCompatibility::Ok : QoSCompatibility::Error, reason};
+}
+
+}  // namespace rclcpp
