@@ -61,11 +61,13 @@ def render(
     *,
     modules: Mapping[str, Sequence[str]] | None = None,
     types: Mapping[str, Mapping[str, object]] | None = None,
+    foreign: Mapping[str, Mapping[str, Mapping[str, object]]] | None = None,
 ) -> list[Artifact]:
     """Return the artifacts of all pages and of the theme.
 
     `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
-    `types` has, by page path, the message types of pages that take part in the graph.
+    `types` has, by page path, the message types of pages that take part in the graph; `foreign`
+    has, by page path and node, those of nodes that the ROS2WASM project compiled.
     """
     problems = Problems(site.root)
     environment = jinja2.Environment(
@@ -104,11 +106,8 @@ def render(
         )
         artifacts.append(Artifact(f"{page.path}index.html", html.encode()))
         if live:
-            artifacts.append(
-                Artifact(
-                    f"{page.path}page.json", _page_json(site, page, (types or {}).get(page.path))
-                )
-            )
+            own = (types or {}).get(page.path), (foreign or {}).get(page.path, {})
+            artifacts.append(Artifact(f"{page.path}page.json", _page_json(site, page, *own)))
         artifacts += [Artifact(path, file) for path, file in prose.files.items()]
     problems.raise_if_any()
     return artifacts + _theme_files(site)
@@ -179,7 +178,12 @@ def _slots(page: Page) -> Iterator[tuple[Widget, Slot]]:
         yield widget, Slot(f"widget-{number}", widget.kind)
 
 
-def _page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> bytes:
+def _page_json(
+    site: Site,
+    page: Page,
+    types: Mapping[str, object] | None,
+    foreign: Mapping[str, Mapping[str, object]],
+) -> bytes:
     """Return the page's PageEntry, as protocol.js describes it."""
     waiting = {
         widget.target
@@ -189,11 +193,8 @@ def _page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> by
     entry: dict[str, object] = {
         "nodes": {
             name: {
-                "package": node.package,
-                "executable": node.executable,
-                "arguments": node.command_line(),
+                **_program(site, page, node, foreign.get(name, {})),
                 "autostart": name not in waiting,
-                "builds": _builds(site, page, node),
             }
             for name, node in page.nodes.items()
         },
@@ -210,6 +211,20 @@ def _page_json(site: Site, page: Page, types: Mapping[str, object] | None) -> by
     if types is not None:
         entry["types"] = dict(types)
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def _program(site: Site, page: Page, node: Node, types: Mapping[str, object]) -> dict[str, object]:
+    if node.ros2wasm is None:
+        return {
+            "package": node.package,
+            "executable": node.executable,
+            "arguments": node.command_line(),
+            "builds": _builds(site, page, node),
+        }
+    script = node.ros2wasm.script
+    path = f"ros2wasm/{script.relative_to(site.root).as_posix()}"
+    worker = {"script": address(page, path), "topics": dict(node.ros2wasm.types), "types": types}
+    return {"package": "ros2wasm", "executable": script.name, "arguments": [], "ros2wasm": worker}
 
 
 def _builds(site: Site, page: Page, node: Node) -> dict[str, dict[str, str]]:

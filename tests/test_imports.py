@@ -15,7 +15,10 @@ RUNTIME = PACKAGE / "runtime"
 # What each module of the generator may import of the others; all of config is one module here.
 ALLOWED = {
     "__main__": {"build", "errors", "report"},
-    "build": {"assets", "config", "cpp", "errors", "model", "pages", "report", "workspace"},
+    "build": {
+        *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
+        "workspace",
+    },
     "assets": {"model"},
     "config": {"errors", "model", "workspace"},
     "cmakelists": set(),
@@ -34,6 +37,7 @@ ALLOWED = {
     "pages": {"errors", "model", "prose"},
     "prose": {"errors", "model"},
     "report": set(),
+    "ros2wasm": {"digest", "errors", "interfaces", "messages", "model", "workspace"},
     "toolchain": set(),
     "typesupport": set(),
     "workspace": {"cmakelists", "errors", "model"},
@@ -48,7 +52,7 @@ RUNTIME_ALLOWED = {
     "nodeProcess.js": {"graph.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
-    "workers": {"participant", "protocol.js", "workers"},
+    "workers": {"messages", "participant", "protocol.js", "workers"},
     "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),

@@ -31,6 +31,8 @@ TYPES = {
     "list of text": ("list", "a list of text"),
     "list of names": ("list", "a list of names of the graph"),
     "text by name": ("mapping", "names with a text each"),
+    "interface": ("text", "the type of a message or a service"),
+    "interface by name": ("mapping", "names of the graph with a type each"),
     "site": ("mapping", "keys and values"),
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
@@ -41,6 +43,7 @@ TYPES = {
 FORMS = {
     "name": re.compile(r"(/[A-Za-z_]\w*)+", re.ASCII),
     "type": re.compile(r"[a-z]\w*/msg/[A-Z]\w*", re.ASCII),
+    "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }
 
 FILE = (
@@ -98,6 +101,17 @@ NODE = (
         "remap: {chatter: /demo/chatter}",
     ),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+ROS2WASM = (
+    Key("ros2wasm", "path", "the worker script of such a node", "ros2wasm: nodes/talker.js", True),
+    Key(
+        "types",
+        "interface by name",
+        "what its topics and services carry",
+        "types: {/chatter: std_msgs/msg/String}",
+        True,
+    ),
 )
 
 PAGE = (
