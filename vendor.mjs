@@ -10,6 +10,7 @@ const TARGET = "sitegen/runtime/vendor";
 /** What each bundle exports, by the bundle's name. */
 const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
+  yaml: 'export { FAILSAFE_SCHEMA, load } from "js-yaml";',
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };

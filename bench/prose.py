@@ -12,7 +12,7 @@ from statistics import median
 from bench.building import run, seconds
 from bench.figure import Figure, Target
 from sitegen import config
-from sitegen.pages import Renderer
+from sitegen.pages import Programs, Renderer
 
 FOLDERS, PAGES = 20, 50
 REPEATS = 3
@@ -49,7 +49,7 @@ def prose() -> list[Figure]:
 def _edit(folder: Path) -> float:
     """Return how long an edited page takes in a process that knows the site (s)."""
     site = config.load(folder / "site.yaml")
-    renderer = Renderer(site, modules={}, types={}, versions={})
+    renderer = Renderer(site, Programs())
     times = []
     for page in site.pages[1:10]:
         times.append(seconds(lambda page=page: renderer.page(page)))  # type: ignore[misc]

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from sitegen.digest import digest_of
-from sitegen.model import Artifact, Build, Page, Site, Widget
+from sitegen.model import Artifact, Build, Node, Page, Site, Widget
 
 RUNTIME = Path(__file__).resolve().parent / "runtime"
 
@@ -31,7 +31,8 @@ def runtime(site: Site) -> list[Artifact]:
     files = {file for page in site.pages for file in _modules(page)}
     if not files:
         return []
-    files |= set(_with_imports(RUNTIME.glob("workers/*.js")))
+    workers = {_worker(node) for page in site.pages for node in page.nodes.values()}
+    files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
     if any(file.parent.name == "vendor" for file in files):
         files.add(RUNTIME / "vendor" / "licenses.txt")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
@@ -101,6 +102,22 @@ def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[
             artifacts.append(Artifact(f"{stem}.js", build.script))
             artifacts.append(Artifact(f"{stem}.wasm", build.wasm))
     return artifacts
+
+
+def scripts(site: Site) -> list[Artifact]:
+    """Return the nodes that the ROS2WASM project compiled, each below its place in the site."""
+    files = {
+        file
+        for page in site.pages
+        for node in page.nodes.values()
+        for file in (node.ros2wasm.files if node.ros2wasm else ())
+    }
+    return [Artifact(f"ros2wasm/{f.relative_to(site.root).as_posix()}", f) for f in sorted(files)]
+
+
+def _worker(node: Node) -> str:
+    """Return which worker of the runtime runs `node`."""
+    return "ros2wasmNode" if node.ros2wasm else "cppNode"
 
 
 def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:

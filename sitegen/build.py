@@ -10,7 +10,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, workspace
+from sitegen import assets, config, cpp, pages, ros2wasm, workspace
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -28,6 +28,9 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     site = config.load(folder / "site.yaml")
     check_output(output)
 
+    # Of nodes that the ROS2WASM project compiled, the types are looked up.
+    foreign = ros2wasm.types_of(site, cache=cache_folder())
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
     nodes = nodes_of(site)
@@ -36,14 +39,17 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
     # Markdown pages become HTML with a page.json each.
-    types = {page.path: types_of(page, builds) for page in site.pages if assets.takes_part(page)}
+    types = {
+        page.path: types_of(page, builds, foreign) for page in site.pages if assets.takes_part(page)
+    }
     versions = assets.versions(builds.items())
-    artifacts = pages.render(site, modules=assets.preloads(site), types=types, versions=versions)
+    artifacts = pages.render(site, pages.Programs(assets.preloads(site), types, foreign, versions))
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)
     artifacts += assets.search(site)
     artifacts += assets.programs(builds.items())
+    artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
     check_paths(artifacts)
     write(artifacts, output)
@@ -51,14 +57,18 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     summarize(site, nodes, builds, report)
     seconds = time.monotonic() - begun
     report.say(
-        f"built {count(len(site.pages), 'page')}, {count(len(builds), 'node')} in {seconds:.1f} s"
+        f"built {count(len(site.pages), 'page')}, {count(len(nodes), 'node')} in {seconds:.1f} s"
         f" → {shown(output)} (python -m http.server --directory {shown(output)})"
     )
 
 
 def nodes_of(site: Site) -> list[Node]:
     """Return the nodes that the pages run, each program once."""
-    found = {(n.package, n.executable): n for page in site.pages for n in page.nodes.values()}
+    found = {
+        n.ros2wasm.script if n.ros2wasm else (n.package, n.executable): n
+        for page in site.pages
+        for n in page.nodes.values()
+    }
     return list(found.values())
 
 
@@ -66,7 +76,8 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        executables.setdefault(node.package, []).append(node.executable)
+        if not node.ros2wasm:
+            executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():
         *needs, package = workspace.with_dependencies(site.packages, name)
@@ -74,11 +85,14 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     return jobs
 
 
-def types_of(page: Page, builds: cpp.Builds) -> dict[str, object]:
+def types_of(page: Page, builds: cpp.Builds, foreign: ros2wasm.Types) -> dict[str, object]:
     """Return the message types that the nodes of `page` use, by name."""
     types: dict[str, object] = {}
-    for node in page.nodes.values():
-        types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+    for name, node in page.nodes.items():
+        if node.ros2wasm:
+            types |= foreign[page.path][name]
+        else:
+            types |= json.loads(builds[node.package, node.executable][0].types.read_text())
     return types
 
 
@@ -142,6 +156,11 @@ def summarize(site: Site, nodes: Sequence[Node], builds: cpp.Builds, report: Rep
     for page in site.pages:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
     for node in nodes:
+        if node.ros2wasm:
+            total = sum(file.stat().st_size for file in node.ros2wasm.files)
+            script = node.ros2wasm.script.relative_to(site.root).as_posix()
+            report.say(f"  {script}: ROS2WASM {size(total)}")
+            continue
         forms = builds[node.package, node.executable]
         sizes = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)
         report.say(f"  {node.package}/{node.executable}: {sizes}")

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -119,24 +119,33 @@ def generate(
     `files` are its `.msg`, `.srv`, `.action` and `.idl` files, relative to `folder`; `others` are
     the prefixes of packages that they may use. Raises a SiteError that says what is wrong in which.
     """
-    rosidl("rosidl_adapter")  # for definitions.check, which must find it
-    packages = {path.name: path for path in shares([ROS, *others]) if path.name != package}
-    problems = definitions.check(package, folder, files, packages)
-    if problems:
-        raise SiteError(problems)
     with tempfile.TemporaryDirectory() as folder_of_new:
         fresh = Path(folder_of_new)
-        _generate(fresh, package, folder, files, packages)
+        arguments = describe(fresh, others, package, folder, files)
+        cpp = rosidl("rosidl_generator_cpp")
+        output = fresh / "include" / package / package
+        _run(cpp.generate_cpp, arguments | {"output_dir": str(output)})
+        # Beside those of the interfaces it has written one for each part of a service or action.
+        idls = [name.rpartition(":")[2] for name in arguments["idl_tuples"]]
+        share = fresh / "share" / package
+        write_package(fresh, package, ((share / idl).with_suffix(".json") for idl in idls))
         for part in ("include", "share"):
             _update(fresh / part / package, prefix / part / package)
 
 
-def _generate(
-    prefix: Path, package: str, folder: Path, files: Sequence[str], packages: Mapping[str, Path]
-) -> None:
+def describe(
+    prefix: Path, others: Sequence[Path], package: str, folder: Path, files: Sequence[str]
+) -> dict[str, Any]:
+    """Write the type descriptions of a workspace package to the prefix.
+
+    Takes and raises what `generate` does; returns what rosidl's generators are given.
+    """
     adapter = rosidl("rosidl_adapter")
     description = rosidl("rosidl_generator_type_description")
-    cpp = rosidl("rosidl_generator_cpp")
+    packages = {path.name: path for path in shares([ROS, *others]) if path.name != package}
+    problems = definitions.check(package, folder, files, packages)
+    if problems:
+        raise SiteError(problems)
     share = prefix / "share" / package
     share.mkdir(parents=True)
     idls = []
@@ -156,10 +165,7 @@ def _generate(
         "target_dependencies": [],
     }
     _run(description.generate_type_hash, arguments)
-    _run(cpp.generate_cpp, arguments | {"output_dir": str(prefix / "include" / package / package)})
-    # Beside those of the interfaces it has written one for each part of a service or action.
-    descriptions = [share / idl.rpartition(":")[2] for idl in idls]
-    write_package(prefix, package, (file.with_suffix(".json") for file in descriptions))
+    return arguments
 
 
 def _update(fresh: Path, folder: Path) -> None:

@@ -30,18 +30,23 @@ MessageType = dict[str, Any]
 
 
 def types_of(program: Path, prefixes: Iterable[Path]) -> dict[str, MessageType]:
-    """Return the message types that `program` names, with all that they nest, by name.
+    """Return the message types that `program` names, with all that they nest, by name."""
+    return types({name.decode() for name in NAMED.findall(program.read_bytes())}, prefixes)
+
+
+def types(names: Iterable[str], prefixes: Iterable[Path]) -> dict[str, MessageType]:
+    """Return the message types of `names`, with all that they nest, by name.
 
     Their type descriptions are in ROS or in one of `prefixes`. See MessageType in protocol.js.
     """
     packages = {share.name: share for share in shares([ROS, *prefixes])}
     found: dict[str, MessageType] = {}
-    for named in sorted(set(NAMED.findall(program.read_bytes()))):
-        interface = typesupport.interface_of(named.decode())
+    for named in sorted(names):
+        interface = typesupport.interface_of(named)
         package, kind, name = interface.split("/")
         file = packages.get(package, Path()) / kind / f"{name}.json"
         if file.is_file():
-            _describe(named.decode(), file, packages, found)
+            _describe(named, file, packages, found)
     return found
 
 

@@ -18,8 +18,23 @@ class Artifact:
 
 
 @dataclass(frozen=True)
+class Ros2wasm:
+    """A program that the ROS2WASM project compiled: its worker script, and the files that needs.
+
+    `types` says what its topics and services carry: `package/msg/Name` or `package/srv/Name`.
+    """
+
+    script: Path
+    files: tuple[Path, ...]
+    types: Mapping[str, str]
+
+
+@dataclass(frozen=True)
 class Node:
-    """A program that a page runs: which executable, and what it is started with."""
+    """A program that a page runs: which executable, and what it is started with.
+
+    One of the ROS2WASM project has no package and no executable.
+    """
 
     name: str
     package: str
@@ -28,6 +43,7 @@ class Node:
     namespace: str = ""
     remap: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
+    ros2wasm: Ros2wasm | None = None
 
     def command_line(self) -> list[str]:
         """Return the arguments that `ros2 run` would be given for this node."""

@@ -16,6 +16,9 @@ from sitegen.model import Package
 NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
 IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+# The interface packages that come with sitegen, and the kinds of interfaces that messages are of.
+SHARES = [Path(__file__).parent / "ros" / "share", Path(__file__).parent / "share"]
+KINDS = ("msg", "srv")
 DEPENDS = {
     "depend",
     "build_depend",
@@ -53,6 +56,23 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
     if problems is None:
         found.raise_if_any()
     return packages
+
+
+def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
+    """Return the names of all messages and services that ROS and the workspace define."""
+    given = (
+        f"{file.parts[-3]}/{file.parts[-2]}/{file.stem}"
+        for share in SHARES
+        for kind in KINDS
+        for file in share.glob(f"*/{kind}/*.{kind}")
+    )
+    own = (
+        f"{package.name}/{Path(name).parent.name}/{Path(name).stem}"
+        for package in packages.values()
+        for name in package.interfaces
+        if Path(name).parent.name in KINDS
+    )
+    return frozenset([*given, *own])
 
 
 def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Package]:

@@ -10,7 +10,16 @@ import pytest
 from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
-from sitegen.config.schema import FILE, FRONT_MATTER, NODE, PAGE, SITE, WIDGETS, Key
+from sitegen.config.schema import (
+    FILE,
+    FRONT_MATTER,
+    NODE,
+    PAGE,
+    ROS2WASM,
+    SITE,
+    WIDGETS,
+    Key,
+)
 from sitegen.config.section import conforms
 from sitegen.errors import Place, Problems
 from sitegen.model import Widget
@@ -21,6 +30,7 @@ SECTIONS = {
     "The file": FILE,
     "site": SITE,
     "A node": NODE,
+    "A node of ROS2WASM": ROS2WASM,
     "A page": PAGE,
     "A page in Markdown": FRONT_MATTER,
     **WIDGETS,

@@ -15,7 +15,10 @@ RUNTIME = PACKAGE / "runtime"
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
     "__main__": {"build", "errors", "report", "theme"},
-    "build": {"assets", "config", "cpp", "errors", "model", "pages", "report", "workspace"},
+    "build": {
+        *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
+        "workspace",
+    },
     "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
     "cmakelists": set(),
@@ -34,6 +37,7 @@ ALLOWED = {
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
+    "ros2wasm": {"digest", "errors", "interfaces", "messages", "model", "workspace"},
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
@@ -49,7 +53,7 @@ RUNTIME_ALLOWED = {
     "nodeProcess.js": {"graph.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
-    "workers": {"participant", "protocol.js", "workers"},
+    "workers": {"messages", "participant", "protocol.js", "workers"},
     "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),

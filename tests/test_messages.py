@@ -209,3 +209,64 @@ def test_items_are_added_and_removed_with_the_keyboard(stage: Tab) -> None:
     stage.get_by_role("button", name="Remove").first.press("Enter")
     assert stage.locator("legend").all_inner_texts() == ["ps[0]"]
     expect(stage.get_by_role("button", name="Add to ps")).to_be_focused()
+
+
+READ = """async (texts) => {
+  const { fromYaml } = await import("./runtime/messages/yamlReader.js");
+  const types = {
+    "a/msg/A": ros.fields("string s, bool b, int32 i, float64 f, string<=3 short, uint8[] bytes, "
+      + "int16[2] two, string[<=1] one, a/msg/In in, a/msg/In[] ins, a/msg/None none"),
+    "a/msg/In": ros.fields("int64 big"),
+    "a/msg/None": ros.fields(""),
+  };
+  const plain = (_, one) => typeof one === "bigint" ? `${one}n`
+    : ArrayBuffer.isView(one) ? { [one.constructor.name]: Array.from(one, String) } : one;
+  return texts.map((text) => {
+    try {
+      return JSON.parse(JSON.stringify(fromYaml(text, "a/msg/A", types), plain));
+    } catch (error) {
+      return error.message;
+    }
+  });
+}"""
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("s: 007", {"s": "007"}),
+        ("s: true\nb: true", {"s": "true", "b": True}),
+        ("s: ~", {"s": "~"}),
+        ("s:", {"s": ""}),
+        ('s: "a\\u0020b\\n"', {"s": "a b\n"}),
+        ("s: |\n  a\n  b\n", {"s": "a\nb\n"}),
+        ("f: .inf\ni: -3", {"f": None, "i": -3}),  # JSON has no infinity
+        ("bytes:\n  - 1\n  - 255", {"bytes": {"Uint8Array": ["1", "255"]}}),
+        ("bytes:\n  []", {"bytes": {"Uint8Array": []}}),
+        ("bytes: ~", {"bytes": {"Uint8Array": []}}),
+        ("in:\n  big: 9223372036854775807", {"in": {"big": "9223372036854775807n"}}),
+        ("{ins: [{big: 1}, {}]}", {"ins": [{"big": "1n"}, {}]}),
+        ("none:\n  structure_needs_at_least_one_member: 0", {"none": {}}),
+        ("{}", {}),
+        ("", "expected a document, but the input is empty"),
+        ("Hello", "the fields of a/msg/A are expected, not 'Hello'"),
+        ("- s", "the fields of a/msg/A are expected, not a list"),
+        ("s: a\nS: b", "a/msg/A has no field 'S'"),
+        ("s: a\ns: b", "duplicated mapping key (2:1)"),
+        ("s: [a]", "s: a string is expected, not a list"),
+        ("s: {a: b}", "s: a string is expected, not fields"),
+        ("short: four", "short: holds at most 3 bytes, here are 4"),
+        ("b: yes", "b: 'yes' is neither true nor false"),
+        ("i: 1.5", "i: '1.5' is no whole number"),
+        ("bytes: [256]", "bytes: uint8 holds 0 to 255"),
+        ("bytes: 7", "bytes: a list is expected, not '7'"),
+        ("two: [1]", "two: needs 2 items, here are 1"),
+        ("one: [a, b]", "one: holds at most 1 items, here are 2"),
+        ("in: 7", "in: the fields of a/msg/In are expected, not '7'"),
+        ("ins: [{big: x}]", "ins: big: 'x' is no whole number"),
+        ("s: !!binary aGk=", "unknown scalar tag !<tag:yaml.org,2002:binary> (1:4)"),
+        ("__proto__: {s: a}", "a/msg/A has no field '__proto__'"),
+    ],
+)
+def test_yaml_is_read_as_the_type_says(stage: Tab, text: str, expected: object) -> None:
+    assert stage.evaluate(READ, [text]) == [expected]

@@ -15,7 +15,7 @@ from playwright.sync_api import Page as Tab
 
 from sitegen.errors import Place, SiteError
 from sitegen.model import Artifact, Markdown, Node, Page, Site, Widget
-from sitegen.pages import render
+from sitegen.pages import Programs, render
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
 THEME = Path(__file__).parent.parent / "themes/default"
@@ -159,7 +159,9 @@ def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:
 def test_another_program_has_another_address(author: Author) -> None:
     author.page("a/", author.widget("console", "talker"))
     versions = {("cpp_pubsub", "talker", "jspi"): "0123456789"}
-    sources = {a.path: a.source for a in render(author.site(asyncify=False), versions=versions)}
+    sources = {
+        a.path: a.source for a in render(author.site(asyncify=False), Programs(versions=versions))
+    }
     entry = sources["a/page.json"]
     assert isinstance(entry, bytes)
     stem = "../nodes/cpp_pubsub/talker.jspi"
@@ -213,7 +215,8 @@ def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> 
     (html,) = (
         artifact.source.decode()
         for artifact in render(
-            author.site(url="https://me.github.io/robots/"), modules={path: ["runtime/graph.js"]}
+            author.site(url="https://me.github.io/robots/"),
+            Programs(modules={path: ["runtime/graph.js"]}),
         )
         if artifact.path == f"{page.path}index.html" and isinstance(artifact.source, bytes)
     )

@@ -14,7 +14,7 @@ import pytest
 from sitegen.build import build
 from sitegen.config import load
 from sitegen.model import Artifact
-from sitegen.pages import Renderer
+from sitegen.pages import Programs, Renderer
 from sitegen.report import Report
 
 EVERYTHING = Path(__file__).parent / "sites/prose"
@@ -59,7 +59,7 @@ def data(artifacts: list[Artifact]) -> dict[str, bytes | Path]:
 
 
 def test_several_processes_make_what_one_makes(many: Path) -> None:
-    renderer = Renderer(load(many), modules={}, types={}, versions={})
+    renderer = Renderer(load(many), Programs())
     shared = renderer.every_page()
     alone = [renderer.page(page) for page in reversed(renderer.site.pages)][::-1]
     assert shared == alone
@@ -76,7 +76,7 @@ def test_problems_of_all_processes_are_told(many: Path) -> None:
 
 def test_one_edit_costs_one_page(many: Path) -> None:
     site = load(many)
-    renderer = Renderer(site, modules={}, types={}, versions={})
+    renderer = Renderer(site, Programs())
     rendered = renderer.every_page()
     before = data(renderer.site_artifacts(rendered))
     many.with_name("page42.md").write_text("# Page 42\n\n## One\n\nEdited.\n")
@@ -85,5 +85,5 @@ def test_one_edit_costs_one_page(many: Path) -> None:
     after = data(renderer.site_artifacts(rendered))
     changed = {path for path in after if after[path] != before.get(path)}
     assert changed == {"page42/index.html", "search.en.json"}
-    everything = Renderer(load(many), modules={}, types={}, versions={})
+    everything = Renderer(load(many), Programs())
     assert after == data(everything.site_artifacts(everything.every_page()))

@@ -127,7 +127,7 @@ def test_a_source_runs_nothing(folder: Path) -> None:
             "source: {file: ../../etc/passwd}",
             "source: '../../etc/passwd' is outside the site's folder",
         ),
-        ("source: other", "source: CMakeLists.txt does not tell the source of 'other'; name the"),
+        ("source: other", "source: nothing tells the source of 'other'; name the"),
         (
             "source: {node: talker, lines: 1-2, region: a}",
             "ros.source.lines: given beside 'region'",

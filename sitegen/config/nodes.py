@@ -6,8 +6,9 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from sitegen.config import ros2wasm
 from sitegen.config.document import Value
-from sitegen.config.schema import NODE
+from sitegen.config.schema import NODE, ROS2WASM
 from sitegen.config.section import Section, check
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Package
@@ -39,15 +40,21 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
             where = problems.where(taken[name].node.place)
             message = f"'{name}' is defined already ({where}); use that node or choose another name"
             problems.add(entry.place, entry.key, message)
-        section = check(entry, NODE, problems)
-        _check_names(section, problems)
-        declared[name] = Declared(_node(name, section, problems), section)
+        section = check(entry, ROS2WASM if entry.has("ros2wasm") else NODE, problems)
+        if section.keys is NODE:
+            _check_names(section, problems)
+            node = _node(name, section, problems)
+        else:
+            node = Node(name, "", "", entry.place, ros2wasm=ros2wasm.read(section, problems))
+        declared[name] = Declared(node, section)
     return declared
 
 
 def check_package(declared: Declared, packages: Mapping[str, Package], problems: Problems) -> None:
-    """Note where the package or the executable of a node is not in the workspace."""
+    """Note where the package, the executable or a type of a node is not in the workspace."""
     node, section = declared
+    if section.keys is ROS2WASM:
+        ros2wasm.check_types(section, packages, problems)
     if not node.package:
         return
     package = packages.get(node.package)

@@ -35,6 +35,8 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
+    "interface": ("text", "the type of a message or a service"),
+    "interface by name": ("mapping", "names of the graph with a type each"),
     "site": ("mapping", "keys and values"),
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
@@ -48,6 +50,7 @@ FORMS = {
     "date": re.compile(r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])"),
     "colour": re.compile(r"#[0-9a-fA-F]{6}"),
     "range": re.compile(r"[1-9]\d*-[1-9]\d*"),
+    "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }
 
 FILE = (
@@ -125,6 +128,17 @@ NODE = (
         "remap: {chatter: /demo/chatter}",
     ),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+ROS2WASM = (
+    Key("ros2wasm", "path", "the worker script of such a node", "ros2wasm: nodes/talker.js", True),
+    Key(
+        "types",
+        "interface by name",
+        "what its topics and services carry",
+        "types: {/chatter: std_msgs/msg/String}",
+        True,
+    ),
 )
 
 PAGE = (

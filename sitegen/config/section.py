@@ -72,7 +72,7 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     if value.kind != kind or empty:
         problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
         return False
-    form = key.type.removeprefix("list of ").removesuffix("s")
+    form = key.type.removeprefix("list of ").removesuffix(" by name").removesuffix("s")
     form = form if form in FORMS else "text"
     parts = _texts(value, key, problems)
     wrong = [part for part in parts if not _fits(part, form)]
@@ -93,7 +93,7 @@ def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
         return value.items()
     if key.type in FORMS:
         return [value]
-    return list(value.entries(problems).values()) if key.type == "text by name" else []
+    return list(value.entries(problems).values()) if key.type.endswith(" by name") else []
 
 
 def _found(value: Value, key: Key) -> str:

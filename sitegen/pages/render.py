@@ -16,7 +16,7 @@ from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Markdown, Page, Site
 from sitegen.pages import discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
-from sitegen.pages.entry import Versions, page_json
+from sitegen.pages.entry import Programs, page_json
 from sitegen.pages.history import changed_days, edit_link
 from sitegen.pages.nav import Link, Navigation
 from sitegen.pages.policy import FILE_NOTE, policy
@@ -45,38 +45,18 @@ class Rendered:
     found: tuple[tuple[str, int, str], ...]
 
 
-def render(
-    site: Site,
-    *,
-    modules: Mapping[str, Sequence[str]] | None = None,
-    types: Mapping[str, Mapping[str, object]] | None = None,
-    versions: Versions | None = None,
-) -> list[Artifact]:
-    """Return the artifacts of all pages and of the themes.
-
-    `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
-    `types` has, by page path, the message types of pages that take part in the graph; `versions`
-    has a digest of each program.
-    """
-    renderer = Renderer(site, modules=modules or {}, types=types or {}, versions=versions or {})
+def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
+    """Return the artifacts of all pages and of the themes."""
+    renderer = Renderer(site, programs or Programs())
     return renderer.site_artifacts(renderer.every_page())
 
 
 class Renderer:
     """Renders the pages of one site, all of them or each alone."""
 
-    def __init__(
-        self,
-        site: Site,
-        *,
-        modules: Mapping[str, Sequence[str]],
-        types: Mapping[str, Mapping[str, object]],
-        versions: Versions,
-    ) -> None:
+    def __init__(self, site: Site, programs: Programs) -> None:
         self.site = tags.with_tags(site)
-        self._modules = modules
-        self._types = types
-        self._versions = versions
+        self._programs = programs
         self._library = Library.of(self.site)
         self._navigation = Navigation(site)
         self._tags = tags.links(self.site)
@@ -122,7 +102,7 @@ class Renderer:
         html = self._html(page, parts, prose)
         artifacts = [Artifact(f"{page.path}index.html", html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
-            entry = page_json(self.site, page, self._types.get(page.path), self._versions)
+            entry = page_json(self.site, page, self._programs)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url:
@@ -187,7 +167,7 @@ class Renderer:
             logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
             footer=Markup(self._footer(page, footer)) if footer else "",
             runtime=address(page, "runtime/"),
-            modules=[address(page, path) for path in self._modules.get(page.path, ())],
+            modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
             search=address(page, search.path(language)) if search.wanted(site) else "",
             feed=address(page, discovery.FEED) if site.feed else "",
             url=f"{site.url}{page.path}" if site.url else "",

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from sitegen.errors import Problems, nearest, relative
-from sitegen.model import Site, Source
+from sitegen.model import Package, Site, Source
 from sitegen.prose import code, language_of
 
 # As editors fold them; the lines themselves are not shown.
@@ -39,20 +39,19 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
     ]
     text = "\n".join(line for _, line in rows)
     numbers = tuple(number for number, _ in rows)
-    title = relative(file, site.packages[source.node.package].path) if source.node else file.name
+    package = _package(source, site)
+    title = relative(file, package.path) if package else file.name
     return code(text, language_of(file.name), title=title, numbers=numbers)
 
 
 def _file(source: Source, site: Site, problems: Problems) -> Path | None:
-    root = site.root.resolve()
-    if source.node is None:
-        folder, known = source.folder, tuple[str, ...]()
-    else:
-        package = site.packages[source.node.package]
+    root, package = site.root.resolve(), _package(source, site)
+    folder, known = source.folder, tuple[str, ...]()
+    if package and source.node:
         folder, known = package.path, package.sources.get(source.node.executable, ())
     name = source.file or next(iter(known), "")
     if not name:
-        message = f"CMakeLists.txt does not tell the source of '{source.target}'; name the 'file'"
+        message = f"nothing tells the source of '{source.target}'; name the 'file'"
         problems.add(source.place, "source", message)
         return None
     file = (folder / name).resolve()
@@ -69,6 +68,11 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         problems.add(source.place, "source", f"no file '{name}' in {folder.name}; {hint}")
         return None
     return file
+
+
+def _package(source: Source, site: Site) -> Package | None:
+    """Return the package of the node; one that others compiled has none."""
+    return site.packages.get(source.node.package) if source.node else None
 
 
 def _range(source: Source, lines: list[str], name: str, problems: Problems) -> tuple[int, int]:

@@ -64,16 +64,29 @@ export class NodeProcess extends EventTarget {
     if (this.#state === "stopping") this.#startAgain = true;
     if (this.#run) return;
     this.#setState("starting");
+    const { builds = {}, ros2wasm } = this.#entry;
+    if (ros2wasm) {
+      const program = { ...ros2wasm, script: new URL(ros2wasm.script, this.#base).href };
+      this.#launch("ros2wasmNode", async (id) => ({ op: "adopt", id, name: this.name, program }));
+      return;
+    }
     const wanted = engineOfBrowser();
-    const engine = this.#entry.builds[wanted] ? wanted : "asyncify";
-    const build = this.#entry.builds[engine];
+    const engine = builds[wanted] ? wanted : "asyncify";
+    const build = builds[engine];
     if (!build) {
       const lacks = "this browser lacks JavaScript Promise Integration, which the node needs";
       this.#print("fatal", `${this.name}: ${lacks}`);
       this.#setState("failed");
       return;
     }
-    this.#launch(engine, new URL(build.script, this.#base).href, new URL(build.wasm, this.#base).href);
+    const script = new URL(build.script, this.#base).href;
+    const wasm = new URL(build.wasm, this.#base).href;
+    this.#launch("cppNode", async (id, worker) => {
+      this.#post(worker, { op: "load", script });
+      const module = await (this.#module ??= compile(wasm));
+      const { executable: name, arguments: args } = this.#entry;
+      return { op: "start", id, engine, module, name, arguments: args };
+    });
   }
 
   /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
@@ -96,9 +109,13 @@ export class NodeProcess extends EventTarget {
     this.dispatchEvent(new Event("clear"));
   }
 
-  /** @param {Engine} engine @param {string} script @param {string} wasm */
-  async #launch(engine, script, wasm) {
-    const worker = new Worker(new URL("workers/cppNode.js", import.meta.url), {
+  /**
+   * Start a worker and, when programs may run, send it what `prepare` makes.
+   * @param {string} file of the worker
+   * @param {(id: number, worker: Worker) => Promise<ToWorker>} prepare
+   */
+  async #launch(file, prepare) {
+    const worker = new Worker(new URL(`workers/${file}.js`, import.meta.url), {
       type: "module",
       name: this.name,
     });
@@ -113,13 +130,9 @@ export class NodeProcess extends EventTarget {
       event.preventDefault();
       this.#fail(event.message || "its worker could not be started");
     };
-    this.#post(worker, { op: "load", script });
     try {
-      this.#module ??= compile(wasm);
-      const [module] = await Promise.all([this.#module, this.#ready]);
-      if (this.#run !== run) return; // stopped meanwhile
-      const { executable: name, arguments: args } = this.#entry;
-      this.#post(worker, { op: "start", id, engine, module, name, arguments: args });
+      const [message] = await Promise.all([prepare(id, worker), this.#ready]);
+      if (this.#run === run) this.#post(worker, message); // else it was stopped meanwhile
     } catch (error) {
       this.#module = undefined;
       if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));

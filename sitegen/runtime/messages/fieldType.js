@@ -81,7 +81,14 @@ export function readList(text, type) {
       throw new Error(`item ${index + 1}: ${error instanceof Error ? error.message : error}`);
     }
   });
-  const { base, array, size } = type;
+  return toArray(values, type);
+}
+
+/**
+ * The values of an array as a message holds them. Throws an Error where their number is wrong.
+ * @param {unknown[]} values @param {FieldType} type
+ */
+export function toArray(values, { base, array, size }) {
   if (array === "fixed" && values.length !== size) {
     throw new Error(`needs ${size} items, here are ${values.length}`);
   }

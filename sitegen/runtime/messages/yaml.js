@@ -14,30 +14,36 @@ const LIMIT = 128;
  * @param {string} type
  * @param {Record<string, MessageType>} types
  * @param {number} [limit]
+ * @param {(text: string) => string} [quote] how a text is written
  */
-export function toYaml(message, type, types, limit = LIMIT) {
-  return lines(message, type, types, limit).join("\n");
+export function toYaml(message, type, types, limit = LIMIT, quote = quoteText) {
+  return lines(message, type, types, limit, quote).join("\n");
+}
+
+/** Whether a text needs no quotes. @param {string} text */
+export function isPlain(text) {
+  return quoteText(text) === text;
 }
 
 /**
  * @param {any} message @param {string} name @param {Record<string, MessageType>} types
- * @param {number} limit @returns {string[]}
+ * @param {number} limit @param {(text: string) => string} quote @returns {string[]}
  */
-function lines(message, name, types, limit) {
+function lines(message, name, types, limit, quote) {
   const type = types[name];
   if (!type) throw new Error(`this page has no definition of ${name}`);
   const found = type.fields.flatMap((field) => {
     const { base, array } = parseFieldType(field.type);
     const value = message[field.name];
     if (!array) {
-      if (!isMessage(base)) return [`${field.name}: ${scalar(value, base, limit)}`];
-      const inner = lines(value, base, types, limit);
+      if (!isMessage(base)) return [`${field.name}: ${scalar(value, base, limit, quote)}`];
+      const inner = lines(value, base, types, limit, quote);
       if (inner[0] === "{}") return [`${field.name}: {}`];
       return [`${field.name}:`, ...inner.map(indent)];
     }
     if (!value.length) return [`${field.name}: []`];
     const shown = Array.from(value.slice(0, limit), (item) =>
-      isMessage(base) ? lines(item, base, types, limit) : [scalar(item, base, limit)],
+      isMessage(base) ? lines(item, base, types, limit, quote) : [scalar(item, base, limit, quote)],
     );
     if (value.length > limit) shown.push(["'...'"]);
     const items = shown.map(([first, ...rest]) => [`- ${first}`, ...rest.map(indent)]);
@@ -52,11 +58,11 @@ function indent(line) {
   return line && `  ${line}`;
 }
 
-/** @param {any} value @param {string} base @param {number} limit */
-function scalar(value, base, limit) {
+/** @param {any} value @param {string} base @param {number} limit @param {(text: string) => string} quote */
+function scalar(value, base, limit, quote) {
   if (isFloat(base)) return float(value);
   if (typeof value !== "string") return String(value);
-  return string(value.length > limit ? `${value.slice(0, limit)}...` : value);
+  return quote(value.length > limit ? `${value.slice(0, limit)}...` : value);
 }
 
 /** As Python writes it, which has an exponent sooner than JavaScript. @param {number} value */
@@ -93,7 +99,7 @@ const SHORT = {
 };
 
 /** Plain where that is safe, else in quotes. @param {string} text */
-function string(text) {
+function quoteText(text) {
   const breaks = /[\n\x85\u2028\u2029]/;
   if (SPECIAL.test(text) || / [\n\x85\u2028\u2029]|[\n\x85\u2028\u2029] /.test(text)) {
     return `"${text.replace(ESCAPED, escape)}"`;

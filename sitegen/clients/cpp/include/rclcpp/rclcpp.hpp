@@ -4,6 +4,7 @@
 #include <csignal>
 #include <memory>
 
+#include "rclcpp/exceptions.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"

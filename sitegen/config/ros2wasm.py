@@ -1,0 +1,77 @@
+"""Turn what the author wrote about a node of the ROS2WASM project into its files and types."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.config.location import locate
+from sitegen.config.schema import FORMS
+from sitegen.config.section import Section
+from sitegen.errors import Problems, nearest
+from sitegen.model import Package, Ros2wasm
+
+# A file that a script loads is named in it: Emscripten's do not ask for files by any other name.
+NAMED = re.compile(r"""["'`]([\w-][\w.-]*\.(?:js|wasm|data|mem))["'`]""")
+
+
+def read(section: Section, problems: Problems) -> Ros2wasm | None:
+    """Return the script with what it loads, noting where a file is missing."""
+    given, types = section.get("ros2wasm"), section.get("types")
+    script = locate(given, problems) if given else None
+    if given is None or script is None:
+        return None
+    if script.suffix != ".js":
+        message = f"'{given.text}' is no script; name the .js file that the compiler wrote"
+        problems.add(given.place, given.key, message)
+        return None
+    files = [script, *_loaded(script)]
+    for file in files:
+        if not file.resolve().is_relative_to(problems.root):
+            message = f"'{file.name}', which it loads, leads out of the site's folder; copy it here"
+            problems.add(given.place, given.key, message)
+        elif not file.is_file():
+            message = f"it loads '{file.name}', which is not beside it; copy it there"
+            problems.add(given.place, given.key, message)
+    entries = types.entries(problems) if types else {}
+    return Ros2wasm(script, tuple(files), {name: each.text for name, each in entries.items()})
+
+
+def check_types(section: Section, packages: Mapping[str, Package], problems: Problems) -> None:
+    """Note which names are none of the graph, and which types neither ROS nor the workspace has."""
+    types = section.get("types")
+    known = workspace.interfaces(packages)
+    for name, given in types.entries(problems).items() if types else ():
+        if not FORMS["name"].fullmatch(name):
+            message = f"'{name}' is no name of the graph; write it like '/chatter'"
+            problems.add(given.place, given.key, message)
+        if given.text not in known:
+            problems.add(given.place, given.key, _unknown(given.text, known))
+
+
+def _loaded(script: Path) -> Iterator[Path]:
+    """Yield the files beside `script` that it loads, and they in turn."""
+    seen = {script}
+    waiting = [script]
+    while waiting:
+        text = waiting.pop().read_text(encoding="utf-8", errors="replace")
+        for name in dict.fromkeys(NAMED.findall(text)):
+            file = script.parent / name
+            # WebAssembly is always needed; another name may stand there for no file at all.
+            if file in seen or not (file.is_file() or file.suffix == ".wasm"):
+                continue
+            seen.add(file)
+            yield file
+            if file.suffix == ".js" and file.is_file():
+                waiting.append(file)
+
+
+def _unknown(name: str, known: Collection[str]) -> str:
+    package = name.partition("/")[0]
+    packages = {one.partition("/")[0] for one in known}
+    if package not in packages:
+        return f"no package '{package}' with types; {nearest(package, packages)}"
+    hint = nearest(name, (one for one in known if one.startswith(f"{package}/")))
+    return f"no type '{name}'; {hint}"

@@ -1,0 +1,30 @@
+// @ts-check
+// What is wrong with a script, told in the console of its node: each thing once.
+
+// A script that does everything wrong shall not fill the console.
+const MOST = 50;
+
+export class Complaints {
+  #tell;
+  /** @type {Set<string>} */
+  #told = new Set();
+
+  /** @param {(text: string) => void} tell */
+  constructor(tell) {
+    this.#tell = tell;
+  }
+
+  /** Tell `text`, unless something was told about `what` already. @param {string} what @param {string} text */
+  add(what, text) {
+    if (this.#told.has(what) || this.#told.size > MOST) return;
+    this.#told.add(what);
+    this.#tell(this.#told.size > MOST ? "more is wrong with this script than is told here" : text);
+  }
+}
+
+/** What a script sent, for the middle of a line. @param {unknown} value */
+export function shown(value) {
+  if (typeof value === "object" && value) return Array.isArray(value) ? "a list" : "an object";
+  const line = String(value).replace(/[\x00-\x1f\x7f]/g, " ");
+  return line.length > 60 ? `${line.slice(0, 60)}…` : line;
+}

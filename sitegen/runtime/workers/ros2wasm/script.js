@@ -1,0 +1,261 @@
+// @ts-check
+// What a script of the ROS2WASM project says, and what that means in the graph.
+
+import { shown } from "./complaints.js";
+import { Endpoints } from "./endpoints.js";
+import { toLines, toLog } from "./log.js";
+import { absolute, ownOf, partOf } from "./names.js";
+import { Codec } from "../../messages/codec.js";
+import { DEFAULT_QOS } from "../../protocol.js";
+
+/** @import { Ros2wasmEntry } from "../../protocol.js" */
+/** @import { Participant } from "../../participant/participant.js" */
+/** @import { Printer } from "../printer.js" */
+/** @import { Complaints } from "./complaints.js" */
+/** @import { Endpoint, Kind } from "./endpoints.js" */
+
+/**
+ * Somebody who takes part: what a script registered under a gid. It holds an endpoint of the graph, or
+ * none.
+ * @typedef {{gid: unknown, role: string, name: string, endpoint: string}} Registered
+ */
+
+/** What must be text in each command. @type {Map<unknown, ("topic" | "message" | "role")[]>} */
+const COMMANDS = new Map([
+  ["register", ["topic", "role"]],
+  ["deregister", ["topic", "role"]],
+  ["publish", ["topic", "message"]],
+  ["retrieve", ["topic"]],
+  ["console", ["message"]],
+]);
+/** @type {Map<string, Kind>} */
+const KINDS = new Map([
+  ["publisher", "publisher"],
+  ["subscriber", "subscription"],
+  ["service_server", "service"],
+  ["service_client", "client"],
+]);
+const ACTIONS = ["action_server", "action_client"];
+const LOG = "rcl_interfaces/msg/Log";
+// As other nodes have it: the log keeps lines for those who come late.
+const LOG_QOS = { ...DEFAULT_QOS, depth: 1000, transientLocal: true };
+// A script keeps one message of a topic, which the next replaces, read or not; until it has read one it
+// asks for more every 10 ms. What it asked before an answer reached it gets no other, therefore: after
+// an answer its topic rests for this long (ms).
+const REST = 5;
+
+export class Script {
+  #participant;
+  #endpoints;
+  #codec;
+  #program;
+  #name;
+  #answer;
+  #printer;
+  #complaints;
+  /** By kind and name. @type {Map<string, Endpoint>} */
+  #held = new Map();
+  /** @type {Registered[]} */
+  #registered = [];
+  /** What was registered and has no endpoint. @type {Set<string>} */
+  #without = new Set();
+  /** The endpoints that messages go out by, and come in by, by topic. @type {Map<string, Endpoint>} */
+  #outlets = new Map();
+  /** @type {Map<string, Endpoint>} */
+  #inlets = new Map();
+  /** The nodes in the graph, the last one being that of what is registered next; and their log. */
+  #nodes = new Map();
+  #node = "";
+  #log = 0;
+  /** @type {Set<string>} */
+  #resting = new Set();
+  #turn = new MessageChannel();
+
+  /**
+   * @param {Participant} participant
+   * @param {string} name of the node, where the script does not tell another
+   * @param {Ros2wasmEntry} program
+   * @param {(message: {topic: string, message: string}) => void} answer to the script
+   * @param {Printer} printer
+   * @param {Complaints} complaints
+   */
+  constructor(participant, name, program, answer, printer, complaints) {
+    this.#participant = participant;
+    this.#endpoints = new Endpoints(participant, program.types, complaints);
+    this.#codec = new Codec(program.types);
+    this.#program = program;
+    this.#name = name;
+    this.#answer = answer;
+    this.#printer = printer;
+    this.#complaints = complaints;
+    this.#turn.port1.onmessage = ({ data: name }) => this.#resting.delete(name);
+  }
+
+  /** Take what the script posted. @param {any} data */
+  receive(data) {
+    const { command, topic, message, role, gid } = Object(data);
+    const texts = { topic, message, role };
+    const needs = COMMANDS.get(command);
+    if (!needs) {
+      const what = typeof command === "string" ? `'${shown(command)}'` : shown(data);
+      this.#complaints.add(`command ${what}`, `sent ${what}, which is no command`);
+      return;
+    }
+    const lacks = needs.find((key) => typeof texts[key] !== "string");
+    if (lacks) {
+      const what = `sent '${command}' with ${shown(texts[lacks])} for '${lacks}', which must be text`;
+      this.#complaints.add(`${command} ${lacks}`, what);
+      return;
+    }
+    switch (command) {
+      case "register":
+        this.#register(absolute(topic), role, gid);
+        break;
+      case "deregister":
+        this.#deregister(absolute(topic), role, gid);
+        break;
+      case "publish":
+        this.#publish(absolute(topic), message);
+        break;
+      case "retrieve":
+        this.#retrieve(absolute(topic), topic);
+        break;
+      case "console":
+        this.#print(message);
+        break;
+    }
+  }
+
+  /** The graph has changed. */
+  look() {
+    for (const endpoint of this.#held.values()) endpoint.look();
+  }
+
+  /** @param {string} name @param {string} role @param {unknown} gid */
+  #register(name, role, gid) {
+    const { kind, of, type } = this.#meaning(name, role);
+    const key = type && `${kind} ${of}`;
+    this.#registered.push({ gid, role, name, endpoint: key });
+    if (!type) this.#without.add(name);
+    if (!type || this.#held.has(key)) return;
+    this.#enterNode(this.#node || `/${this.#name}`);
+    const endpoint = this.#endpoints.create(kind, this.#node, of, type);
+    this.#held.set(key, endpoint);
+    for (const topic of endpoint.out) this.#outlets.set(topic, endpoint);
+    for (const topic of endpoint.in) this.#inlets.set(topic, endpoint);
+    endpoint.look();
+  }
+
+  /**
+   * Which endpoint somebody who registered stands for: none where `type` is empty.
+   * @param {string} name @param {string} role @returns {{kind: Kind, of: string, type: string}}
+   */
+  #meaning(name, role) {
+    const none = { kind: /** @type {Kind} */ ("publisher"), of: name, type: "" };
+    const { topics } = this.#program;
+    const kind = KINDS.get(role);
+    const own = topics[name] ? null : ownOf(name);
+    if (own) {
+      if (own.node) this.#enterNode(own.node);
+      return none;
+    }
+    if (!kind) {
+      const what = ACTIONS.includes(role)
+        ? `registered as ${role} of ${shown(name)}; ROS2WASM does not say how the parts of an action ` +
+          "travel, so nobody can reach it"
+        : `registered as '${shown(role)}' of ${shown(name)}, which is no role`;
+      this.#complaints.add(`role ${role} ${name}`, what);
+      return none;
+    }
+    const isTopic = kind === "publisher" || kind === "subscription";
+    const part = isTopic && !topics[name] ? partOf(name) : null;
+    if (part && (topics[part.service] || this.#without.has(part.service))) {
+      const asks = part.isRequest === (kind === "publisher");
+      return { kind: asks ? "client" : "service", of: part.service, type: topics[part.service] ?? "" };
+    }
+    const type = topics[name] ?? "";
+    if (type.includes(isTopic ? "/msg/" : "/srv/")) return { kind, of: name, type };
+    const wanted = isTopic ? "package/msg/Name" : "package/srv/Name";
+    const given = type ? `, which site.yaml calls ${type}` : ", and site.yaml does not say of which type";
+    this.#complaints.add(
+      `type ${name}`,
+      `registered as ${role} of ${shown(name)}${given}; ` +
+        `give '${this.#name}' there types: {${shown(name)}: ${wanted}}`,
+    );
+    return none;
+  }
+
+  /**
+   * Scripts name the topic that they registered last, whatever they take back; their gids are right.
+   * @param {string} name @param {string} role @param {unknown} gid
+   */
+  #deregister(name, role, gid) {
+    const same = this.#registered.filter((one) => one.gid === gid && one.role === role);
+    const gone = same.find((one) => one.name === name) ?? same[0];
+    if (!gone) {
+      const what = `took back ${shown(name)} (${shown(role)}), which it had not registered`;
+      this.#complaints.add(`deregister ${name}`, what);
+      return;
+    }
+    this.#registered.splice(this.#registered.indexOf(gone), 1);
+    const endpoint = this.#held.get(gone.endpoint);
+    if (endpoint && !this.#registered.some((one) => one.endpoint === gone.endpoint)) {
+      this.#held.delete(gone.endpoint);
+      for (const routes of [this.#outlets, this.#inlets]) {
+        for (const [topic, one] of routes) if (one === endpoint) routes.delete(topic);
+      }
+      this.#participant.destroy(endpoint.id);
+    }
+    if (this.#registered.length === 0) this.#leaveNodes();
+  }
+
+  /** @param {string} name @param {string} yaml */
+  #publish(name, yaml) {
+    const outlet = this.#outlets.get(name);
+    if (outlet) outlet.send(yaml);
+    else this.#tellUnknown(name, "published on", "publisher");
+  }
+
+  /** @param {string} name @param {string} topic as the script wrote it */
+  #retrieve(name, topic) {
+    const inlet = this.#inlets.get(name);
+    if (!inlet) this.#tellUnknown(name, "asked for messages of", "subscriber");
+    if (!inlet || this.#resting.has(name)) return;
+    const message = inlet.take();
+    if (message === undefined) return;
+    this.#answer({ topic, message });
+    this.#resting.add(name);
+    // A turn later, so that it ends after all that came meanwhile.
+    setTimeout(() => this.#turn.port2.postMessage(name), REST);
+  }
+
+  /** @param {string} name @param {string} did @param {string} role */
+  #tellUnknown(name, did, role) {
+    if (this.#without.has(name)) return; // told when it was registered
+    this.#complaints.add(`unknown ${role} ${name}`, `${did} ${shown(name)} and is no ${role} of it`);
+  }
+
+  /** @param {string} text */
+  #print(text) {
+    for (const line of toLines(text)) this.#printer.print(line.severity, line.text);
+    const entry = toLog(text);
+    if (entry && this.#log) this.#participant.publish(this.#log, this.#codec.write(LOG, entry));
+    this.#participant.flush();
+  }
+
+  /** Let what comes belong to a node of the graph. @param {string} node */
+  #enterNode(node) {
+    this.#node = node;
+    if (this.#nodes.has(node)) return;
+    this.#nodes.set(node, this.#participant.create("node", node, "", "", DEFAULT_QOS));
+    this.#log ||= this.#participant.create("publisher", node, "/rosout", LOG, LOG_QOS);
+  }
+
+  /** A program whose last participant is gone has no node any more. */
+  #leaveNodes() {
+    for (const id of [...this.#nodes.values(), this.#log]) this.#participant.destroy(id);
+    this.#nodes.clear();
+    this.#node = "";
+    this.#log = 0;
+  }
+}

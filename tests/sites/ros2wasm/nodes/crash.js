@@ -1,0 +1,2 @@
+// Dies of an exception.
+throw new RangeError("no such wheel");

@@ -1,0 +1,2 @@
+// Never waits, and so never hears anything.
+for (;;);
