@@ -21,7 +21,7 @@ ATOM = "{http://www.w3.org/2005/Atom}"
 MAP = "{http://www.sitemaps.org/schemas/sitemap/0.9}"
 PAGES = {
     "index.md": "---\ntags: [start, C++]\n---\n# Home & more\n",
-    "index.de.md": "---\ntags: [Anfang]\n---\n# Start\n",
+    "index.de.md": "---\ntags: [Anfang]\n---\n# Start\n\n!!! warning\n    x\n",
     "news.md": "---\ndate: 2026-11-20\ndescription: What is <new>\n---\n# News\n",
     "older.md": "---\ndate: 2025-01-02\ntags: [C++]\n---\n# Older\n",
 }
@@ -116,6 +116,7 @@ def test_pages_lead_to_their_translations(tmp_path: Path) -> None:
     assert re.search(r'<a href="de/" lang="de"', home)
     assert re.search(r'<a href="../" lang="en"', german)
     assert "Zum Inhalt springen" in german
+    assert '<p class="admonition-title">Warnung</p>' in german
     # What is not translated is named in its own language, and leads there.
     menu = german[german.index('<nav class="menu"') : german.index("<main")]
     assert re.findall(r'<a href="(.*?)".*?>(.*?)</a>', menu) == [

@@ -10,7 +10,6 @@ from sitegen.model import Node, Page, Site
 from sitegen.pages.blocks import slots_of
 from sitegen.prose import address
 
-
 Types = Mapping[str, object]
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
+import sys
 from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -72,23 +71,22 @@ class Renderer:
 
     def every_page(self) -> list[Rendered]:
         """Return all pages, with more than one process where there are many."""
-        pages = self.site.pages
-        workers = min(os.cpu_count() or 1, 8)
-        if (
-            len(pages) < MANY
-            or workers < 2
-            or "fork" not in multiprocessing.get_all_start_methods()
-        ):
+        pages, workers = self.site.pages, min(os.cpu_count() or 1, 8)
+        # Elsewhere, a process cannot part safely, or not at all.
+        if len(pages) < MANY or workers < 2 or sys.platform != "linux":
             return [self.page(page) for page in pages]
+        # Other sites need not wait for these to load.
+        from concurrent.futures import ProcessPoolExecutor
+        from multiprocessing import get_context
+
+        # What all need is found once, before the processes part.
         _ = self._changed
         global _forked
         _forked = self
         size = -(-len(pages) // (4 * workers))
-        chunks = [
-            range(start, min(start + size, len(pages))) for start in range(0, len(pages), size)
-        ]
-        context = multiprocessing.get_context("fork")
-        with ProcessPoolExecutor(workers, mp_context=context) as pool:
+        starts = range(0, len(pages), size)
+        chunks = [range(start, min(start + size, len(pages))) for start in starts]
+        with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
             return [page for chunk in pool.map(_chunk, chunks) for page in chunk]
 
     def page(self, page: Page) -> Rendered:
@@ -97,7 +95,9 @@ class Renderer:
         library = self._library
         if library.pages.get(page.path) is not page:
             library = replace(library, pages={**library.pages, page.path: page})
-        prose = Prose(library, page, problems)
+        theme = self._themes[page.theme or self.site.theme]
+        language = page.language or self.site.language
+        prose = Prose(library, page, problems, theme.texts(language).admonitions)
         parts = list(blocks(self.site, page, prose, problems))
         html = self._html(page, parts, prose)
         artifacts = [Artifact(f"{page.path}index.html", html.encode())]

@@ -7,8 +7,6 @@ import hashlib
 import re
 from pathlib import Path
 
-import imagesize
-
 # A name without these goes into any address as it is.
 _UNSAFE = re.compile(r"[^\w.-]+")
 _LENGTH = re.compile(r"""\s(width|height)\s*=\s*["']?(\d+)["'\s>]""", re.IGNORECASE)
@@ -52,6 +50,9 @@ def _digest(file: Path, changed: int) -> str:
 @functools.cache
 def _size(file: Path, changed: int) -> tuple[int, int]:
     """Return width and height in pixels; -1 where the file does not tell."""
+    # It loads what speaks HTTP, which takes longer than a page of text.
+    import imagesize
+
     try:
         width, height = imagesize.get(file)
     except (OSError, ValueError, SyntaxError):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -12,7 +13,6 @@ from markdown.extensions.toc import slugify_unicode
 from sitegen.errors import Problems
 from sitegen.model import Markdown, Page
 from sitegen.prose import raw
-from sitegen.prose.diagrams import DiagramError, drawn
 from sitegen.prose.extensions import converter
 from sitegen.prose.fences import DIAGRAM
 from sitegen.prose.links import Library, Links, line_of
@@ -30,6 +30,8 @@ _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
 _TASK = re.compile(
     r'(<input type="checkbox" disabled(?: checked)?/>.*?)(?=<[uo]l|</li>|</p>)', re.S
 )
+# The title of an admonition that has its kind for a title.
+_TITLE = re.compile(r'(<p class="admonition-title">|<summary>)(\w+)(</p>|</summary>)')
 _MARKUP = re.compile(r"<[^>]*>")
 _KEYS = {"a": "link", "img": "image", "iframe": "frame"}
 
@@ -44,11 +46,15 @@ class Heading(NamedTuple):
 
 @dataclass
 class Prose:
-    """The Markdown of one page, part by part: ids are unique in the page."""
+    """The Markdown of one page, part by part: ids are unique in the page.
+
+    `titles` are those of admonitions that the author gave none, by kind, in the page's language.
+    """
 
     library: Library
     page: Page
     problems: Problems
+    titles: Mapping[str, str] = field(default_factory=dict)
     headings: list[Heading] = field(default_factory=list)
     ids: set[str] = field(default_factory=set)
 
@@ -63,6 +69,7 @@ class Prose:
         self._check(text, source)
         text = self._drawn(text, source)
         text = self._apart(text)
+        text = _TITLE.sub(self._title, text) if self.titles else text
         text = _TAG.sub(lambda tag: self._tag(tag, source), text)
         text = _HEADING.sub(self._heading, text)
         text = _TASK.sub(r"<label>\1</label>", text) if "task-list" in text else text
@@ -84,14 +91,19 @@ class Prose:
             first = each.formula.strip().split("\n")[0]
             self.problems.add(line_of(source, first), "formula", f"{each}; write it as TeX does")
 
-        def draw(found: re.Match[str]) -> str:
-            try:
-                return drawn(html.unescape(found[1]))
-            except DiagramError as error:
-                self.problems.add(line_of(source, error.line), "mermaid", str(error))
-                return ""
+        if 'class="mermaid"' in text:
+            text = DIAGRAM.sub(lambda found: self._diagram(html.unescape(found[1]), source), text)
+        return text
 
-        return DIAGRAM.sub(draw, text) if 'class="mermaid"' in text else text
+    def _diagram(self, written: str, source: Markdown) -> str:
+        # Most sites have none.
+        from sitegen.prose.diagrams import DiagramError, drawn
+
+        try:
+            return drawn(written)
+        except DiagramError as error:
+            self.problems.add(line_of(source, error.line), "mermaid", str(error))
+            return ""
 
     def _apart(self, text: str) -> str:
         """Return `text` with the ids of extensions told from those of the page's other parts."""
@@ -113,6 +125,9 @@ class Prose:
         link = f'<a class="anchor" href="#{name}" aria-hidden="true" tabindex="-1"></a>'
         link = link if 1 < level < 5 else ""
         return f"<h{level}{attributes}>{inner}{link}</h{level}>"
+
+    def _title(self, found: re.Match[str]) -> str:
+        return found[1] + self.titles.get(found[2].lower(), found[2]) + found[3]
 
     def _tag(self, tag: re.Match[str], source: Markdown) -> str:
         name, image = tag[1].lower(), None
