@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from itertools import combinations
+from pathlib import Path
 
 import pytest
 
@@ -107,3 +108,16 @@ def test_what_cannot_be_drawn_is_told(source: str, line: str, fault: str) -> Non
         drawn(source)
     assert wrong.value.line == line
     assert fault in str(wrong.value)
+
+
+def test_classes_are_those_of_diagrams_alone() -> None:
+    """A rule of the page for a class of the drawing would bend it."""
+    theme = Path(__file__).parents[1] / "themes/default"
+    rules = "\n".join(file.read_text() for file in theme.glob("*.css"))
+    drawings = drawn("graph LR\n a ==>|x| b -.-> c") + drawn(
+        "sequenceDiagram\n a-->>b: x\n loop y\n Note over a: z\n end"
+    )
+    names = {name for names in re.findall(r'class="(.*?)"', drawings) for name in names.split()}
+    names.discard("diagram")
+    assert {"arrow", "box", "frame", "head", "label", "life", "note", "paper"} <= names
+    assert [n for n in sorted(names) if re.search(rf"^ *\.{n}\b[^\n]*{{", rules, re.M)] == []
