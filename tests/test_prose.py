@@ -100,7 +100,7 @@ def test_formulas_are_mathml(tmp_path: Path) -> None:
     )
     assert "costs $3.00 and <math><msup><mi>x</mi><mn>2</mn></msup>" in found
     assert '<math display="block"><mtable' in found
-    assert '<mtd class="right">' in found
+    assert '<mtd class="right close-right">' in found
     assert "style=" not in found.replace("displaystyle=", "")
 
 

@@ -13,12 +13,14 @@ FORMULA = re.compile(
     r'<(?P<tag>span|div) class="arithmatex">\\[(\[](?P<tex>.*?)\\[)\]]</(?P=tag)>', re.DOTALL
 )
 
-# The page's policy forbids style attributes; the classes are in the theme's text.css.
+# The page's policy forbids style attributes; the classes are in the theme's figures.css.
 STYLES = {
     "text-align: right": "right",
     "text-align: left": "left",
     "width: 100%": "wide",
     "width: 50%": "half",
+    "padding-left: 0": "close-left",
+    "padding-right: 0": "close-right",
     "padding-left:1em": "apart",
     "border-left": "rule-left",
     "border-right": "rule-right",
