@@ -124,6 +124,16 @@ def test_what_site_yaml_says_about_looks(tmp_path: Path) -> None:
     assert '<link rel="stylesheet" href="theme/site.css">' in page.decode()
 
 
+def test_the_footer_is_markdown_whose_links_are_checked(tmp_path: Path) -> None:
+    assert '<a href="#one">down</a>' in html(site(tmp_path, "default", ', footer: "[down](#one)"'))
+    with pytest.raises(SiteError) as wrong:
+        html(site(tmp_path, "default", ', footer: "[a](gone.md) [b](#twoo)"'))
+    assert wrong.value.lines == [
+        "site.yaml:1: link: no file 'gone.md' in .; did you mean 'page.md'?",
+        "site.yaml:1: link: no heading '#twoo' in this page; did you mean 'two'?",
+    ]
+
+
 @pytest.mark.parametrize("colour", ["#ffcc00", "#000000", "#ffffff", "#2b4bd8", "#00ff00"])
 def test_an_accent_can_be_read_on_light_and_on_dark(colour: str) -> None:
     light, dark = shades(colour)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -106,10 +107,6 @@ class Navigation:
         """Return the first page of the site in the language of `page`."""
         return self._translated.get((page.language, "")) or self._originals.get("")
 
-    def ordered(self) -> Iterable[str]:
-        """Return the paths of the pages in the order of the navigation."""
-        return self._order
-
     def _index(self, entries: Iterable[_Entry], above: _Entry | None) -> None:
         for entry in entries:
             entry.above = above
@@ -160,13 +157,13 @@ def _given(sections: Iterable[Section]) -> list[_Entry]:
 def _by_path(pages: Mapping[str, Page]) -> list[_Entry]:
     """Return the tree of the paths; a folder of several pages without its own is a group."""
     entries = {path: _Entry(page.title, path) for path, page in pages.items()}
-    folders = [folder for path in pages for folder in _folders(path)]
+    pages_in = Counter(folder for path in pages for folder in _folders(path))
     top: list[_Entry] = []
     for path in pages:
         entry = entries[path]
         for folder in _folders(path):
             known = folder in entries
-            if not known and folders.count(folder) < 2:
+            if not known and pages_in[folder] < 2:
                 continue
             parent = entries.setdefault(folder, _Entry(_named(folder)))
             parent.inside.append(entry)

@@ -12,7 +12,7 @@ from pathlib import Path
 from markupsafe import Markup
 
 from sitegen.errors import Problems, nearest
-from sitegen.model import Artifact, Markdown, Page, Site
+from sitegen.model import Artifact, Page, Site
 from sitegen.pages import discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
 from sitegen.pages.entry import Programs, page_json
@@ -141,7 +141,8 @@ class Renderer:
         language = page.language or site.language
         text = "".join(block.html for block in parts)
         live = any(panel.slots for block in parts for panel in block.panels)
-        footer = site.look.footer
+        toc, has_heading = _toc(prose.headings), any(h.level == 1 for h in prose.headings)
+        footer = prose.html(site.look.footer) if site.look.footer else ""
         home = navigation.home(page)
         previous, following = navigation.around(page)
         fonts = (site.look.font, site.look.code_font)
@@ -151,8 +152,8 @@ class Renderer:
             language=language,
             text=theme.texts(language),
             blocks=parts,
-            has_heading=any(heading.level == 1 for heading in prose.headings),
-            toc=_toc(prose.headings),
+            has_heading=has_heading,
+            toc=toc,
             live=live,
             menu=navigation.menu(page),
             trail=navigation.trail(page),
@@ -165,7 +166,7 @@ class Renderer:
             theme=address(page, theme.path),
             style=address(page, f"{theme.path}site.css") if theme.style else "",
             logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
-            footer=Markup(self._footer(page, footer)) if footer else "",
+            footer=Markup(footer),
             runtime=address(page, "runtime/"),
             modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
             search=address(page, search.path(language)) if search.wanted(site) else "",
@@ -177,11 +178,6 @@ class Renderer:
             policy=policy(text, live=live, fonts=any(isinstance(f, Path) for f in fonts)),
             file_note=Markup(FILE_NOTE),
         )
-
-    def _footer(self, page: Page, footer: Markdown) -> str:
-        # What is wrong with it, the first page says.
-        problems = Problems(self.site.root)
-        return Prose(self._library, page, problems).html(footer)
 
 
 _forked: Renderer

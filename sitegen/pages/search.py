@@ -18,7 +18,7 @@ from sitegen.prose import plain
 WORD = re.compile(r"[^\W_]+")
 FIELDS = ("title", "heading", "text")
 EXCERPT = 160
-_PART = re.compile(r'<h[1-6] id="([^"]+)"[^>]*>(.*?)</h[1-6]>', re.DOTALL)
+_PART = re.compile(r'<h[1-6](?=[^>]*\sid="([^"]+)")[^>]*>(.*?)</h[1-6]>', re.DOTALL)
 _NOT_SAID = re.compile(r"<(math|svg)\b.*?</\1>", re.DOTALL)
 
 

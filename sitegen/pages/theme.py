@@ -87,9 +87,7 @@ def _style(look: Look) -> str:
     """Return the variables that the look of a site changes, as CSS."""
     rules, variables = [], []
     if look.accent:
-        light, dark = shades(look.accent)
-        # On a projector or printer without colours for both, the second line does not count.
-        variables.append(f"--accent: {light}; --accent: light-dark({light}, {dark});")
+        variables.append("--accent: light-dark({}, {});".format(*shades(look.accent)))
     for variable, font in (("--font", look.font), ("--font-code", look.code_font)):
         if isinstance(font, Path):
             name = f"site{variable.removeprefix('--')}"

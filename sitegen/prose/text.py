@@ -90,7 +90,6 @@ class Prose:
         for each in wrong:
             first = each.formula.strip().split("\n")[0]
             self.problems.add(line_of(source, first), "formula", f"{each}; write it as TeX does")
-
         if 'class="mermaid"' in text:
             text = DIAGRAM.sub(lambda found: self._diagram(html.unescape(found[1]), source), text)
         return text
