@@ -95,6 +95,7 @@ def test_it_works_by_keyboard(tab_at_home: Tab) -> None:
     tab.keyboard.press("Enter")
     tab.wait_for_url("**/me/robots/a/guide/#gro%C3%9Fe-fahrt")
     tab.keyboard.press("Control+k")
+    expect(tab.locator("dialog")).to_be_visible()
     tab.keyboard.press("Escape")
     expect(tab.locator("dialog")).to_be_hidden()
 
@@ -112,7 +113,7 @@ def test_nothing_of_it_is_loaded_before(tab: Tab, site: Path, serve: Serve) -> N
     tab.on("request", lambda request: loaded.append(request.url.rpartition("/")[2]))
     tab.goto(serve(site))
     tab.wait_for_load_state("networkidle")
-    parts = {"search.js", "searchIndex.js", "minisearch.js", "search.en.json"}
+    parts = {"search.js", "search.css", "searchIndex.js", "minisearch.js", "search.en.json"}
     assert not parts & set(loaded)
     tab.get_by_role("button", name="Search").click()
     found(tab, "install")

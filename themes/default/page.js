@@ -56,8 +56,11 @@ function offerSearch() {
   const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog.search"));
   const button = /** @type {HTMLElement | null} */ (document.querySelector(".search-button"));
   if (!dialog || !button) return;
+  /** @type {Promise<unknown> | undefined} */
+  let dressed;
   const open = async () => {
-    const { openSearch } = await import("./search.js");
+    dressed ??= style("search.css");
+    const [{ openSearch }] = await Promise.all([import("./search.js"), dressed]);
     openSearch(dialog);
   };
   button.addEventListener("click", open);
@@ -70,6 +73,21 @@ function offerSearch() {
     open();
   });
   button.hidden = false;
+}
+
+/**
+ * Load a style sheet of the theme.
+ *
+ * @param {string} name
+ */
+function style(name) {
+  const link = document.createElement("link");
+  link.rel = "stylesheet";
+  link.href = new URL(name, import.meta.url).href;
+  return new Promise((resolve) => {
+    link.onload = link.onerror = resolve;
+    document.head.append(link);
+  });
 }
 
 /** Mark in the table of contents what is being read. */
