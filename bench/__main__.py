@@ -12,13 +12,17 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from bench import building, messages, pages, prose
+from bench import building, crowd, messages, pages, prose
 from bench.figure import Figure, table
 
 PARTS: dict[str, Callable[[], list[Figure]]] = {
     "latency": messages.latency,
     "throughput": messages.throughput,
     "services": messages.services,
+    "fan": crowd.fan,
+    "flood": crowd.flood,
+    "idle": crowd.idle,
+    "many": crowd.many,
     "start": pages.start,
     "size": pages.size,
     "build": building.build,

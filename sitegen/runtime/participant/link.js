@@ -31,9 +31,9 @@ export class Link {
     port.onmessageerror = () => this.#complain("a message that cannot be read");
   }
 
-  /** Send a copy of `message`, maybe with others after it. @param {Head} head @param {Uint8Array} message */
-  send(head, message) {
-    this.#outbox.send(head, message);
+  /** Send a message as the outbox does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
+  send(head, message, own) {
+    this.#outbox.send(head, message, own);
   }
 
   /** @param {FromPeer} message */

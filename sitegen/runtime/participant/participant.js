@@ -204,7 +204,9 @@ export class Participant {
     /** @type {Local} */
     const local = { endpoint, remotes: [], status, sequence: 0 };
     if (kind === "publisher") {
-      local.writer = new Writer(qos, status, (remote, sample) => this.#send(id, remote, sample));
+      local.writer = new Writer(qos, status, (remote, sample, last) => {
+        this.#send(id, remote, sample, last);
+      });
     } else if (kind === "subscription") {
       local.reader = new Reader(qos, status, (writer, records, bytes) => {
         this.#giveCredit(fromPageId(writer), id, records, bytes);
@@ -273,13 +275,16 @@ export class Participant {
     this.#locals.get(id)?.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
   }
 
-  /** @param {number} id @param {{peer: number, id: number}} remote @param {Sample} sample */
-  #send(id, { peer, id: reader }, { sequence, timestamp, message }) {
+  /**
+   * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
+   * @param {boolean} [own] whether the message may be given away, with room for its head before it
+   */
+  #send(id, { peer, id: reader }, { sequence, timestamp, message }, own = false) {
     const head = { reader, writer: id, sequence, timestamp };
     if (peer === this.#id) {
-      this.#deliver(peer, head, message.slice());
+      this.#deliver(peer, head, own ? message : message.slice());
     } else {
-      this.#links.get(peer)?.send(head, message);
+      this.#links.get(peer)?.send(head, message, own);
     }
   }
 
