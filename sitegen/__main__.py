@@ -44,6 +44,14 @@ def _build(arguments: argparse.Namespace) -> None:
     build(arguments.folder, output=arguments.output, report=Report())
 
 
+def _schema(arguments: argparse.Namespace) -> None:
+    import json
+
+    from sitegen import config
+
+    print(json.dumps(config.json_schema(), indent=2))
+
+
 def _copy_theme(arguments: argparse.Namespace) -> None:
     from sitegen import theme
 
@@ -78,6 +86,10 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
     build.set_defaults(run=_build)
+    schema = commands.add_parser(
+        "schema", help="print the JSON Schema of site.yaml, for editors", parents=[debug]
+    )
+    schema.set_defaults(run=_schema)
     theme = commands.add_parser("theme", help="begin an own theme")
     doings = theme.add_subparsers(dest="doing", required=True, metavar="COMMAND")
     copying = doings.add_parser("copy", help="copy a theme of sitegen", parents=[debug])

@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "errors", "report", "theme"},
+    "__main__": {"build", "config", "errors", "report", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
         "workspace",
