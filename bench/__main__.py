@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from bench import building, crowd, messages, pages
+from bench import building, crowd, messages, pages, prose
 from bench.figure import Figure, table
 
 PARTS: dict[str, Callable[[], list[Figure]]] = {
@@ -26,6 +26,7 @@ PARTS: dict[str, Callable[[], list[Figure]]] = {
     "start": pages.start,
     "size": pages.size,
     "build": building.build,
+    "prose": prose.prose,
 }
 RESULTS = Path(__file__).parent / "results"
 
