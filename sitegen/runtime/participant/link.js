@@ -1,14 +1,14 @@
 // @ts-check
 // The port to one other worker. What comes from there is checked: it may be anybody's program.
 
-import { readRecords } from "../protocol.js";
+import { now, readRecords } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 
 /** @import { FromPeer, Head } from "../protocol.js" */
 
 /**
  * @typedef {{
- *   deliver(head: Head, message: Uint8Array): void,
+ *   deliver(head: Head, message: Uint8Array, received: number): void,
  *   credit(writer: number, reader: number, records: number, bytes: number): void,
  *   hear(writer: number, reader: number): void,
  *   wake(): void,
@@ -53,7 +53,10 @@ export class Link {
   /** @param {unknown} data */
   #receive(data) {
     if (data instanceof ArrayBuffer) {
-      const rest = readRecords(data, this.#listener.deliver);
+      // Those of one frame came together; asking for the time costs as much as all else done for one.
+      const received = now();
+      const { deliver } = this.#listener;
+      const rest = readRecords(data, (head, message) => deliver(head, message, received));
       if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are no records`);
     } else {
       const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});

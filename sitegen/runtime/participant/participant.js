@@ -221,7 +221,7 @@ export class Participant {
   /** @param {number} peer @param {MessagePort} port */
   #link(peer, port) {
     return new Link(port, {
-      deliver: (head, message) => this.#deliver(peer, head, message),
+      deliver: (head, message, received) => this.#deliver(peer, head, message, received),
       credit: (writer, reader, records, bytes) => {
         this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
         this.#links.get(peer)?.flush();
@@ -282,18 +282,18 @@ export class Participant {
   #send(id, { peer, id: reader }, { sequence, timestamp, message }, own = false) {
     const head = { reader, writer: id, sequence, timestamp };
     if (peer === this.#id) {
-      this.#deliver(peer, head, own ? message : message.slice());
+      this.#deliver(peer, head, own ? message : message.slice(), now());
     } else {
       this.#links.get(peer)?.send(head, message, own);
     }
   }
 
-  /** @param {number} peer @param {Head} head @param {Uint8Array} message */
-  #deliver(peer, { reader, writer, sequence, timestamp }, message) {
+  /** @param {number} peer @param {Head} head @param {Uint8Array} message @param {number} received */
+  #deliver(peer, { reader, writer, sequence, timestamp }, message, received) {
     const local = this.#locals.get(reader);
     // A message may still be under way when its receiver goes.
     if (!local) return;
-    const sample = { writer: pageId(peer, writer), sequence, timestamp, received: now(), message };
+    const sample = { writer: pageId(peer, writer), sequence, timestamp, received, message };
     local.queue?.push(sample);
     if (!local.reader) return;
     const { missed } = local.reader;
