@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "config", "errors", "report", "theme"},
+    "__main__": {"build", "config", "errors", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
         "workspace",
@@ -38,6 +38,7 @@ ALLOWED = {
     "prose": {"errors", "model"},
     "report": set(),
     "ros2wasm": {"digest", "errors", "interfaces", "messages", "model", "workspace"},
+    "serve": {"build", "errors", "model", "report"},
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
