@@ -12,7 +12,7 @@ from sitegen.errors import SiteError
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
 # What a command that fails has not done.
-DONE = {"build": "built", "serve": "served", "theme": "copied"}
+DONE = {"build": "built", "init": "written", "serve": "served", "theme": "copied"}
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -49,6 +49,13 @@ def _build(arguments: argparse.Namespace) -> None:
     from sitegen.report import Report
 
     build(arguments.folder, output=arguments.output, report=Report())
+
+
+def _init(arguments: argparse.Namespace) -> None:
+    from sitegen.init import init
+    from sitegen.report import Report
+
+    init(arguments.folder, Report(sys.stdout))
 
 
 def _serve(arguments: argparse.Namespace) -> None:
@@ -93,6 +100,18 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="FOLDER",
         help="the folder that holds site.yaml (default: this one)",
     )
+    beginning = commands.add_parser(
+        "init", help="write a site.yaml for the workspace of a folder", parents=[debug]
+    )
+    beginning.add_argument(
+        "folder",
+        nargs="?",
+        default=Path(),
+        type=Path,
+        metavar="FOLDER",
+        help="the folder of the workspace (default: this one)",
+    )
+    beginning.set_defaults(run=_init)
     build = commands.add_parser("build", help="write the site to a folder", parents=[folder, debug])
     build.add_argument(
         "--output",
