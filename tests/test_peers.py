@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 from browser import Serve
 from playwright.sync_api import Browser, Page
+from scenario import play_peers
 
-ROOT = Path(__file__).parent.parent
 ALL = {"keepAll": True}
 
 
 @pytest.fixture
 def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
     """A function that plays a scene with workers and returns what it returns."""
-    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
-    shutil.copytree(ROOT / "tests/peers", tmp_path, dirs_exist_ok=True)
-    tab.goto(serve(tmp_path))
-    opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
-    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")
+    return play_peers(tab, serve, tmp_path)
 
 
 def test_a_reader_that_is_blocked_gets_the_newest_and_little_else(play: Any) -> None:

@@ -1,0 +1,30 @@
+"""A graph in which anything may happen at any time, and what is true of it all the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Page
+from scenario import play_peers
+
+STEPS = 3000
+
+
+@pytest.fixture
+def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
+    """A function that plays a scene with workers and returns what it returns."""
+    return play_peers(tab, serve, tmp_path)
+
+
+@pytest.mark.parametrize("seed", [1,2,3,4,5,6,7,8])
+def test_chance_finds_nothing_wrong(tab: Page, play: Any, seed: int) -> None:
+    """Replay a failing seed by its number; the steps are the same, what the workers make of them is not."""
+    end = play(f'const chance = await import("./chance.js"); return chance.play({seed}, {STEPS});')
+    assert end["wrong"] == [], f"seed {seed}"
+    assert end["left"] == []
+    assert end["heard"] > 1000
+    tab.wait_for_function("true")
+    assert tab.workers == []
