@@ -19,12 +19,12 @@ def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
     return play_peers(tab, serve, tmp_path)
 
 
-@pytest.mark.parametrize("seed", [1,2,3,4,5,6,7,8])
+@pytest.mark.parametrize("seed", [2, 6, 7])
 def test_chance_finds_nothing_wrong(tab: Page, play: Any, seed: int) -> None:
     """Replay a failing seed by its number; the steps are the same, what the workers make of them is not."""
     end = play(f'const chance = await import("./chance.js"); return chance.play({seed}, {STEPS});')
     assert end["wrong"] == [], f"seed {seed}"
     assert end["left"] == []
-    assert end["heard"] > 1000
+    assert end["heard"] > 10_000, end
     tab.wait_for_function("true")
     assert tab.workers == []

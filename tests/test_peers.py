@@ -177,3 +177,23 @@ def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, qos: dict[str
     assert faults == []
     assert heard == published if qos is ALL else heard < published
     assert grown < 1.5e9, (published, grown)
+
+
+def test_what_was_published_last_arrives_though_its_node_is_gone(play: Any) -> None:
+    """As a native one that ends hands its messages to the network before."""
+    assert play("""
+      const b = start();
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos: { keepAll: true } });
+      for (let turn = 0; turn < 20; turn++) {
+        const a = start();
+        const p = await a.ask("create", { kind: "publisher", topic: "/t", qos: { keepAll: true } });
+        await until(() => a.ask("matched", { id: p }));
+        // What it has sent comes while its listener does something else.
+        b.ask("block", { duration: 50 });
+        await a.ask("publish", { id: p, count: 500 });
+        await a.ask("destroyAll");
+        a.kill();
+      }
+      await until(async () => (await b.ask("heard", { id: s })).count === 20 * 500);
+      return b.ask("faults");
+    """) == []

@@ -94,7 +94,9 @@ export class Graph extends EventTarget {
 
   /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
   miss(id, endpoint, count) {
-    this.#participants.get(id)?.missed.set(endpoint, count);
+    const owner = this.#participants.get(id);
+    if (!owner?.endpoints.has(endpoint)) return;
+    owner.missed.set(endpoint, count);
     this.#changed();
   }
 

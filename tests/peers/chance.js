@@ -59,13 +59,13 @@ export async function play(seed, steps) {
     publish(peer) {
       const id = oneOf([...peer.endpoints.keys()]);
       const size = oneOf(SIZES);
-      const count = 1 + below(next() < 0.1 ? 3000 : 50);
-      if (id) peer.ask("publish", { id, size, count: Math.min(count, 2e6 / size) });
+      const count = 1 + below(next() < 0.3 ? 4000 : 50);
+      if (id) peer.ask("publish", { id, size, count: Math.min(count, 5e6 / size) });
     },
     slow: (peer) => peer.ask("eat", { count: oneOf([1, 5, 50, 0, Infinity, Infinity]) }),
     block: (peer) => peer.ask("block", { duration: below(40) }),
   };
-  const often = { start: 4, kill: 1, stop: 1, create: 25, destroy: 8, publish: 50, slow: 6, block: 3 };
+  const often = { start: 8, kill: 1, stop: 1, create: 30, destroy: 8, publish: 120, slow: 28, block: 6 };
   const bag = Object.entries(often).flatMap(([name, count]) => Array(count).fill(name));
 
   for (let step = 0; step < steps; step++) {

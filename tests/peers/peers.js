@@ -42,7 +42,7 @@ export function start(name = "") {
 }
 
 // How long anything may take (ms).
-const LIMIT = 15_000;
+const LIMIT = 60_000;
 
 /** Ask until it is true. */
 export async function until(condition) {
