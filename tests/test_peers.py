@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from browser import Serve
+from memory import resident
 from playwright.sync_api import Browser, Page
 from scenario import play_peers
 
@@ -142,16 +143,6 @@ def test_foreign_nonsense_is_dropped_and_told(play: Any) -> None:
       graph.leave(foreign);
       return [refused, complaints.slice(refused), await b.ask("faults"), graph.endpoints().length];
     """) == [8, ["sent what is no frame to other nodes; it was dropped"], [], 2]
-
-
-def resident(browser: Browser) -> int:
-    """Memory of all renderers, in bytes."""
-    session = browser.new_browser_cdp_session()
-    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
-    session.detach()
-    pids = [process["id"] for process in processes if process["type"] == "renderer"]
-    pages = [int(Path(f"/proc/{pid}/statm").read_text().split()[1]) for pid in pids]
-    return sum(pages) * 4096
 
 
 @pytest.mark.parametrize("qos", [{"depth": 10}, {"depth": 10, "reliable": False}, ALL])
