@@ -156,7 +156,9 @@ def test_a_graph_of_any_shape(tab: Page, run: Any, shape: str) -> None:
     programs, heard = SHAPES[shape]
     run(shape)
     wait_until_heard(tab, heard)
-    assert {name for name, lines in told(tab).items() if any(" after " in x for x in lines)} == set()
+    assert {
+        name for name, lines in told(tab).items() if any(" after " in x for x in lines)
+    } == set()
     assert set(heard) <= set(programs)
 
 

@@ -39,7 +39,7 @@ export class Reader {
     this.#status = status;
     this.#credit = credit;
     this.#queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
-    this.#deadline = new Watch(qos.deadline, () => status.add("deadline", 1), true);
+    this.#deadline = new Watch(qos.deadline, (periods) => status.add("deadline", periods), true);
   }
 
   /** @param {Remote} remote */
