@@ -1,4 +1,4 @@
-"""What pages hold of a browser's memory, and how much of everything else there can be too much of."""
+"""What pages hold of a browser: memory, and what else there can be too much of."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def resident(browser: Browser) -> int:
 
 
 def held(page: Page) -> dict[str, float]:
-    """What a page holds after a collection of garbage: heap in bytes; elements, listeners, documents, workers."""
+    """What a page holds after a collection of garbage: its heap in bytes, elements, listeners."""
     session = page.context.new_cdp_session(page)
     session.send("Performance.enable")
     session.send("HeapProfiler.collectGarbage")

@@ -21,7 +21,7 @@ def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
 
 @pytest.mark.parametrize("seed", [2, 6, 7])
 def test_chance_finds_nothing_wrong(tab: Page, play: Any, seed: int) -> None:
-    """Replay a failing seed by its number; the steps are the same, what the workers make of them is not."""
+    """A failing seed is replayed by its number: the same steps, though in a time of their own."""
     end = play(f'const chance = await import("./chance.js"); return chance.play({seed}, {STEPS});')
     assert end["wrong"] == [], f"seed {seed}"
     assert end["left"] == []

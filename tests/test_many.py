@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import yaml
 from browser import Serve
-from memory import resident
+from memory import held, resident
 from panel import expect_nothing_left
 from playwright.sync_api import Browser, Page, expect
 
@@ -174,3 +174,47 @@ def test_fifty_nodes_and_five_hundred_topics(browser: Browser, tab: Page, run: A
     assert not any(topic["mismatches"] for topic in topics)
     # A worker of the browser alone takes a dozen megabytes.
     assert resident(browser) - before < NODES * 50e6
+
+
+def restart(tab: Page, node: str, times: int) -> None:
+    """Start and stop a node so often; the others go on."""
+    tab.evaluate(
+        """async ([name, times]) => {
+          const node = ros.nodes.get(name);
+          const become = (state) => new Promise((resolve) => {
+            const look = () => node.state === state && resolve(node.removeEventListener("state", look));
+            node.addEventListener("state", look);
+          });
+          for (let n = 0; n < times; n++) {
+            const stopped = become("stopped");
+            node.stop();
+            await stopped;
+            const running = become("running");
+            node.start();
+            await running;
+          }
+          for (const each of ros.nodes.values()) each.clear();
+          for (const name in lines) lines[name] = [];
+        }""",
+        [node, times],
+    )
+
+
+def test_a_node_that_starts_and_stops_leaves_nothing(browser: Browser, tab: Page, run: Any) -> None:
+    """A hundred times; what is held does not grow with it."""
+    run("loop")
+    wait_until_heard(tab, SHAPES["loop"][1])
+    restart(tab, "a", 20)
+    before, memory = held(tab), resident(browser)
+    begin = time.monotonic()
+    restart(tab, "a", 100)
+    print("a restart takes", (time.monotonic() - begin) / 100)
+    wait_until_heard(tab, {"a": SHAPES["loop"][1]["a"]})
+    after = held(tab)
+    print(before, after, (resident(browser) - memory) / 1e6)
+    assert after["elements"] < before["elements"] + 100
+    assert after["listeners"] < before["listeners"] + 20
+    assert after["heap"] < before["heap"] + 1e6
+    assert resident(browser) < memory + 100e6
+    assert len(tab.workers) == 3
+    assert len(tab.evaluate("ros.graph.nodes()")) == 3
