@@ -2,7 +2,7 @@
 // with their licences. Run by hatch_build.py when package-lock.json has changed.
 
 import { build } from "esbuild";
-import { readFile, writeFile } from "node:fs/promises";
+import { readdir, readFile, writeFile } from "node:fs/promises";
 import { join, relative } from "node:path";
 
 const TARGET = "sitegen/runtime/vendor";
@@ -12,6 +12,7 @@ const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
   yaml: 'export { FAILSAFE_SCHEMA, load } from "js-yaml";',
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
+  minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
 
 const packages = new Set();
@@ -42,7 +43,8 @@ for (const folder of packages) {
 const texts = [];
 for (const folder of [...packages].sort()) {
   const { name, version, license } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
-  const text = await readFile(join(folder, "LICENSE"), "utf8").catch(() => "");
+  const file = (await readdir(folder)).find((each) => /^licen[cs]e(\.\w+)?$/i.test(each));
+  const text = file ? await readFile(join(folder, file), "utf8") : "";
   texts.push(`${name} ${version} (${license})\n\n${text}`);
 }
 await writeFile(join(TARGET, "licenses.txt"), texts.join("\n\n----\n\n"));

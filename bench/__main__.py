@@ -12,16 +12,21 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from bench import building, messages, pages
+from bench import building, crowd, messages, pages, prose
 from bench.figure import Figure, table
 
 PARTS: dict[str, Callable[[], list[Figure]]] = {
     "latency": messages.latency,
     "throughput": messages.throughput,
     "services": messages.services,
+    "fan": crowd.fan,
+    "flood": crowd.flood,
+    "idle": crowd.idle,
+    "many": crowd.many,
     "start": pages.start,
     "size": pages.size,
     "build": building.build,
+    "prose": prose.prose,
 }
 RESULTS = Path(__file__).parent / "results"
 

@@ -110,7 +110,7 @@ class _Handler(SimpleHTTPRequestHandler):
 
     def translate_path(self, path: str) -> str:
         if self._asked is not None:
-            self._asked.add(path)
+            self._asked.add(path.partition("?")[0])
         name = path.removeprefix("/bench/")
         return str(PARTS / name) if name != path else super().translate_path(path)
 

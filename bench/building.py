@@ -33,9 +33,9 @@ def build() -> list[Figure]:
     with tempfile.TemporaryDirectory() as temporary, _cache(Path(temporary) / "cache") as cache:
         folder = _copy(Path(temporary) / "site")
         program = [sys.executable, "-m", "sitegen", "build", str(folder)]
-        cold = _seconds(lambda: _run(program))
-        warm = [_seconds(lambda: _run(program)) for _ in range(REPEATS)]
-        python = [_seconds(lambda: _run([sys.executable, "-c", "pass"])) for _ in range(REPEATS)]
+        cold = seconds(lambda: run(program))
+        warm = [seconds(lambda: run(program)) for _ in range(REPEATS)]
+        python = [seconds(lambda: run([sys.executable, "-c", "pass"])) for _ in range(REPEATS)]
 
         tree = next(cache.glob("work/*/jspi/packages/cpp_hello-*"))
         command = _one_run(tree, Path(temporary) / "talker.js")
@@ -45,10 +45,10 @@ def build() -> list[Figure]:
             source.write("// changed\n")
         site = config.load(other / "site.yaml")
         # Around ours, and the mean of both, so that what else the machine does hits both.
-        runs = [_seconds(lambda: _run(command))]
-        node = _seconds(lambda: _compile(site))
-        runs.append(_seconds(lambda: _run(command)))
-        cached = [_seconds(lambda: _compile(site)) for _ in range(REPEATS)]
+        runs = [seconds(lambda: run(command))]
+        node = seconds(lambda: _compile(site))
+        runs.append(seconds(lambda: run(command)))
+        cached = [seconds(lambda: _compile(site)) for _ in range(REPEATS)]
 
     compiler = sum(runs) / len(runs)
     return [
@@ -101,13 +101,15 @@ def _one_run(tree: Path, output: Path) -> list[str]:
     return [*flags, source, *linking[1 : at - 1], "-o", str(output), *linking[at + 2 :]]
 
 
-def _run(command: list[str]) -> None:
+def run(command: list[str]) -> None:
+    """Run a command line that has to succeed."""
     done = Toolchain.find().run(*command)
     if done.returncode:
         raise RuntimeError(f"{shlex.join(command)}\n{done.stdout}")
 
 
-def _seconds(call: Callable[[], None]) -> float:
+def seconds(call: Callable[[], object]) -> float:
+    """Return how long a call takes."""
     begun = time.monotonic()
     call()
     return time.monotonic() - begun

@@ -17,12 +17,13 @@ def main(argv: list[str] | None = None) -> int:
     """Run sitegen with `argv` and return its exit code."""
     arguments = _parse(argv)
     try:
-        _build(arguments.folder, arguments.output)
+        arguments.run(arguments)
     except SiteError as error:
         if arguments.debug:
             traceback.print_exc()
         count = len(error.lines)
-        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was built"]
+        done = "built" if arguments.command == "build" else "copied"
+        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was {done}"]
         print(*lines, sep="\n", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
@@ -36,11 +37,19 @@ def main(argv: list[str] | None = None) -> int:
     return BUILT
 
 
-def _build(folder: Path, output: Path) -> None:
+def _build(arguments: argparse.Namespace) -> None:
     from sitegen.build import build
     from sitegen.report import Report
 
-    build(folder, output=output, report=Report())
+    build(arguments.folder, output=arguments.output, report=Report())
+
+
+def _copy_theme(arguments: argparse.Namespace) -> None:
+    from sitegen import theme
+
+    target = arguments.target or Path("themes") / arguments.name
+    theme.copy(arguments.name, target)
+    print(f"{target}: a copy of '{arguments.name}'; name it in site.yaml: theme: {target.name}")
 
 
 def _parse(argv: list[str] | None) -> argparse.Namespace:
@@ -68,8 +77,19 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="DIR",
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
+    build.set_defaults(run=_build)
+    theme = commands.add_parser("theme", help="begin an own theme")
+    doings = theme.add_subparsers(dest="doing", required=True, metavar="COMMAND")
+    copying = doings.add_parser("copy", help="copy a theme of sitegen", parents=[debug])
+    copying.add_argument("name", metavar="NAME", help="the theme: default, slides or plain")
+    copying.add_argument(
+        "target", nargs="?", type=Path, metavar="DIR", help="the new folder (default: themes/NAME)"
+    )
+    copying.set_defaults(run=_copy_theme)
     arguments = parser.parse_args(argv)
     arguments.debug = "debug" in arguments
+    if arguments.command != "build":
+        return arguments
     arguments.output = arguments.output or arguments.folder / "dist"
     if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
         build.error("argument --output: would replace the folder that holds site.yaml")

@@ -6,12 +6,15 @@ import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from sitegen.digest import digest_of
 from sitegen.model import Artifact, Build, Node, Page, Site, Widget
 
 RUNTIME = Path(__file__).resolve().parent / "runtime"
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
 PLAIN = {"buttons", "console"}
+# A compiled form of a node: its package, its executable, its engine.
+Form = tuple[str, str, str]
 IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)
 
 
@@ -33,6 +36,14 @@ def runtime(site: Site) -> list[Artifact]:
     if any(file.parent.name == "vendor" for file in files):
         files.add(RUNTIME / "vendor" / "licenses.txt")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
+
+
+def search(site: Site) -> list[Artifact]:
+    """Return the modules that the search of a site needs: one that has more than one page."""
+    if len(site.pages) < 2:
+        return []
+    files = [*_with_imports([RUNTIME / "searchIndex.js"]), RUNTIME / "vendor" / "licenses.txt"]
+    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in files]
 
 
 def preloads(site: Site) -> dict[str, list[str]]:
@@ -71,6 +82,15 @@ def _with_imports(files: Iterable[Path]) -> list[Path]:
             names = IMPORT.findall(file.read_text(encoding="utf-8"))
             waiting += [(file.parent / name).resolve() for name in names]
     return list(found)
+
+
+def versions(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> dict[Form, str]:
+    """Return a digest of each compiled form of a node."""
+    return {
+        (package, executable, build.engine): digest_of([build.script, build.wasm])[:10]
+        for (package, executable), forms in builds
+        for build in forms
+    }
 
 
 def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:

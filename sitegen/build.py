@@ -42,10 +42,12 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     types = {
         page.path: types_of(page, builds, foreign) for page in site.pages if assets.takes_part(page)
     }
-    artifacts = pages.render(site, modules=assets.preloads(site), types=types, foreign=foreign)
+    versions = assets.versions(builds.items())
+    artifacts = pages.render(site, pages.Programs(assets.preloads(site), types, foreign, versions))
 
     # These, and what they use, are written.
     artifacts += assets.runtime(site)
+    artifacts += assets.search(site)
     artifacts += assets.programs(builds.items())
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))

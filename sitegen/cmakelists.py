@@ -28,11 +28,15 @@ AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_
 
 @dataclass
 class Listing:
-    """What was found so far; `executables` is None where only CMake can tell their names."""
+    """What was found so far; `executables` is None where only CMake can tell their names.
+
+    `sources` has the files of executables, relative to the file that names them, the package's own.
+    """
 
     executables: list[str] | None = field(default_factory=list)
     interfaces: list[str] = field(default_factory=list)
     variables: dict[str, list[str]] = field(default_factory=dict)
+    sources: dict[str, list[str]] = field(default_factory=dict)
 
     def add(self, name: str, words: list[str]) -> None:
         """Take in one command with its arguments."""
@@ -44,6 +48,7 @@ class Listing:
             self.variables.setdefault(words[1], []).extend(self._expand(words[2:]))
         elif name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
             self._add_executable(words[0])
+            self._add_sources(words)
         elif name == "rclcpp_components_register_node" and "EXECUTABLE" in words[:-1]:
             self._add_executable(words[words.index("EXECUTABLE") + 1])
         elif name in INCLUDES and "$" in "".join(words[:1]):
@@ -58,6 +63,10 @@ class Listing:
             self.executables = None
         elif self.executables is not None and name not in self.executables:
             self.executables.append(name)
+
+    def _add_sources(self, words: list[str]) -> None:
+        for name, *files in filter(None, [self._expand(words)]):
+            self.sources[name] = [word for word in files if "." in word and "$" not in word]
 
     def _add_interfaces(self, words: list[str]) -> None:
         end = next((i for i, word in enumerate(words) if word in AFTER_INTERFACES), len(words))

@@ -74,16 +74,68 @@ class Widget:
 
 
 @dataclass(frozen=True)
+class Source:
+    """A file of the author's, shown as it is: that of the node `target`, or one without a node.
+
+    `file` is as written, relative to the node's package or to `folder`; it may be left out for a
+    node. `lines` are the first and the last one to show, `region` names a marked part instead.
+    """
+
+    target: str
+    file: str
+    folder: Path
+    place: Place
+    lines: tuple[int, int] | None = None
+    region: str = ""
+    node: Node | None = None
+
+
+@dataclass(frozen=True)
 class Page:
-    """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page."""
+    """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
+
+    `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
+    `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
+    """
 
     path: str
     title: str
     description: str
     nodes: Mapping[str, Node]
-    content: tuple[Markdown | Widget, ...]
+    content: tuple[Markdown | Widget | Source, ...]
     level: str
     place: Place
+    file: Path | None = None
+    theme: Path | None = None
+    tags: tuple[str, ...] = ()
+    date: str = ""
+    language: str = ""
+    original: str | None = None
+
+
+@dataclass(frozen=True)
+class Section:
+    """A line of the navigation as the author ordered it: a page, an address, or a group."""
+
+    title: str
+    page: str | None = None
+    url: str = ""
+    inside: tuple[Section, ...] = ()
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a site differs from its theme: files are below the site's folder.
+
+    `accent` is a colour like #2b4bd8; a font is a file, or names that visitors may have installed;
+    `footer` is Markdown.
+    """
+
+    accent: str = ""
+    font: Path | str = ""
+    code_font: Path | str = ""
+    logo: Path | None = None
+    footer: Markdown | None = None
 
 
 @dataclass(frozen=True)
@@ -91,7 +143,8 @@ class Site:
     """What the author wrote, checked: everything below `root`.
 
     `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
-    `notes` is what the author may want to know about a site that is right.
+    `notes` is what the author may want to know about a site that is right. `nav` is empty where the
+    paths of the pages are the navigation; `languages` are those beside `language`.
     """
 
     root: Path
@@ -105,13 +158,20 @@ class Site:
     pages: tuple[Page, ...]
     packages: Mapping[str, Package] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    look: Look = field(default_factory=lambda: Look())
+    nav: tuple[Section, ...] = ()
+    languages: tuple[str, ...] = ()
+    repository: str = ""
+    branch: str = "main"
+    feed: bool = False
 
 
 @dataclass(frozen=True)
 class Package:
     """A ROS package of the workspace, as its `package.xml` and `CMakeLists.txt` describe it.
 
-    `executables` is None where only CMake itself can tell their names.
+    `executables` is None where only CMake itself can tell their names; `sources` has the files of
+    those that it names, as far as they stand there.
     """
 
     name: str
@@ -121,6 +181,7 @@ class Package:
     executables: tuple[str, ...] | None
     interfaces: tuple[str, ...]
     version: str = ""
+    sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

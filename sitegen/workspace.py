@@ -138,6 +138,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         executables=None if listing.executables is None else tuple(listing.executables),
         interfaces=tuple(dict.fromkeys(listing.interfaces)),
         version=(xml.findtext("version") or "").strip(),
+        sources={name: tuple(files) for name, files in listing.sources.items()},
     )
 
 

@@ -111,6 +111,8 @@ def test_what_is_closed_leaves_nothing(play: Any) -> None:
                 "types": ["any/msg/Type"],
                 "publishers": ["/_page"],
                 "subscriptions": ["/_page"],
+                "missed": 0,
+                "mismatches": [],
             }
         ],
         "refused": "this page has no definition of any/msg/Type",
@@ -123,15 +125,15 @@ def test_services_are_promises(play: Any) -> None:
     assert play("""
       const { Participant } = await import("./participant/participant.js");
       const { Codec } = await import("./messages/codec.js");
+      const { DEFAULT_QOS } = await import("./protocol.js");
       const codec = new Codec(types);
       const call = (value, timeout) =>
         client.call("/half", "demo/srv/Half", { value }, timeout).catch((error) => error.message);
       const alone = await call(1);
       let server;
-      const id = graph.join((message) => server.receive(message));
-      server = new Participant(id, (message) => graph.create(id, message.endpoint), () => {});
-      const qos = { depth: 10, reliable: true, transientLocal: false, keepAll: false };
-      const service = server.create("service", "/server", "/half", "demo/srv/Half", qos);
+      const id = graph.join((message) => server.receive(message), "", () => {});
+      server = new Participant(id, (message) => graph.create(id, message.endpoint));
+      const service = server.create("service", "/server", "/half", "demo/srv/Half", DEFAULT_QOS);
       const answers = [call(7), call(8)];
       await arrived();
       for (let one; (one = server.take(service)); ) {

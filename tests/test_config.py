@@ -6,8 +6,8 @@ from textwrap import dedent
 
 import pytest
 
+from sitegen import theme
 from sitegen.config import load
-from sitegen.config import site as config_site
 from sitegen.errors import Place, SiteError
 from sitegen.model import Markdown, Site, Widget
 
@@ -42,7 +42,7 @@ pages:
 
 @pytest.fixture(autouse=True)
 def no_packaged_themes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(config_site, "THEMES", tmp_path / "no/package/themes")
+    monkeypatch.setattr(theme, "THEMES", tmp_path / "no/package/themes")
 
 
 def write(folder: Path, site: str | bytes, files: dict[str, str] | None = None) -> Path:
@@ -88,8 +88,9 @@ WRONG = [
         [
             "site.yaml:2: site.titel: unknown key; did you mean 'title'?",
             "site.yaml:8: pages[0].frobnicate: unknown key; "
-            "known: content, description, file, level, nodes, path, title",
-            "site.yaml:9: color: unknown key; known: nodes, pages, site, workspace",
+            "known: content, date, description, file, folder, level, nodes, path, tags, theme, "
+            "title",
+            "site.yaml:9: color: unknown key; known: nav, nodes, pages, site, workspace",
         ],
     ),
     Wrong(
@@ -125,7 +126,8 @@ WRONG = [
             "site.yaml:11: pages[0].content: expected a list of text and widgets, "
             "found keys and values; write it like 'content: [{console: talker}]'",
             "site.yaml:12: pages[1]: expected keys and values, found the text 'about'; "
-            "the keys are path, title, description, level, nodes, content, file",
+            "the keys are path, title, description, level, nodes, content, file, folder, tags, "
+            "date, theme",
         ],
     ),
     Wrong(
@@ -422,8 +424,8 @@ WRONG = [
       - log: {line: 5}
 """,
         [
-            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, graph, log, robot, found the text 'topics'; "
+            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
+            "topics, nodes, services, publish, graph, log, robot, found the text 'topics'; "
             "write it like 'topics:'",
             "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
             "nothing, found the text '/chatter'; write it like 'topics:'",
@@ -573,7 +575,7 @@ WRONG = [
         "- site\n",
         [
             "site.yaml:1: yaml: expected keys and values, found a list; "
-            "the keys are site, workspace, nodes, pages",
+            "the keys are site, workspace, nodes, pages, nav",
         ],
     ),
     Wrong(
@@ -631,12 +633,12 @@ WRONG = [
       - buttons: {autostart: 1}
 """,
         [
-            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, topics, "
-            "nodes, services, publish, graph, log, robot, found the text 'talker'; "
+            "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
+            "topics, nodes, services, publish, graph, log, robot, found the text 'talker'; "
             "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
             "known: buttons, console, graph, log, markdown, nodes, publish, robot, services, "
-            "topics",
+            "source, topics",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
@@ -661,7 +663,7 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console, graph, log, nodes, publish, robot, services, topics",
+            "known: buttons, console, graph, log, nodes, publish, robot, services, source, topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "
@@ -746,7 +748,8 @@ WRONG = [
         "site: {title: Robot}\npages: &all\n  - *all\n",
         [
             "site.yaml:2: pages[0]: expected keys and values, found a list; "
-            "the keys are path, title, description, level, nodes, content, file",
+            "the keys are path, title, description, level, nodes, content, file, folder, tags, "
+            "date, theme",
         ],
     ),
 ]
@@ -973,15 +976,14 @@ def test_a_node_that_no_page_uses_is_a_note(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("packaged", ["package/themes", "themes"], ids=["installed", "checkout"])
 def test_a_theme_of_the_site_goes_before_one_of_sitegen(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, packaged: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    brought = tmp_path / packaged
+    brought = tmp_path / "package/themes"
     for name in ("default", "plain"):
         (brought / name).mkdir(parents=True)
         (brought / name / "page.html").touch()
-    monkeypatch.setattr(config_site, "THEMES", tmp_path / "package/themes")
+    monkeypatch.setattr(theme, "THEMES", brought)
     pages = "pages: [{path: /, title: Home, content: []}]\n"
     folder = tmp_path / "site"
     assert load_text(folder, f"site: {{title: A}}\n{pages}").theme == folder / "themes/default"

@@ -22,6 +22,11 @@ def url(built: Built, serve: Serve, request: pytest.FixtureRequest) -> str:
     return serve(built(ROOT), request.param)
 
 
+def paths(addresses: list[str]) -> list[str]:
+    """Addresses without the version that page.json gives programs."""
+    return [address.partition("?")[0] for address in addresses]
+
+
 @pytest.fixture
 def page(url: str, context: BrowserContext, engine: str) -> Iterator[Page]:
     """A tab in a browser of either engine; the test fails on an error or a foreign request."""
@@ -40,7 +45,7 @@ def page(url: str, context: BrowserContext, engine: str) -> Iterator[Page]:
     page.close()
     assert wrong == []
     assert [address for address in loaded if not address.startswith(url)] == []
-    programs = {address.split(".")[-2] for address in loaded if address.endswith(".wasm")}
+    programs = {name.split(".")[-2] for name in paths(loaded) if name.endswith(".wasm")}
     assert programs <= {engine}
 
 

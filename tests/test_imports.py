@@ -12,15 +12,15 @@ ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "sitegen"
 RUNTIME = PACKAGE / "runtime"
 
-# What each module of the generator may import of the others; all of config is one module here.
+# What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "errors", "report"},
+    "__main__": {"build", "errors", "report", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
         "workspace",
     },
-    "assets": {"model"},
-    "config": {"errors", "model", "workspace"},
+    "assets": {"digest", "model"},
+    "config": {"errors", "model", "theme", "workspace"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
@@ -34,10 +34,11 @@ ALLOWED = {
     "interfaces": {"definitions", "errors", "typesupport"},
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
-    "pages": {"errors", "model", "prose"},
+    "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
     "ros2wasm": {"digest", "errors", "interfaces", "messages", "model", "workspace"},
+    "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
     "workspace": {"cmakelists", "errors", "model"},
@@ -56,18 +57,21 @@ RUNTIME_ALLOWED = {
     "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),
+    "searchIndex.js": {"vendor"},
     "robots": {"drawing.js", "elements.js", "protocol.js", "robots"},
     "widgets": {
         *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
     },
 }
+FOLDERS = ("config", "pages", "prose")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 
 def modules() -> dict[str, list[Path]]:
     """The generator's modules by name, a package with all of its files."""
     found = {file.stem: [file] for file in PACKAGE.glob("*.py") if file.stem != "__init__"}
-    found["config"] = sorted((PACKAGE / "config").glob("*.py"))
+    for name in FOLDERS:
+        found[name] = sorted((PACKAGE / name).rglob("*.py"))
     return found
 
 

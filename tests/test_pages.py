@@ -15,8 +15,9 @@ from playwright.sync_api import Page as Tab
 
 from sitegen.errors import Place, SiteError
 from sitegen.model import Artifact, Markdown, Node, Page, Site, Widget
-from sitegen.pages import render
+from sitegen.pages import Programs, render
 
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
 THEME = Path(__file__).parent.parent / "themes/default"
 
 
@@ -155,6 +156,21 @@ def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:
     }
 
 
+def test_another_program_has_another_address(author: Author) -> None:
+    author.page("a/", author.widget("console", "talker"))
+    versions = {("cpp_pubsub", "talker", "jspi"): "0123456789"}
+    sources = {
+        a.path: a.source for a in render(author.site(asyncify=False), Programs(versions=versions))
+    }
+    entry = sources["a/page.json"]
+    assert isinstance(entry, bytes)
+    stem = "../nodes/cpp_pubsub/talker.jspi"
+    assert json.loads(entry)["nodes"]["talker"]["builds"]["jspi"] == {
+        "script": f"{stem}.js?v=0123456789",
+        "wasm": f"{stem}.wasm?v=0123456789",
+    }
+
+
 def test_buttons_may_ask_for_a_start(author: Author) -> None:
     author.page("", author.widget("buttons", "talker", autostart=True))
     assert json.loads(author.built()["page.json"])["nodes"]["talker"]["autostart"] is True
@@ -181,12 +197,13 @@ def test_the_policy_allows_the_one_inline_script(author: Author) -> None:
     )
 
 
-def test_a_page_without_nodes_loads_no_script(author: Author) -> None:
+def test_a_page_without_nodes_loads_nothing_of_the_runtime(author: Author) -> None:
     author.page("", "Hello")
     built = author.built()
     assert list(built) == ["index.html"]
-    assert "<script" not in built["index.html"]
-    assert "script-src" not in built["index.html"]
+    scripts = re.findall('<script.*?src="(.*?)"', built["index.html"])
+    assert scripts == ["theme/colours.js", "theme/page.js"], "only those of the theme"
+    assert "wasm" not in built["index.html"]
 
 
 @pytest.mark.parametrize(("path", "up"), [("", ""), ("a/", "../"), ("a/b/", "../../")])
@@ -198,7 +215,8 @@ def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> 
     (html,) = (
         artifact.source.decode()
         for artifact in render(
-            author.site(url="https://me.github.io/robots"), modules={path: ["runtime/graph.js"]}
+            author.site(url="https://me.github.io/robots/"),
+            Programs(modules={path: ["runtime/graph.js"]}),
         )
         if artifact.path == f"{page.path}index.html" and isinstance(artifact.source, bytes)
     )
@@ -218,28 +236,40 @@ def test_links_to_a_page_by_its_source(author: Author) -> None:
         (author.root / number).mkdir()
         (author.root / number / "page.md").touch()
     author.page("one/", author.text("[next](../2/page.md#setup)", "1/page.md"))
-    author.page("two/", author.text("[back](../one/) [mail](mailto:a@b.c) [here](#x)", "2/page.md"))
+    text = "[back](../one/) [mail](mailto:a@b.c) [here](#setup)\n\n## Setup"
+    author.page("two/", author.text(text, "2/page.md"))
     built = author.built()
     assert '<a href="../two/#setup">next</a>' in built["one/index.html"]
     assert '<a href="../one/">back</a>' in built["two/index.html"]
-    assert '<a href="#x">here</a>' in built["two/index.html"]
+    assert '<a href="#setup">here</a>' in built["two/index.html"]
 
 
-def test_files_are_copied_beside_the_page(author: Author) -> None:
+def test_images_get_a_name_for_good_and_a_size(author: Author) -> None:
     (author.root / "text/img").mkdir(parents=True)
-    (author.root / "text/img/a b.png").write_bytes(b"1")
-    (author.root / "notes.pdf").write_bytes(b"2")
-    source = (
-        '![x](img/a%20b.png) [pdf](../notes.pdf)\n\n<img alt="a > b" src="img/a b.png" width="9">'
-    )
+    (author.root / "text/img/a b.svg").write_text(SVG)
+    digest = hashlib.sha256(SVG.encode()).hexdigest()[:10]
+    source = '![x](img/a%20b.svg)\n\n<img alt="a > b" src="img/a b.svg" width="20">'
     author.page("demo/", author.text(source, "text/page.md"))
     artifacts = {artifact.path: artifact.source for artifact in render(author.site())}
-    assert artifacts["demo/img/a b.png"] == author.root / "text/img/a b.png"
+    name = f"media/a-b.{digest}.svg"
+    assert artifacts[name] == author.root / "text/img/a b.svg"
+    html = artifacts["demo/index.html"]
+    assert isinstance(html, bytes)
+    lazy = 'loading="lazy" decoding="async"'
+    assert f'<img alt="x" src="../{name}" width="40" height="30" {lazy}>' in html.decode()
+    assert f'<img alt="a > b" src="../{name}" width="20" height="15" {lazy}>' in html.decode()
+    # Other content has another name, so browsers may keep this one for ever.
+    (author.root / "text/img/a b.svg").write_text(SVG + " ")
+    assert name not in {artifact.path for artifact in render(author.site())}
+
+
+def test_files_that_a_page_links_to_are_copied_beside_it(author: Author) -> None:
+    (author.root / "notes.pdf").write_bytes(b"2")
+    author.page("demo/", author.text("[pdf](../notes.pdf)", "text/page.md"))
+    artifacts = {artifact.path: artifact.source for artifact in render(author.site())}
     assert artifacts["demo/notes.pdf"] == author.root / "notes.pdf"
     html = artifacts["demo/index.html"]
     assert isinstance(html, bytes)
-    assert b'src="img/a%20b.png"' in html
-    assert b'<img alt="a > b" src="img/a%20b.png" width="9">' in html
     assert b'href="notes.pdf"' in html
 
 
@@ -267,9 +297,9 @@ def test_two_files_of_one_name_are_a_problem(author: Author) -> None:
     (author.root / "sub").mkdir()
     for file in ("a.png", "sub/a.png"):
         (author.root / file).touch()
-    author.page("", author.text("![a](a.png)\n\n![b](../a.png)", "sub/page.md"))
+    author.page("", author.text("[a](a.png)\n\n[b](../a.png)", "sub/page.md"))
     assert problems(author) == [
-        "sub/page.md:3: image: '../a.png' would replace another 'a.png'; rename it"
+        "sub/page.md:3: link: '../a.png' would replace another 'a.png'; rename it"
     ]
 
 
@@ -315,7 +345,7 @@ def test_tables_keep_their_alignment_without_style_attributes(author: Author) ->
     author.page("", "|a|b|\n|--|--:|\n|1|2|")
     html = author.built()["index.html"]
     assert "style=" not in html
-    assert '<div class="table"><table>' in html
+    assert '<div class="table" tabindex="0"><table>' in html
     assert '<td align="right">2</td>' in html
 
 
@@ -323,14 +353,15 @@ def test_the_menu_opens_the_branch_of_the_page(author: Author) -> None:
     for path in ("", "a/", "a/x/", "a/y/", "b/", "b/z/"):
         author.page(path, "Text")
 
-    def menu(path: str) -> list[tuple[str, str]]:
+    def shown(path: str) -> str:
         html = author.built()[f"{path}index.html"]
-        return [tuple(line) for line in re.findall(r'<li class="(.*?)"><a.*?>(.*?)</a>', html)]
+        menu = html[html.index('<nav class="menu"') : html.index("<main")]
+        return " ".join(re.findall(r"<li><a.*?>(.*?)</a>|(?:</ul></li>)", menu)).replace(
+            "  ", " - "
+        )
 
-    top = [("depth-0", "Home"), ("depth-0", "a/"), ("depth-0", "b/")]
-    assert menu("") == top
-    inside = [("depth-1", "a/x/"), ("depth-1", "a/y/")]
-    assert menu("a/") == menu("a/y/") == [*top[:2], *inside, top[2]]
+    assert shown("") == "Home a/ b/"
+    assert shown("a/") == shown("a/y/") == "Home a/ a/x/ a/y/ - b/"
 
 
 def test_a_page_from_a_subfolder_of_a_server(

@@ -15,7 +15,7 @@ RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
 
 # A scene is what a publisher offers, what a subscription requests, and steps: advertise, subscribe,
 # meet (until both know each other), part (until one knows that the other is gone), publish VALUE…,
-# hear COUNT (until so many were heard), assert (liveliness), sleep MS (nobody looks at what arrives),
+# hear COUNT (until so many were heard), assert (liveliness), sleep MS (nobody looks at what comes),
 # spin MS (both do), unadvertise, unsubscribe. Values that are not given are those that ROS 2 gives.
 # Times are so far apart that no machine is too slow for them.
 MEET: list[Any] = [["advertise"], ["subscribe"], ["meet"], ["spin", 50]]
@@ -31,7 +31,7 @@ def scene(offered: dict[str, Any], requested: dict[str, Any], *steps: Any) -> di
 
 def pairs() -> dict[str, dict[str, Any]]:
     """Every policy of both sides against every other."""
-    offers = {
+    offers: dict[str, dict[str, Any]] = {
         "plain": {},
         "best effort": BEST_EFFORT,
         "durable": DURABLE,

@@ -66,6 +66,7 @@ def test_a_package_is_what_its_files_say(tmp_path: Path) -> None:
             executables=("talker",),
             interfaces=(),
             version="0.1.0",
+            sources={"talker": ("src/talker.cpp",)},
         )
     }
 

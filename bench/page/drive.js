@@ -29,6 +29,51 @@ export function runNode(name) {
   }).finally(() => listening.abort());
 }
 
+export const { nodes } = ros;
+/** @type {Map<string, string[]>} */
+const lines = new Map();
+
+/** Start nodes and wait until they run. @param {string[]} names */
+export async function start(names) {
+  await Promise.all(names.map((name) => become(name, "running", (node) => node.start())));
+}
+
+/** @param {string[]} names */
+export async function stop(names) {
+  await Promise.all(names.map((name) => become(name, "stopped", (node) => node.stop())));
+}
+
+/** Keep what a node will print. @param {string} name */
+export function keepLines(name) {
+  /** @type {string[]} */
+  const kept = [];
+  lines.set(name, kept);
+  nodes.get(name)?.addEventListener("lines", (event) => {
+    const { detail } = /** @type {CustomEvent<{text: string}[]>} */ (event);
+    for (const { text } of detail) kept.push(text);
+  });
+}
+
+/** @param {string} name */
+export function kept(name) {
+  return lines.get(name) ?? [];
+}
+
+/** @param {string} name @param {string} state @param {(node: any) => void} act @returns {Promise<void>} */
+function become(name, state, act) {
+  const node = nodes.get(name);
+  if (!node) throw new Error(`no node '${name}'`);
+  return new Promise((resolve, reject) => {
+    const listening = new AbortController();
+    node.addEventListener("state", () => {
+      if (node.state === state) resolve();
+      if (node.state === "failed") reject(new Error(`'${name}' failed`));
+      if (node.state === state || node.state === "failed") listening.abort();
+    }, { signal: listening.signal });
+    act(node);
+  });
+}
+
 /**
  * @param {"ping" | "burst"} task
  * @param {number} size bytes in a message

@@ -10,19 +10,20 @@ from sitegen.config.blocks import Block, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
 from sitegen.config.schema import MARKDOWN, ROBOTS, WIDGETS
-from sitegen.config.section import check, conforms
+from sitegen.config.section import Section, check, conforms
 from sitegen.errors import Place, Problems, nearest
-from sitegen.model import Markdown, Node, Widget
+from sitegen.model import Markdown, Node, Source, Widget
 
-Part = Markdown | Widget
+Part = Markdown | Widget | Source
 
 
 @dataclass(frozen=True)
 class Reader:
-    """Reads the content of one page, whose widgets may use `nodes`."""
+    """Reads the content of one page, whose widgets may use `nodes`; `folder` is the page's own."""
 
     nodes: Mapping[str, Node]
     problems: Problems
+    folder: Path
 
     def items(self, value: Value) -> Iterator[Part]:
         """Yield what the items of `content` in site.yaml stand for."""
@@ -53,7 +54,7 @@ class Reader:
         if file and text is not None:
             yield from self.markdown(text, Place(file, 1), file.parent)
 
-    def _block(self, block: Block, place: Place) -> Iterator[Widget]:
+    def _block(self, block: Block, place: Place) -> Iterator[Widget | Source]:
         fence = replace(place, line=place.line - 1)
         if not block.closed:
             self.problems.add(fence, "ros", "this block has no end; close it with ```")
@@ -89,9 +90,12 @@ class Reader:
             return None
         return name, value
 
-    def _widget(self, kind: str, value: Value) -> Iterator[Widget]:
+    def _widget(self, kind: str, value: Value) -> Iterator[Widget | Source]:
         if kind == "robot":
             yield from self._robot(value)
+            return
+        if kind == "source":
+            yield from self._source(value)
             return
         keys = WIDGETS[kind]
         if not any(key.name == "node" for key in keys):
@@ -105,11 +109,47 @@ class Reader:
             short = replace(keys[0], example=f"{kind}: talker")
             node = value if conforms(value, short, self.problems) else None
             options = {key.name: key.default for key in keys if not key.required}
-        if node and node.text not in self.nodes:
-            message = f"no node '{node.text}'; {nearest(node.text, self.nodes)}"
-            self.problems.add(node.place, node.key, message)
-        elif node:
+        if node and self._known(node):
             yield Widget(kind, node.text, options, value.place)
+
+    def _known(self, node: Value) -> bool:
+        if node.text in self.nodes:
+            return True
+        message = f"no node '{node.text}'; {nearest(node.text, self.nodes)}"
+        self.problems.add(node.place, node.key, message)
+        return False
+
+    def _source(self, value: Value) -> Iterator[Source]:
+        """Yield a file to show; pages finds it, for only the workspace knows a node's files."""
+        keys = WIDGETS["source"]
+        if value.kind == "mapping":
+            section = check(value, keys, self.problems)
+            node = section.get("node")
+        else:
+            section = Section(value, keys, {})
+            short = replace(keys[0], example="source: talker")
+            node = value if conforms(value, short, self.problems) else None
+        if node and not self._known(node):
+            return
+        file, region, lines = map(section.text, ("file", "region", "lines"))
+        if not node and not file:
+            if value.kind == "mapping" and not value.has("node", "file"):
+                message = "names nothing to show; write it like 'source: talker'"
+                self.problems.add(value.place, value.key, message)
+            return
+        if lines and region:
+            message = "given beside 'region'; keep one of the two"
+            self.problems.add(value.place, f"{value.key}.lines", message)
+        first, _, last = lines.partition("-")
+        yield Source(
+            target=node.text if node else "",
+            file=file,
+            folder=self.folder,
+            place=value.place,
+            lines=(int(first), int(last)) if lines else None,
+            region=region,
+            node=self.nodes[node.text] if node else None,
+        )
 
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
         """Yield a widget that is about the whole page; without options it has no value."""

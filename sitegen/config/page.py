@@ -1,79 +1,160 @@
-"""Turn an item of `pages`, and the Markdown file that it may name, into a Page."""
+"""Turn an item of `pages`, and the Markdown file that it may name, into Pages."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 
 from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Part, Reader
 from sitegen.config.document import Value, parse, read
+from sitegen.config.folder import files, in_language
 from sitegen.config.location import locate
 from sitegen.config.nodes import Declared, declare
+from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
+from sitegen.config.themes import Themes
 from sitegen.errors import Place, Problems
-from sitegen.model import Markdown, Page, Widget
+from sitegen.model import Markdown, Page, Source, Widget
 
-SEGMENT = re.compile(r"[a-z0-9_~-][a-z0-9._~-]*")
+# What a page of a folder cannot have from site.yaml: each file has its own.
+OF_ONE = ("title", "description", "level", "nodes", "tags", "date")
 
 
 class PageReader:
     """Reads pages, and remembers which paths and nodes the earlier ones took."""
 
-    def __init__(self, problems: Problems, nodes: Mapping[str, Declared]) -> None:
+    def __init__(
+        self,
+        problems: Problems,
+        nodes: Mapping[str, Declared],
+        themes: Themes,
+        languages: Sequence[str],
+    ) -> None:
         self.problems = problems
         self.nodes = nodes
+        self.themes = themes
+        self.languages = languages
         self.declared = list(nodes.values())
         self.paths: dict[str, Value] = {}
 
-    def page(self, item: Value) -> Page:
-        """Return the page, as sound as what was written."""
+    def pages(self, item: Value) -> Iterator[Page]:
+        """Yield the page or the pages of an item, as sound as what was written."""
         page = check(item, PAGE, self.problems)
-        path = self._path(page)
-        front, body = Section(item, FRONT_MATTER, {}), None
         before = len(self.problems.found)
-        file, content = page.get("file"), page.get("content")
-        if file and content:
-            message = "given beside 'content'; keep one of the two"
-            self.problems.add(file.place, file.key, message)
-        if not file and not content and not page.value.has("file", "content"):
+        file, content, folder = map(page.get, ("file", "content", "folder"))
+        given = [value for value in (content, file, folder) if value]
+        if len(given) > 1:
+            message = f"given beside '{given[0].key.rpartition('.')[2]}'; keep one of the two"
+            self.problems.add(given[1].place, given[1].key, message)
+        if not given and not page.value.has("file", "content", "folder"):
             message = "missing; write it like 'content: [{console: talker}]', or name a 'file'"
             self.problems.add(item.place, page.label("content"), message)
-        if file:
-            front, body = self._page_file(file, front)
+        path = self._path(page, registered=not folder)
+        if folder:
+            yield from self._folder(page, path, folder)
+            return
+        located = locate(file, self.problems) if file else None
+        yield from self._translated(page, path, located, before)
+
+    def _folder(self, page: Section, path: str, given: Value) -> Iterator[Page]:
+        """Yield a page for every Markdown file of a folder, at any depth."""
+        for name in OF_ONE:
+            if value := page.get(name):
+                message = "given beside 'folder'; write it at the top of each file"
+                self.problems.add(value.place, value.key, message)
+        folder = locate(given, self.problems, folder=True)
+        found = list(files(folder, self.languages)) if folder else []
+        if folder and not found:
+            message = f"no Markdown file in '{given.text}'; begin with 'index.md'"
+            self.problems.add(given.place, given.key, message)
+        for below, file in found:
+            if taken := self.paths.get(path + below):
+                message = f"'{path + below}', of {file.name}, is taken by {taken.key}; rename it"
+                self.problems.add(given.place, given.key, message)
+            self.paths[path + below] = given
+            bare = Section(
+                page.value, PAGE, {k: v for k, v in page.entries.items() if k == "theme"}
+            )
+            yield from self._translated(bare, path + below, file, len(self.problems.found))
+
+    def _translated(
+        self, page: Section, path: str, file: Path | None, before: int
+    ) -> Iterator[Page]:
+        """Yield a page and, where files beside its own are in other languages, those.
+
+        `before` is how many problems there were when nothing of the page was read.
+        """
+        empty = Section(page.value, FRONT_MATTER, {})
+        front, body = self._page_file(file, empty) if file else (empty, None)
+        yield self._page(page, front, body, path, file, before)
+        for language in self.languages if file else ():
+            other = in_language(file, language) if file else None
+            if other and other.is_file():
+                before = len(self.problems.found)
+                own, text = self._page_file(other, empty)
+                # What is not a matter of language need not be said twice.
+                said = {k: v for k, v in front.entries.items() if k not in ("title", "description")}
+                both = Section(own.value, FRONT_MATTER, {**said, **own.entries})
+                kept = {k: v for k, v in page.entries.items() if k in ("level", "nodes", "theme")}
+                bare = Section(page.value, PAGE, kept)
+                at = f"{language.lower()}/{path}"
+                yield self._page(bare, both, text, at, other, before, language, path)
+
+    def _page(
+        self,
+        page: Section,
+        front: Section,
+        body: Markdown | None,
+        path: str,
+        file: Path | None,
+        before: int,
+        language: str = "",
+        original: str | None = None,
+    ) -> Page:
         known = self._declare(front, self._declare(page, self.nodes))
-        reader = Reader({name: node for name, (node, _) in known.items()}, self.problems)
+        folder = file.parent if file else self.problems.root
+        nodes = {name: node for name, (node, _) in known.items()}
+        reader = Reader(nodes, self.problems, folder)
+        content = page.get("content")
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.place, body.folder)
         if len(self.problems.found) == before:
             # What is missing from half-read content is no news.
-            self._check_title(page, front, parts)
+            self._check_title(page, front, parts, body)
             self._check_level(_giver("level", page, front), parts)
         widgets = [part for part in parts if isinstance(part, Widget)]
+        theme = _giver("theme", page, front)
+        tags = _giver("tags", page, front).option("tags")
         return Page(
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes={w.target: reader.nodes[w.target] for w in widgets if w.target},
+            nodes={w.target: nodes[w.target] for w in widgets if w.target},
             content=tuple(parts),
             level=level.offered(widgets),
-            place=item.place,
+            place=Place(file, 1) if file else page.value.place,
+            file=file,
+            theme=self.themes.find(theme, self.problems) if theme.get("theme") else None,
+            tags=tuple(dict.fromkeys(tags)) if isinstance(tags, list) else (),
+            date=_giver("date", page, front).text("date"),
+            language=language,
+            original=path if original is None else original,
         )
 
-    def _page_file(self, value: Value, empty: Section) -> tuple[Section, Markdown | None]:
-        file = locate(value, self.problems)
-        text = read(file, self.problems) if file else None
-        if file is None or text is None:
+    def _page_file(self, file: Path, empty: Section) -> tuple[Section, Markdown | None]:
+        text = read(file, self.problems)
+        if text is None:
             return empty, None
         front, body = front_matter(text)
         before = len(self.problems.found)
         if not front.closed:
             message = "this front matter has no end; close it with ---"
             self.problems.add(Place(file, 1), "yaml", message)
-        top = parse(front.text, Place(file, 1 + front.line), self.problems)
+        top = parse(front.text, Place(file, 1 + front.line), self.problems) if front.text else None
         if len(self.problems.found) > before:
             return empty, None
         section = check(top, FRONT_MATTER, self.problems) if top else empty
@@ -85,29 +166,33 @@ class PageReader:
         self.declared += declared.values()
         return {**taken, **declared}
 
-    def _path(self, page: Section) -> str:
+    def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")
         if given is None:
             return ""
         text = given.text
-        fault = _path_fault(text)
+        fault = path_fault(text)
         path = f"{text.strip('/')}/".removeprefix("/")
-        if not fault and (first := self.paths.get(path)):
+        if registered and not fault and (first := self.paths.get(path)):
             where = self.problems.where(first.place)
             fault = f"'{text}' is taken by {first.key} ({where}); choose another"
         if fault:
             self.problems.add(given.place, given.key, fault)
-        else:
+        elif registered:
             self.paths[path] = given
         return path
 
-    def _check_title(self, page: Section, front: Section, parts: list[Part]) -> None:
+    def _check_title(
+        self, page: Section, front: Section, parts: list[Part], body: Markdown | None
+    ) -> None:
         given = page.value.has("title") or front.value.has("title")
         if not given and not _title(page, front, parts):
             message = (
                 "missing; write it like 'title: My robot', or begin the text with '# My robot'"
             )
-            self.problems.add(page.value.place, page.label("title"), message)
+            in_folder = body and page.value.has("folder")
+            place = body.place if body and in_folder else page.value.place
+            self.problems.add(place, "title" if in_folder else page.label("title"), message)
 
     def _check_level(self, section: Section, parts: list[Part]) -> None:
         declared = section.get("level")
@@ -117,7 +202,7 @@ class PageReader:
             self.problems.add(section.place("level"), section.label("level"), fault)
 
 
-def _title(page: Section, front: Section, parts: list[Part]) -> str:
+def _title(page: Section, front: Section, parts: Sequence[Markdown | Widget | Source]) -> str:
     texts = (part.text for part in parts if isinstance(part, Markdown))
     headings = filter(None, map(heading, texts))
     return page.text("title") or front.text("title") or next(headings, "")
@@ -126,21 +211,3 @@ def _title(page: Section, front: Section, parts: list[Part]) -> str:
 def _giver(name: str, page: Section, front: Section) -> Section:
     """Return the section that decides about `name`: site.yaml goes before the page's own file."""
     return page if page.get(name) else front
-
-
-def _path_fault(text: str) -> str:
-    segments = text.removesuffix("/").split("/")
-    plain = [re.sub(r"[^a-z0-9._~-]+", "-", part.lower()).lstrip(".") for part in segments]
-    way = "/".join(filter(None, plain))
-    hint = f"write '{way}/'" if way else "write '/' for the first page"
-    if text == "/":
-        return ""
-    if "\\" in text:
-        return f"'{text}' has a backslash; write '{text.replace(chr(92), '/')}'"
-    if text.startswith("/"):
-        return f"'{text}' is absolute; {hint}"
-    if ".." in segments:
-        return f"'{text}' leads out of the site; {hint}"
-    if not all(map(SEGMENT.fullmatch, segments)):
-        return f"'{text}' must be of lower-case letters, digits, '-', '_', '.' and '~'; {hint}"
-    return ""

@@ -30,6 +30,10 @@ TYPES = {
     "type": ("text", "a message type"),
     "list of text": ("list", "a list of text"),
     "list of names": ("list", "a list of names of the graph"),
+    "date": ("other", "a date like 2026-11-21"),
+    "colour": ("text", 'a colour like "#2b4bd8"'),
+    "range": ("text", "lines like 10-20"),
+    "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
@@ -43,6 +47,9 @@ TYPES = {
 FORMS = {
     "name": re.compile(r"(/[A-Za-z_]\w*)+", re.ASCII),
     "type": re.compile(r"[a-z]\w*/msg/[A-Z]\w*", re.ASCII),
+    "date": re.compile(r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])"),
+    "colour": re.compile(r"#[0-9a-fA-F]{6}"),
+    "range": re.compile(r"[1-9]\d*-[1-9]\d*"),
     "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }
 
@@ -62,6 +69,12 @@ FILE = (
         "nodes: {talker: {package: cpp_pubsub, executable: talker}}",
     ),
     Key("pages", "pages", "the pages, in order", "pages: [{path: /, file: index.md}]", True),
+    Key(
+        "nav",
+        "nav",
+        "the navigation, where the paths of the pages are not it",
+        "nav: [/, {Demos: [demo01/, demo02/]}]",
+    ),
 )
 
 SITE = (
@@ -74,6 +87,7 @@ SITE = (
         "url: https://me.github.io/my-robot/",
     ),
     Key("language", "text", "the language of the text", "language: en", default="en"),
+    Key("languages", "list of text", "languages it is translated to", "languages: [de]"),
     Key(
         "theme",
         "text",
@@ -81,6 +95,19 @@ SITE = (
         "theme: default",
         default="default",
     ),
+    Key("accent", "colour", "the colour of links and of what is current", 'accent: "#2b4bd8"'),
+    Key("font", "text", "the letters of text: a font file, or names", "font: fonts/own.woff2"),
+    Key("code_font", "text", "the letters of code", "code_font: fonts/code.woff2"),
+    Key("logo", "path", "an image beside the title", "logo: images/logo.svg"),
+    Key("footer", "text", "what stands below every page, Markdown", "footer: Example University"),
+    Key(
+        "repository",
+        "url",
+        "where the sources are; for a link to edit a page",
+        "repository: https://github.com/me/my-robot",
+    ),
+    Key("branch", "text", "the branch to edit", "branch: main", default="main"),
+    Key("feed", "flag", "write a feed of the pages with a date", "feed: true", default=False),
     Key(
         "asyncify",
         "flag",
@@ -132,9 +159,14 @@ PAGE = (
     ),
     Key("content", "content", "what the page shows, in order", "content: [{console: talker}]"),
     Key("file", "path", "a Markdown file instead of `content`", "file: demos/demo01/page.md"),
+    Key("folder", "path", "a folder of Markdown files, a page each", "folder: docs"),
+    Key("tags", "list of text", "what it is about, in words", "tags: [topics, C++]"),
+    Key("date", "date", "the day it is of, for the feed", "date: 2026-11-21"),
+    Key("theme", "text", "its own theme", "theme: slides"),
 )
 
-FRONT_MATTER = tuple(key for key in PAGE if key.name in ("title", "description", "level", "nodes"))
+IN_FILE = ("title", "description", "level", "nodes", "tags", "date", "theme")
+FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
 MARKDOWN = Key("markdown", "text", "a file ending in .md, or the text itself", "markdown: intro.md")
 
@@ -154,6 +186,12 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "console": (
         _NODE,
         Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
+    ),
+    "source": (
+        Key("node", "text", "the node whose source it is", "node: talker"),
+        Key("file", "text", "another file of the package", "file: src/talker.cpp"),
+        Key("lines", "range", "only these lines", "lines: 10-20"),
+        Key("region", "text", "only the part between #region and #endregion", "region: timer"),
     ),
     # Those without a node look at all of the page.
     "topics": (

@@ -84,7 +84,8 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
 
 def _fits(value: Value, form: str) -> bool:
     pattern = FORMS.get(form)
-    return value.kind == "text" and (pattern is None or bool(pattern.fullmatch(value.text)))
+    sound = value.kind == TYPES[form][0]
+    return sound and (pattern is None or bool(pattern.fullmatch(value.text)))
 
 
 def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:

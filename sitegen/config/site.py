@@ -10,14 +10,16 @@ from urllib.parse import urlsplit
 from sitegen import workspace
 from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
+from sitegen.config.look import look
+from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare
 from sitegen.config.page import PageReader
 from sitegen.config.schema import FILE, PAGE, SITE
 from sitegen.config.section import Section, check
-from sitegen.errors import Place, Problems, SiteError, nearest
+from sitegen.config.themes import Themes
+from sitegen.errors import Place, Problems, SiteError
 from sitegen.model import Package, Page, Site
 
-THEMES = Path(__file__).parents[1] / "themes"
 LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
 
 
@@ -44,26 +46,36 @@ def _site(file: Section, problems: Problems) -> Site:
     given = file.get("site")
     site = check(given, SITE, problems) if given else Section(file.value, SITE, {})
     nodes = file.get("nodes")
-    reader = PageReader(problems, declare(nodes, {}, problems) if nodes else {})
-    pages = tuple(reader.page(item) for item in _page_items(file, problems))
+    themes = Themes.of(root)
+    languages = _languages(site, problems)
+    declared = declare(nodes, {}, problems) if nodes else {}
+    reader = PageReader(problems, declared, themes, languages)
+    pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
+    nav = file.get("nav")
     folder = _workspace(file, problems)
     return Site(
         root=root,
         title=site.text("title"),
         description=site.text("description"),
-        url=_url(site, problems),
+        url=_url("url", site, problems),
         language=_language(site, problems),
-        theme=_theme(site, problems),
+        theme=themes.find(site, problems),
         workspace=folder or root,
         asyncify=bool(site.option("asyncify")),
         pages=pages,
         packages=_packages(folder, reader.declared, problems) if folder else {},
         notes=_notes(pages, reader.declared, root),
+        look=look(site, problems),
+        nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
+        languages=tuple(languages),
+        repository=_url("repository", site, problems).removesuffix("/"),
+        branch=site.text("branch"),
+        feed=_feed(site, problems),
     )
 
 
-def _url(site: Section, problems: Problems) -> str:
-    url = site.text("url")
+def _url(name: str, site: Section, problems: Problems) -> str:
+    url = site.text(name)
     try:
         parts = urlsplit(url)
         sound = parts.scheme in ("http", "https") and parts.hostname and parts.port != 0
@@ -71,7 +83,7 @@ def _url(site: Section, problems: Problems) -> str:
         sound = False
     if url and not (sound and re.fullmatch(r"[^\s?#]+", url)):
         message = f"'{url}' is not an http address; write it like 'https://me.github.io/robot/'"
-        problems.add(site.place("url"), site.label("url"), message)
+        problems.add(site.place(name), site.label(name), message)
     return url if not url or url.endswith("/") else f"{url}/"
 
 
@@ -83,23 +95,24 @@ def _language(site: Section, problems: Problems) -> str:
     return language
 
 
-def _theme(site: Section, problems: Problems) -> Path:
-    name = site.text("theme")
-    own = problems.root / "themes"
-    packaged = THEMES if THEMES.is_dir() else THEMES.parents[1] / "themes"
-    found = {
-        page.parent.name: page.parent
-        for folder in (packaged, own)
-        for page in folder.glob("*/page.html")
-    }
-    theme = found.get(name)
-    if theme is None:
-        message = f"no theme named '{name}'; {nearest(name, found)}"
-        problems.add(site.place("theme"), site.label("theme"), message)
-    elif theme.parent == own and not theme.resolve().is_relative_to(problems.root):
-        message = f"'themes/{name}' leads out of the site's folder; copy the theme there"
-        problems.add(site.place("theme"), site.label("theme"), message)
-    return theme or own
+def _languages(site: Section, problems: Problems) -> list[str]:
+    given = site.get("languages")
+    items = given.items() if given else []
+    for item in items:
+        if not LANGUAGE.fullmatch(item.text):
+            message = f"'{item.text}' is not a language tag; write it like 'de' or 'pt-BR'"
+            problems.add(item.place, item.key, message)
+        elif item.text == site.text("language"):
+            message = f"'{item.text}' is the language of the site; name the others only"
+            problems.add(item.place, item.key, message)
+    return list(dict.fromkeys(item.text for item in items))
+
+
+def _feed(site: Section, problems: Problems) -> bool:
+    if site.option("feed") and not site.get("url"):
+        message = "a feed needs absolute links; say where the site will live with 'url'"
+        problems.add(site.place("feed"), site.label("feed"), message)
+    return bool(site.option("feed"))
 
 
 def _page_items(file: Section, problems: Problems) -> list[Value]:

@@ -171,17 +171,16 @@ export function recordSize(size) {
 }
 
 /**
- * Write a record at `offset` of a frame.
- * @param {Uint8Array} frame @param {number} offset @param {Head} head @param {Uint8Array} message
+ * Write the head of a record at `offset` of a frame.
+ * @param {Uint8Array} frame @param {number} offset @param {Head} head @param {number} size of the message
  */
-export function writeRecord(frame, offset, head, message) {
+export function writeHead(frame, offset, head, size) {
   const view = new DataView(frame.buffer, frame.byteOffset + offset, HEAD_SIZE);
   view.setUint32(0, head.reader, true);
   view.setUint32(4, head.writer, true);
   view.setUint32(8, head.sequence, true);
-  view.setUint32(12, message.length, true);
+  view.setUint32(12, size, true);
   view.setFloat64(16, head.timestamp, true);
-  frame.set(message, offset + HEAD_SIZE);
 }
 
 /**

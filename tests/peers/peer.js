@@ -51,12 +51,12 @@ const COMMANDS = {
     for (let n = 0; n < count; n++) publisher.waiting.push(size);
     send(id, publisher);
   },
-  /** Publish for so long (ms), letting the event loop turn now and then. */
-  async flood({ id, size, duration }) {
+  /** Publish so many, letting the event loop turn now and then. */
+  async flood({ id, size, count }) {
     const publisher = publishers.get(id);
-    const end = performance.now() + duration;
-    while (performance.now() < end) {
-      for (let n = 0; n < 100; n++) publishOne(id, publisher, size);
+    const end = publisher.number + count;
+    while (publisher.number < end) {
+      for (let n = 0; n < 100 && publisher.number < end && publishOne(id, publisher, size); n++);
       await participant.wait(0);
     }
     return publisher.number;

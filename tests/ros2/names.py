@@ -1,7 +1,7 @@
-"""Try names in native ROS 2 and print what became of each; tests/sites/qos has the same program in C++.
+"""Try names in native ROS 2 and print what became of each; tests/sites/qos does the same in C++.
 
-An argument is a letter for what it names (n: a node, s: a namespace, t: a topic, c: a client's service), a
-colon, and the name.
+An argument is a letter for what it names (n: a node, s: a namespace, t: a topic, c: a client's
+service), a colon, and the name.
 """
 
 from __future__ import annotations

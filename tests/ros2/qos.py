@@ -10,6 +10,7 @@ import json
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import rclpy
@@ -75,6 +76,11 @@ def policy(status: Any) -> str:
 def met(seen: dict[str, Any]) -> bool:
     """Whether both sides have found each other, matching or not."""
     return all(f"{side} matched" in seen or f"{side} incompatible" in seen for side in SIDES)
+
+
+def enough(heard: list[int], count: int) -> bool:
+    """Whether so many were heard."""
+    return len(heard) >= count
 
 
 def until(done: Callable[[], bool], look: Callable[[], None]) -> None:
@@ -151,7 +157,7 @@ def play(sides: tuple[Side, Side], topic: str, scene: dict[str, Any]) -> dict[st
         elif step == "part":
             until(lambda: any(seen.get(f"{side} matched") == [1, 0] for side in SIDES), look)
         elif step == "hear":
-            until(lambda count=values[0]: len(heard) >= count, look)
+            until(partial(enough, heard, values[0]), look)
         elif step == "unadvertise":
             one.node.destroy_publisher(publisher)
             publisher = None

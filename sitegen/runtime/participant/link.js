@@ -1,7 +1,7 @@
 // @ts-check
 // The port to one other worker. What comes from there is checked: it may be anybody's program.
 
-import { readRecords } from "../protocol.js";
+import { now, readRecords } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 
 /** @import { FromPeer, Head } from "../protocol.js" */
@@ -11,7 +11,7 @@ const LINGER = 1000;
 
 /**
  * @typedef {{
- *   deliver(head: Head, message: Uint8Array): void,
+ *   deliver(head: Head, message: Uint8Array, received: number): void,
  *   credit(writer: number, reader: number, records: number, bytes: number): void,
  *   hear(writer: number, reader: number): void,
  *   wake(): void,
@@ -34,9 +34,9 @@ export class Link {
     port.onmessageerror = () => this.#complain("a message that cannot be read");
   }
 
-  /** Send a copy of `message`, maybe with others after it. @param {Head} head @param {Uint8Array} message */
-  send(head, message) {
-    this.#outbox.send(head, message);
+  /** Send a message as the outbox does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
+  send(head, message, own) {
+    this.#outbox.send(head, message, own);
   }
 
   /** @param {FromPeer} message */
@@ -63,7 +63,10 @@ export class Link {
   /** @param {unknown} data */
   #receive(data) {
     if (data instanceof ArrayBuffer) {
-      const rest = readRecords(data, this.#listener.deliver);
+      // Those of one frame came together; asking for the time costs as much as all else done for one.
+      const received = now();
+      const { deliver } = this.#listener;
+      const rest = readRecords(data, (head, message) => deliver(head, message, received));
       if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are no records`);
     } else {
       const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});

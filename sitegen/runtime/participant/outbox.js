@@ -1,7 +1,7 @@
 // @ts-check
 // What a worker sends to one other worker: records, alone when there is time, in batches when not.
 
-import { HEAD_SIZE, recordSize, writeRecord } from "../protocol.js";
+import { HEAD_SIZE, recordSize, writeHead } from "../protocol.js";
 
 /** @import { Head } from "../protocol.js" */
 
@@ -26,19 +26,24 @@ export class Outbox {
     this.#port = port;
   }
 
-  /** Send a copy of `message`. @param {Head} head @param {Uint8Array} message */
-  send(head, message) {
+  /**
+   * Send a copy of `message`, or itself if it is our `own` to give away: then a head fits before it.
+   * @param {Head} head @param {Uint8Array} message @param {boolean} own
+   */
+  send(head, message, own) {
     const size = recordSize(message.length);
     const pause = head.timestamp - this.#lastPost > PAUSE;
     if (size > BATCH_SIZE || (this.#used === 0 && (pause || this.#posted < BURST))) {
       this.#flushBatch();
-      const frame = new Uint8Array(HEAD_SIZE + message.length);
-      writeRecord(frame, 0, head, message);
-      this.#post(frame.buffer, head.timestamp);
+      const frame = own ? new Uint8Array(message.buffer) : new Uint8Array(HEAD_SIZE + message.length);
+      writeHead(frame, 0, head, message.length);
+      if (!own) frame.set(message, HEAD_SIZE);
+      this.#post(/** @type {ArrayBuffer} */ (frame.buffer), head.timestamp);
       return;
     }
     if (this.#used + size > BATCH_SIZE) this.#flushBatch();
-    writeRecord(this.#batch, this.#used, head, message);
+    writeHead(this.#batch, this.#used, head, message.length);
+    this.#batch.set(message, this.#used + HEAD_SIZE);
     this.#used += size;
     if (pause) this.#flushBatch();
   }

@@ -206,7 +206,9 @@ export class Participant {
     /** @type {Local} */
     const local = { endpoint, remotes: [], status, sequence: 0 };
     if (kind === "publisher") {
-      local.writer = new Writer(qos, status, (remote, sample) => this.#send(id, remote, sample));
+      local.writer = new Writer(qos, status, (remote, sample, last) => {
+        this.#send(id, remote, sample, last);
+      });
     } else if (kind === "subscription") {
       local.reader = new Reader(qos, status, (writer, records, bytes) => {
         this.#giveCredit(fromPageId(writer), id, records, bytes);
@@ -221,7 +223,7 @@ export class Participant {
   /** @param {number} peer @param {MessagePort} port */
   #link(peer, port) {
     return new Link(port, {
-      deliver: (head, message) => this.#deliver(peer, head, message),
+      deliver: (head, message, received) => this.#deliver(peer, head, message, received),
       credit: (writer, reader, records, bytes) => {
         this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
         this.#links.get(peer)?.flush();
@@ -275,22 +277,25 @@ export class Participant {
     this.#locals.get(id)?.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
   }
 
-  /** @param {number} id @param {{peer: number, id: number}} remote @param {Sample} sample */
-  #send(id, { peer, id: reader }, { sequence, timestamp, message }) {
+  /**
+   * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
+   * @param {boolean} [own] whether the message may be given away, with room for its head before it
+   */
+  #send(id, { peer, id: reader }, { sequence, timestamp, message }, own = false) {
     const head = { reader, writer: id, sequence, timestamp };
     if (peer === this.#id) {
-      this.#deliver(peer, head, message.slice());
+      this.#deliver(peer, head, own ? message : message.slice(), now());
     } else {
-      this.#links.get(peer)?.send(head, message);
+      this.#links.get(peer)?.send(head, message, own);
     }
   }
 
-  /** @param {number} peer @param {Head} head @param {Uint8Array} message */
-  #deliver(peer, { reader, writer, sequence, timestamp }, message) {
+  /** @param {number} peer @param {Head} head @param {Uint8Array} message @param {number} received */
+  #deliver(peer, { reader, writer, sequence, timestamp }, message, received) {
     const local = this.#locals.get(reader);
     // A message may still be under way when its receiver goes.
     if (!local) return;
-    const sample = { writer: pageId(peer, writer), sequence, timestamp, received: now(), message };
+    const sample = { writer: pageId(peer, writer), sequence, timestamp, received, message };
     local.queue?.push(sample);
     if (!local.reader) return;
     const { missed } = local.reader;

@@ -11,11 +11,15 @@ import { WINDOW } from "./writer.js";
 /** @import { Received } from "./queue.js" */
 /** @import { Status } from "./status.js" */
 
+// Credits go out when half of a window is used up, or after this time (ms): a publisher that waits for a
+// slow program then goes on at that program's pace.
+const PAUSE = 50;
+
 /**
- * A publisher: the last sequence number it sent, what was taken of it since it got credits, and whether it
- * lives, which is not known before it says something if it has to say so by itself.
- * @typedef {{remote?: Remote, last: number, records: number, bytes: number, alive?: boolean,
- *   lease?: Watch}} Source
+ * A publisher: the last sequence number it sent, what was taken of it since it got credits and when that
+ * was, and whether it lives, which is not known before it says something if it has to say so by itself.
+ * @typedef {{remote?: Remote, last: number, records: number, bytes: number, credited: number,
+ *   alive?: boolean, lease?: Watch}} Source
  */
 
 export class Reader {
@@ -110,7 +114,7 @@ export class Reader {
   #source(name) {
     let source = this.#sources.get(name);
     if (!source) {
-      source = { last: 0, records: 0, bytes: 0 };
+      source = { last: 0, records: 0, bytes: 0, credited: 0 };
       this.#sources.set(name, source);
     }
     return source;
@@ -122,8 +126,10 @@ export class Reader {
     if (!source) return;
     source.records += 1;
     source.bytes += message.length;
-    if (source.records < WINDOW.records / 2 && source.bytes < WINDOW.bytes / 2) return;
-    const { records, bytes } = source;
+    const { records, bytes, credited } = source;
+    const time = now();
+    if (records < WINDOW.records / 2 && bytes < WINDOW.bytes / 2 && time - credited < PAUSE) return;
+    source.credited = time;
     source.records = 0;
     source.bytes = 0;
     this.#credit(writer, records, bytes);

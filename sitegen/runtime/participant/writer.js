@@ -4,7 +4,7 @@
 // A reader gives credits: no more than a window is under way to it. What it has no room for stays here,
 // where quality of service says how much that may be.
 
-import { now } from "../protocol.js";
+import { HEAD_SIZE, now } from "../protocol.js";
 import { Watch } from "./watch.js";
 
 /** @import { Qos } from "../protocol.js" */
@@ -12,13 +12,13 @@ import { Watch } from "./watch.js";
 /** @import { Status } from "./status.js" */
 
 /**
- * @typedef {{sequence: number, timestamp: number, message: Uint8Array}} Sample
+ * @typedef {{sequence: number, timestamp: number, size: number, message: Uint8Array}} Sample
  * @typedef {{remote: Remote, next: number, records: number, bytes: number}} Flow to one reader: the
  *   sequence number it gets next, and what is under way
  */
 
 /** What may be under way to one reader. More does not make it faster, and cannot be taken back. */
-export const WINDOW = { records: 1024, bytes: 8 * 1024 * 1024 };
+export const WINDOW = { records: 1024, bytes: 32 * 1024 * 1024 };
 // What a publisher that keeps all holds for readers without room; Fast DDS has 5000.
 const KEPT = { records: 5000, bytes: 64 * 1024 * 1024 };
 
@@ -37,7 +37,8 @@ export class Writer {
   /**
    * @param {Qos} qos
    * @param {Status} status
-   * @param {(remote: Remote, sample: Sample) => void} send a copy of the message to a reader
+   * @param {(remote: Remote, sample: Sample, last: boolean) => void} send a copy of the message to a reader,
+   *   or the message itself if it is the last that needs it
    */
   constructor(qos, status, send) {
     this.#qos = qos;
@@ -76,16 +77,17 @@ export class Writer {
   publish(message) {
     this.#expire();
     if (this.#exceeds(0) && this.#mustKeep()) return false;
-    const sample = { sequence: ++this.#sequence, timestamp: now(), message };
+    const size = message.length;
+    const sample = { sequence: ++this.#sequence, timestamp: now(), size, message };
     let keep = this.#qos.transientLocal;
     for (const flow of this.#flows) {
       if (flow.next === sample.sequence && hasRoom(flow)) {
-        this.#pass(flow, sample);
+        this.#pass(flow, sample, false);
       } else {
         keep = true;
       }
     }
-    if (keep) this.#keep({ ...sample, message: message.slice() });
+    if (keep) this.#keep(sample);
     this.#deadline.touch();
     this.#lease.touch();
     return true;
@@ -127,16 +129,18 @@ export class Writer {
     while (hasRoom(flow)) {
       const sample = this.#history[flow.next - first];
       if (!sample) break;
-      this.#pass(flow, sample);
+      const last = !this.#qos.transientLocal && this.#flows.every(
+        (other) => other === flow || other.next > sample.sequence);
+      this.#pass(flow, sample, last);
     }
   }
 
-  /** @param {Flow} flow @param {Sample} sample */
-  #pass(flow, sample) {
+  /** @param {Flow} flow @param {Sample} sample @param {boolean} last */
+  #pass(flow, sample, last) {
     flow.next = sample.sequence + 1;
     flow.records += 1;
-    flow.bytes += sample.message.length;
-    this.#send(flow.remote, sample);
+    flow.bytes += sample.size;
+    this.#send(flow.remote, sample, last);
   }
 
   /** Whether its oldest message may not be lost, and somebody has not got it yet. */
@@ -154,10 +158,12 @@ export class Writer {
     return this.#history.length >= KEPT.records + more || this.#bytes >= KEPT.bytes;
   }
 
-  /** @param {Sample} sample */
-  #keep(sample) {
-    this.#history.push(sample);
-    this.#bytes += sample.message.length;
+  /** Keep a copy, with room before it for the head that it is sent with. @param {Sample} sample */
+  #keep({ sequence, timestamp, size, message }) {
+    const record = new Uint8Array(HEAD_SIZE + size);
+    record.set(message, HEAD_SIZE);
+    this.#history.push({ sequence, timestamp, size, message: record.subarray(HEAD_SIZE) });
+    this.#bytes += size;
     while (this.#history.length > 1 && this.#exceeds(1) && !this.#mustKeep()) this.#forget();
   }
 
@@ -165,7 +171,7 @@ export class Writer {
   #forget() {
     const oldest = this.#history.shift();
     if (!oldest) return;
-    this.#bytes -= oldest.message.length;
+    this.#bytes -= oldest.size;
     for (const flow of this.#flows) flow.next = Math.max(flow.next, oldest.sequence + 1);
   }
 

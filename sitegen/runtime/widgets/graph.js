@@ -34,6 +34,7 @@ export function mount(element, ros) {
     look();
   }), drawing.buttons);
   element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", "Graph"), controls), drawing.element, hint);
+  drawing.svg.setAttribute("aria-label", inWords([], []));
 
   const look = () => {
     const { boxes, arrows } = partsOf(ros, hidden);

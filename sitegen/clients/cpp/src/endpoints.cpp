@@ -20,8 +20,9 @@ namespace rclcpp
 namespace
 {
 
-// How long a publisher waits for room (ms), as Fast DDS does.
-constexpr double kMaxBlocking = 100;
+// How long a publisher waits for room (ms). Fast DDS has 100, but a robot does not share its processor
+// with all the other tabs.
+constexpr double kMaxBlocking = 1000;
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // Publishes messages on /burst as fast as it can, until /done says that all arrived; does so twice,
 // the first time to warm up, and prints the time of the second in ms. Arguments: bytes in a message,
-// messages.
+// messages, and how many sinks hear them (one, if not given).
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -19,6 +19,7 @@ int main(int argc, char * argv[])
   const auto words = rclcpp::init_and_remove_ros_arguments(argc, argv);
   const auto size = std::stoul(words.at(1));
   const auto count = std::stoul(words.at(2));
+  const auto sinks = words.size() > 3 ? std::stoul(words[3]) : 1;
 
   auto node = std::make_shared<rclcpp::Node>("burst");
   auto publisher = node->create_publisher<UInt8MultiArray>("burst", rclcpp::QoS(rclcpp::KeepAll()));
@@ -33,11 +34,14 @@ int main(int argc, char * argv[])
       }
     };
   bool warm = false;
+  std::size_t ready = 0;
   double time = 0;
   auto subscription = node->create_subscription<UInt8MultiArray>(
     "done", 10, [&](const UInt8MultiArray & done) {
       time = std::chrono::duration<double, std::milli>(steady_clock::now() - begun).count();
       if (done.layout.data_offset != count) {throw std::runtime_error("messages were lost");}
+      if (++ready < sinks) {return;}
+      ready = 0;
       if (warm) {
         rclcpp::shutdown();
       } else {
@@ -46,7 +50,9 @@ int main(int argc, char * argv[])
       }
     });
 
-  while (!publisher->get_subscription_count() || !subscription->get_publisher_count()) {
+  while (
+    publisher->get_subscription_count() < sinks || subscription->get_publisher_count() < sinks)
+  {
     rclcpp::sleep_for(1ms);
   }
   rclcpp::sleep_for(50ms);  // the other side hears of this one at its own time

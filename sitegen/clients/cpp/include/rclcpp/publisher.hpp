@@ -56,7 +56,7 @@ protected:
   void publish_bytes(const SerializedMessage & bytes);
 
 private:
-  /// Where all has to be kept and there is no room, wait as long as Fast DDS does, then throw RCLError.
+  /// Where all has to be kept and there is no room, wait for some, and throw RCLError if none comes.
   void send(const std::uint8_t * data, std::uint32_t size);
   bool wait_until_sent(double milliseconds) const;
 

@@ -1,0 +1,131 @@
+"""Measure many nodes at once: fans, floods, an idle page, and how fast fifty nodes start."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+
+from playwright.sync_api import Browser, Page
+
+from bench.browser import chromium, serving_site
+from bench.figure import Figure, Target
+
+SITE = Path(__file__).parent / "site"
+MANY = Path(__file__).parent.parent / "tests" / "sites" / "many"
+TURNS = 5
+SINKS = [f"sink_{n}" for n in range(2, 11)]
+POURS = [f"pour_{n}" for n in range(1, 11)]
+TICKS = [f"tick_{n}" for n in range(1, 11)]
+# How long a flood and an idle page are watched (s).
+FLOOD = 60
+IDLE = 10
+
+
+def fan() -> list[Figure]:
+    """20,000 messages of 1 KB: to ten nodes beside to one, and from ten beside from one."""
+    with serving_site(SITE, isolated=True) as url, chromium() as browser:
+        page = _open(browser, url)
+        _start(page, ["sink"])
+        one = _times(page, "burst_1k")
+        _start(page, SINKS)
+        ten = _times(page, "burst_10")
+        _stop(page, ["sink", *SINKS])
+        _start(page, ["pour"])
+        from_one = _times(page, "collect_1")
+        _stop(page, ["pour"])
+        _start(page, POURS)
+        from_ten = _times(page, "collect_10")
+    name = "fan-out 1 → 10, 1 KB (bare: ours to one)"
+    return [
+        Figure(name, "ms", median(ten), median(one), Target("ratio", "≤", 12)),
+        Figure(
+            "fan-in 10 → 1, 1 KB (bare: ours from one)", "ms", median(from_ten), median(from_one)
+        ),
+    ]
+
+
+def flood() -> list[Figure]:
+    """Memory of the page while a node publishes as fast as it can for one that is far too slow."""
+    with serving_site(SITE, isolated=True) as url, chromium() as browser:
+        page = _open(browser, url)
+        page.evaluate("drive.keepLines('slow')")
+        _start(page, ["slow", "flood"])
+        time.sleep(2)
+        early = _memory(browser)
+        most = early
+        for _ in range(FLOOD):
+            time.sleep(1)
+            most = max(most, _memory(browser))
+        ages = [float(age) for age in page.evaluate("drive.kept('slow')")]
+        _stop(page, ["flood", "slow"])
+    title = f"a flood for {FLOOD} s and a slow reader"
+    return [
+        Figure(f"{title}: memory at most (bare: after 2 s)", "MB", most / 1e6, early / 1e6),
+        Figure(f"{title}: age of a message, p50", "ms", median(ages)),
+    ]
+
+
+def idle() -> list[Figure]:
+    """What ten nodes that publish once a second take of a core."""
+    with serving_site(SITE, isolated=True) as url, chromium() as browser:
+        page = _open(browser, url)
+        _start(page, TICKS)
+        time.sleep(3)
+        before = _processor(browser)
+        time.sleep(IDLE)
+        used = _processor(browser) - before
+    share = used / IDLE * 100
+    return [Figure("idle page, ten nodes at 1 Hz", "%", share, target=Target("figure", "≤", 2))]
+
+
+def many() -> list[Figure]:
+    """Fifty nodes and five hundred topics, from the first Start until all of them run."""
+    with serving_site(MANY) as url, chromium() as browser:
+        page = _open(browser, url)
+        names = page.evaluate("[...drive.nodes.keys()]")
+        begun = time.monotonic()
+        _start(page, names)
+        took = time.monotonic() - begun
+    target = Target("figure", "≤", 10)
+    return [Figure(f"{len(names)} nodes start", "s", took, target=target)]
+
+
+def _open(browser: Browser, url: str) -> Page:
+    page = browser.new_page()
+    page.goto(url)
+    page.evaluate("async () => { window.drive = await import('/bench/drive.js'); }")
+    return page
+
+
+def _start(page: Page, names: list[str]) -> None:
+    page.evaluate("(names) => drive.start(names)", names)
+
+
+def _stop(page: Page, names: list[str]) -> None:
+    page.evaluate("(names) => drive.stop(names)", names)
+
+
+def _times(page: Page, name: str) -> list[float]:
+    return [page.evaluate(f"drive.runNode('{name}')")[0] for _ in range(TURNS)]
+
+
+def _memory(browser: Browser) -> float:
+    """Return what the renderers have in memory, in bytes."""
+    return _sum(browser, "statm", lambda fields: int(fields[1]) * os.sysconf("SC_PAGE_SIZE"))
+
+
+def _processor(browser: Browser) -> float:
+    """Return the seconds of processor time that the renderers have used."""
+    ticks = os.sysconf("SC_CLK_TCK")
+    return _sum(browser, "stat", lambda fields: (int(fields[13]) + int(fields[14])) / ticks)
+
+
+def _sum(browser: Browser, file: str, of: Callable[[list[str]], float]) -> float:
+    session = browser.new_browser_cdp_session()
+    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
+    session.detach()
+    renderers = [process["id"] for process in processes if process["type"] == "renderer"]
+    return sum(of(Path(f"/proc/{pid}/{file}").read_text().split()) for pid in renderers)

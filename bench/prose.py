@@ -1,0 +1,82 @@
+"""Measure how long a site of a thousand pages takes, beside MkDocs on the same files."""
+
+from __future__ import annotations
+
+import importlib.util
+import random
+import sys
+import tempfile
+from pathlib import Path
+from statistics import median
+
+from bench.building import run, seconds
+from bench.figure import Figure, Target
+from sitegen import config
+from sitegen.pages import Programs, Renderer
+
+FOLDERS, PAGES = 20, 50
+REPEATS = 3
+WORDS = ["node", "topic", "service", "message", "robot", "publisher", "timer", "graph", "worker"]
+CODE = "```cpp\nint main(int argc, char ** argv)\n{\n  rclcpp::init(argc, argv);\n}\n```\n"
+
+COLD_TARGET = Target("ratio", "≤", 0.2)
+EDIT_TARGET = Target("figure", "≤", 100)
+
+
+def prose() -> list[Figure]:
+    """Measure a build of all pages, in turns with MkDocs, and one page again after an edit."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        _write(folder)
+        ours_command = [sys.executable, "-m", "sitegen", "build", str(folder)]
+        theirs_command = [sys.executable, "-m", "mkdocs", "build", "--quiet"]
+        theirs_command += ["--config-file", str(folder / "mkdocs.yml")]
+        there = importlib.util.find_spec("mkdocs") is not None
+        ours, theirs = [], []
+        for _ in range(REPEATS):
+            ours.append(seconds(lambda: run(ours_command)))
+            if there:
+                theirs.append(seconds(lambda: run(theirs_command)))
+        edit = _edit(folder)
+    count = FOLDERS * PAGES + 1
+    bare = median(theirs) if theirs else None
+    return [
+        Figure(f"{count} pages of Markdown (bare: MkDocs)", "s", median(ours), bare, COLD_TARGET),
+        Figure("one of them again, after an edit", "ms", edit * 1000, None, EDIT_TARGET),
+    ]
+
+
+def _edit(folder: Path) -> float:
+    """Return how long an edited page takes in a process that knows the site (s)."""
+    site = config.load(folder / "site.yaml")
+    renderer = Renderer(site, Programs())
+    times = []
+    for page in site.pages[1:10]:
+        times.append(seconds(lambda page=page: renderer.page(page)))  # type: ignore[misc]
+    return median(times)
+
+
+def _write(folder: Path) -> None:
+    """Write pages of some length, the same each time, with links between them."""
+    words = random.Random(1)
+    for number in range(FOLDERS):
+        for place in range(PAGES):
+            file = folder / f"docs/s{number:02}/page{place:02}.md"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            following = f"page{(place + 1) % PAGES:02}.md"
+            sections = (_section(words, heading, following) for heading in range(4))
+            table = "| a | b |\n|---|---|\n| 1 | 2 |\n\n"
+            file.write_text(f"# Page {number}-{place}\n\n{''.join(sections)}{table}{CODE}")
+    (folder / "docs/index.md").write_text("# Home\n\nHello\n")
+    (folder / "mkdocs.yml").write_text("site_name: Thousand\n")
+    (folder / "site.yaml").write_text("site: {title: Thousand}\npages: [{path: /, folder: docs}]\n")
+
+
+def _section(words: random.Random, heading: int, following: str) -> str:
+    text = f"{_sentence(words, 60)} See [the next]({following}) and `code`.\n\n"
+    items = "".join(f"- {_sentence(words, 8)}\n" for _ in range(2))
+    return f"## Section {heading}\n\n{text}{items}- **{_sentence(words, 5)}**\n\n"
+
+
+def _sentence(words: random.Random, count: int) -> str:
+    return f"{' '.join(words.choice(WORDS) for _ in range(count)).capitalize()}."

@@ -1,0 +1,52 @@
+"""Turn a folder of Markdown files into paths of pages, in order."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from sitegen.config.paths import segment
+
+# The page of the folder itself.
+INDEX = {"index", "readme"}
+NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
+# `02-setup.md` is the second page and called `setup`.
+ORDER = re.compile(r"\d+[-_. ]+(?=.)")
+
+
+def files(folder: Path, languages: Sequence[str]) -> Iterator[tuple[str, Path]]:
+    """Yield the path and the file of each page: a folder's own first, then by name.
+
+    Numbers count as numbers; a number at the beginning is for the order only. Files of other
+    `languages` belong to the page they translate.
+    """
+    yield from _below(folder, "", tuple(f".{language}" for language in languages))
+
+
+def in_language(file: Path, language: str) -> Path:
+    """Return where the translation of a page would be: `page.de.md` beside `page.md`."""
+    return file.with_name(f"{file.stem}.{language}{file.suffix}")
+
+
+def _below(folder: Path, path: str, translated: tuple[str, ...]) -> Iterator[tuple[str, Path]]:
+    entries = sorted(folder.iterdir(), key=lambda entry: _order(entry.name))
+    for entry in entries:
+        if entry.name.startswith((".", "_")):
+            continue
+        if entry.is_dir():
+            if entry.name not in NOT_SEARCHED and not entry.is_symlink():
+                yield from _below(entry, f"{path}{_name(entry.name)}/", translated)
+        elif entry.suffix == ".md" and not entry.stem.endswith(translated):
+            own = entry.stem.lower() in INDEX
+            yield (path if own else f"{path}{_name(entry.stem)}/"), entry
+
+
+def _name(name: str) -> str:
+    return segment(ORDER.sub("", name, count=1)) or "page"
+
+
+def _order(name: str) -> tuple[bool, list[tuple[int, str]]]:
+    words = re.split(r"(\d+)", name.lower())
+    parts = [(int(word), "") if word.isdigit() else (-1, word) for word in words]
+    return name.lower().removesuffix(".md") not in INDEX, parts

@@ -1,0 +1,42 @@
+"""Turn what site.yaml says about colours, letters, logo and footer into a Look."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sitegen.config.location import locate
+from sitegen.config.section import Section
+from sitegen.errors import Problems
+from sitegen.model import Look, Markdown
+
+FONTS = (".woff2", ".woff", ".ttf", ".otf")
+IMAGES = (".svg", ".png", ".webp", ".jpg", ".jpeg", ".gif", ".avif")
+
+
+def look(site: Section, problems: Problems) -> Look:
+    """Return how the site differs from its theme, as sound as what was written."""
+    footer = site.get("footer")
+    logo = site.get("logo")
+    if logo and not logo.text.lower().endswith(IMAGES):
+        message = f"'{logo.text}' is no image; name one that ends in {', '.join(IMAGES)}"
+        problems.add(logo.place, logo.key, message)
+    return Look(
+        accent=site.text("accent").lower(),
+        font=_font("font", site, problems),
+        code_font=_font("code_font", site, problems),
+        logo=locate(logo, problems) if logo else None,
+        footer=Markdown(footer.text, problems.root, footer.text_start) if footer else None,
+    )
+
+
+def _font(name: str, site: Section, problems: Problems) -> Path | str:
+    """Return a font's file, or names as CSS has them; nothing of them may end the rule."""
+    given = site.get(name)
+    if given is None:
+        return ""
+    if given.text.lower().endswith(FONTS):
+        return locate(given, problems) or ""
+    if any(letter in given.text for letter in "{};<>\\/@"):
+        message = f"'{given.text}' is no list of fonts; write it like 'Georgia, serif'"
+        problems.add(given.place, given.key, message)
+    return given.text

@@ -1,0 +1,53 @@
+"""Turn `nav` of site.yaml into the Sections of the navigation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from sitegen.config.document import Value
+from sitegen.errors import Problems, nearest
+from sitegen.model import Page, Section
+
+
+@dataclass(frozen=True)
+class NavReader:
+    """Reads the navigation over `pages`, by path."""
+
+    pages: Mapping[str, Page]
+    problems: Problems
+
+    def sections(self, value: Value) -> Iterator[Section]:
+        """Yield what the items of a list stand for: a page, or a title with what is below it."""
+        for item in value.items():
+            if item.kind == "text":
+                yield from self._target("", item)
+            elif item.kind == "mapping" and len(entries := item.entries(self.problems)) == 1:
+                title, inside = next(iter(entries.items()))
+                yield from self._titled(title, inside)
+            else:
+                message = f"expected the path of a page or a title, found {item.found}"
+                way = "write it like 'demo01/' or 'Demos: [demo01/, demo02/]'"
+                self.problems.add(item.place, item.key, f"{message}; {way}")
+
+    def _titled(self, title: str, value: Value) -> Iterator[Section]:
+        if value.kind == "list" and value.items():
+            yield Section(title, inside=tuple(self.sections(value)))
+        elif value.kind == "text":
+            yield from self._target(title, value)
+        else:
+            message = f"expected a path, an address or a list of them, found {value.found}"
+            self.problems.add(
+                value.place, value.key, f"{message}; write it like '{title}: demo01/'"
+            )
+
+    def _target(self, title: str, value: Value) -> Iterator[Section]:
+        text = value.text
+        path = f"{text.strip('/')}/".removeprefix("/")
+        if text.startswith(("https://", "http://")) and title:
+            yield Section(title, url=text)
+        elif path in self.pages:
+            yield Section(title or self.pages[path].title, page=path)
+        else:
+            names = [page or "/" for page in self.pages]
+            self.problems.add(value.place, value.key, f"no page '{text}'; {nearest(text, names)}")

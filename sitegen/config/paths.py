@@ -1,0 +1,30 @@
+"""Say which paths a page may have, and make one of any name."""
+
+from __future__ import annotations
+
+import re
+
+SEGMENT = re.compile(r"[a-z0-9_~-][a-z0-9._~-]*")
+
+
+def path_fault(text: str) -> str:
+    """Return why `text` is no path for a page, or nothing."""
+    segments = text.removesuffix("/").split("/")
+    way = "/".join(filter(None, map(segment, segments)))
+    hint = f"write '{way}/'" if way else "write '/' for the first page"
+    if text == "/":
+        return ""
+    if "\\" in text:
+        return f"'{text}' has a backslash; write '{text.replace(chr(92), '/')}'"
+    if text.startswith("/"):
+        return f"'{text}' is absolute; {hint}"
+    if ".." in segments:
+        return f"'{text}' leads out of the site; {hint}"
+    if not all(map(SEGMENT.fullmatch, segments)):
+        return f"'{text}' must be of lower-case letters, digits, '-', '_', '.' and '~'; {hint}"
+    return ""
+
+
+def segment(name: str) -> str:
+    """Return a name as a part of a path."""
+    return re.sub(r"[^a-z0-9._~-]+", "-", name.lower()).lstrip(".")

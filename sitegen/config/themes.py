@@ -1,0 +1,44 @@
+"""Find the theme that a site or a page names."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen import theme
+from sitegen.config.section import Section
+from sitegen.errors import Problems, nearest
+
+OWN = "themes"
+
+
+@dataclass(frozen=True)
+class Themes:
+    """The themes by name; those of the site's own folder go first."""
+
+    found: dict[str, Path]
+    root: Path
+
+    @classmethod
+    def of(cls, root: Path) -> Themes:
+        """Return the themes that a site in `root` can name: folders, but hidden ones."""
+        folders = (
+            folder
+            for place in (theme.THEMES, root / OWN)
+            if place.is_dir()
+            for folder in sorted(place.iterdir())
+            if folder.is_dir() and not folder.name.startswith(".")
+        )
+        return cls({folder.name: folder for folder in folders}, root)
+
+    def find(self, section: Section, problems: Problems) -> Path:
+        """Return the theme that `section` names, noting where there is none."""
+        name = section.text("theme")
+        found = self.found.get(name)
+        if found is None:
+            message = f"no theme named '{name}'; {nearest(name, self.found)}"
+            problems.add(section.place("theme"), section.label("theme"), message)
+        elif found.parent == self.root / OWN and not found.resolve().is_relative_to(self.root):
+            message = f"'themes/{name}' leads out of the site's folder; copy the theme there"
+            problems.add(section.place("theme"), section.label("theme"), message)
+        return found or self.root / OWN

@@ -1,0 +1,86 @@
+"""Write page.json: what the page runs, as protocol.js describes it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from sitegen.model import Node, Page, Site
+from sitegen.pages.blocks import slots_of
+from sitegen.prose import address
+
+Types = Mapping[str, object]
+
+
+@dataclass(frozen=True)
+class Programs:
+    """What the build knows of the programs that pages run.
+
+    `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
+    `types` has, by page path, the message types of pages that take part in the graph; `foreign`
+    has, by page path and node, those of nodes that the ROS2WASM project compiled; `versions` has a
+    digest of each program, by package, executable and engine.
+    """
+
+    modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    types: Mapping[str, Types] = field(default_factory=dict)
+    foreign: Mapping[str, Mapping[str, Types]] = field(default_factory=dict)
+    versions: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
+
+
+def page_json(site: Site, page: Page, programs: Programs) -> bytes:
+    """Return the page's PageEntry."""
+    types = programs.types.get(page.path)
+    waiting = {
+        widget.target
+        for widget, _ in slots_of(page)
+        if widget.kind == "buttons" and widget.options.get("autostart") is not True
+    }
+    entry: dict[str, object] = {
+        "nodes": {
+            name: {
+                **_program(site, page, node, programs),
+                "autostart": name not in waiting,
+            }
+            for name, node in page.nodes.items()
+        },
+        "widgets": [
+            {
+                "kind": widget.kind,
+                "element": slot.id,
+                "target": widget.target,
+                "options": dict(widget.options),
+            }
+            for widget, slot in slots_of(page)
+        ],
+    }
+    if types is not None:
+        entry["types"] = dict(types)
+    return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def _program(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, object]:
+    if node.ros2wasm is None:
+        return {
+            "package": node.package,
+            "executable": node.executable,
+            "arguments": node.command_line(),
+            "builds": _builds(site, page, node, programs),
+        }
+    script = node.ros2wasm.script
+    path = f"ros2wasm/{script.relative_to(site.root).as_posix()}"
+    types = programs.foreign.get(page.path, {}).get(node.name, {})
+    worker = {"script": address(page, path), "topics": dict(node.ros2wasm.types), "types": types}
+    return {"package": "ros2wasm", "executable": script.name, "arguments": [], "ros2wasm": worker}
+
+
+def _builds(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, dict[str, str]]:
+    builds = {}
+    for engine in ("jspi", "asyncify") if site.asyncify else ("jspi",):
+        stem = address(page, f"nodes/{node.package}/{node.executable}.{engine}")
+        # Another program has another address, so that browsers may keep this one for good.
+        version = programs.versions.get((node.package, node.executable, engine), "")
+        query = f"?v={version}" if version else ""
+        builds[engine] = {"script": f"{stem}.js{query}", "wasm": f"{stem}.wasm{query}"}
+    return builds

@@ -1,0 +1,30 @@
+"""Write the Content-Security-Policy of a page: what it needs, and nothing from elsewhere."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+
+# Browsers start no worker in a page that was opened as a file, so the page says what to do.
+FILE_NOTE = (
+    'if (location.protocol === "file:") document.getElementById("file-note").hidden = false;'
+)
+
+
+def policy(text: str, *, live: bool, fonts: bool) -> str:
+    """Return the policy of a page with `text`, HTML, that is `live` when it runs nodes."""
+    rules = ["default-src 'none'", "style-src 'self'", "img-src 'self' data:"]
+    if live:
+        digest = base64.b64encode(hashlib.sha256(FILE_NOTE.encode()).digest()).decode()
+        rules.append(f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}'")
+        rules += ["connect-src 'self'", "worker-src 'self'"]
+    else:
+        # The theme's own: the switch of colours, the search and its index.
+        rules += ["script-src 'self'", "connect-src 'self'"]
+    if fonts:
+        rules.append("font-src 'self'")
+    if "<video" in text or "<audio" in text:
+        rules.append("media-src 'self'")
+    if "<iframe" in text:
+        rules.append("frame-src 'self'")
+    return "; ".join([*rules, "base-uri 'none'", "form-action 'none'"])

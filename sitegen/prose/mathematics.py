@@ -1,0 +1,72 @@
+"""Turn TeX formulas into MathML Core, which browsers draw by themselves."""
+
+from __future__ import annotations
+
+import functools
+import html
+import re
+
+from math_core import LatexError, LatexToMathML
+
+# What ArithmatexExtension leaves, in its generic form.
+FORMULA = re.compile(
+    r'<(?P<tag>span|div) class="arithmatex">\\[(\[](?P<tex>.*?)\\[)\]]</(?P=tag)>', re.DOTALL
+)
+
+# The page's policy forbids style attributes; the classes are in the theme's figures.css.
+STYLES = {
+    "text-align: right": "right",
+    "text-align: left": "left",
+    "width: 100%": "wide",
+    "width: 50%": "half",
+    "padding-left: 0": "close-left",
+    "padding-right: 0": "close-right",
+    "padding-left:1em": "apart",
+    "border-left": "rule-left",
+    "border-right": "rule-right",
+    "border-top": "rule-top",
+    "border-bottom": "rule-bottom",
+}
+_STYLE = re.compile(r' style="([^"]*)"')
+
+
+class FormulaError(ValueError):
+    """`formula` is not what TeX would understand."""
+
+    def __init__(self, formula: str, fault: str) -> None:
+        super().__init__(fault)
+        self.formula = formula
+
+
+def formulas(text: str, wrong: list[FormulaError]) -> str:
+    """Return `text`, HTML, with its formulas as MathML; those that are `wrong` are noted there."""
+
+    def draw(found: re.Match[str]) -> str:
+        tex, block = html.unescape(found["tex"]).strip(), found["tag"] == "div"
+        try:
+            drawn = _mathml(tex, block)
+        except LatexError as error:
+            position, _, fault = str(error.args[0]).partition(": ")
+            near = tex[int(position) :][:20] if position.isdigit() else ""
+            where = f" at '{near}'" if near else ""
+            wrong.append(FormulaError(tex, fault.rstrip(".") + where))
+            return ""
+        return f'<div class="formula" tabindex="0">{drawn}</div>' if block else drawn
+
+    return FORMULA.sub(draw, text)
+
+
+@functools.cache
+def _mathml(tex: str, block: bool) -> str:
+    drawn = _tex().convert_with_local_state(tex, displaystyle=block)
+    return _STYLE.sub(_class, str(drawn))
+
+
+@functools.cache
+def _tex() -> LatexToMathML:
+    return LatexToMathML(fancy_error=False)
+
+
+def _class(style: re.Match[str]) -> str:
+    names = [name for rule, name in STYLES.items() if rule in style[1]]
+    return f' class="{" ".join(names)}"' if names else ""

@@ -1,0 +1,60 @@
+"""Turn the images of a page into what a browser needs to know: a name for good, and a size."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import re
+from pathlib import Path
+
+# A name without these goes into any address as it is.
+_UNSAFE = re.compile(r"[^\w.-]+")
+_LENGTH = re.compile(r"""\s(width|height)\s*=\s*["']?(\d+)["'\s>]""", re.IGNORECASE)
+_LAZY = ("loading", "lazy"), ("decoding", "async")
+
+
+def lasting_name(file: Path) -> str:
+    """Return a path inside `dist/` that no other content of `file` will ever have."""
+    name = _UNSAFE.sub("-", file.stem) or "file"
+    return f"media/{name}.{_digest(file, file.stat().st_mtime_ns)}{file.suffix.lower()}"
+
+
+def sized(tag: str, file: Path) -> str:
+    """Return an `<img>` with the size of `file`, so that nothing moves when it comes, and lazy."""
+    given = {name.lower(): int(length) for name, length in _LENGTH.findall(tag)}
+    width, height = _size(file, file.stat().st_mtime_ns)
+    if width > 0 and height > 0:
+        if "width" in given:
+            width, height = given["width"], round(height * given["width"] / width)
+        elif "height" in given:
+            width, height = round(width * given["height"] / height), given["height"]
+        for name, length in (("width", width), ("height", height)):
+            if name not in given:
+                tag = _with(tag, name, str(length))
+    for name, value in _LAZY:
+        if not re.search(rf"\s{name}\s*=", tag, re.IGNORECASE):
+            tag = _with(tag, name, value)
+    return tag
+
+
+def _with(tag: str, name: str, value: str) -> str:
+    end = "/>" if tag.endswith("/>") else ">"
+    return f'{tag.removesuffix(end).rstrip()} {name}="{value}"{end}'
+
+
+@functools.cache
+def _digest(file: Path, changed: int) -> str:
+    return hashlib.sha256(file.read_bytes()).hexdigest()[:10]
+
+
+@functools.cache
+def _size(file: Path, changed: int) -> tuple[int, int]:
+    """Return width and height in pixels; -1 where the file does not tell."""
+    # It loads what speaks HTTP, which takes longer than a page of text.
+    import imagesize
+
+    try:
+        width, height = imagesize.get(file)
+    except (OSError, ValueError, SyntaxError):
+        return -1, -1
+    return round(width), round(height)

@@ -1,0 +1,128 @@
+"""The search: its index is written at build, and it works by keyboard."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from browser import Serve
+from playwright.sync_api import Page as Tab
+from playwright.sync_api import expect
+
+from sitegen.build import build
+from sitegen.report import Report
+
+GUIDE = """\
+# Guide
+
+How to *build* a robot.
+
+## Install
+
+Install the `rclcpp` package, then call `create_publisher`.
+
+## Große Fahrt
+
+Motors & wheels, 3 < 4.
+
+```cpp
+rclcpp::spin(node);
+```
+"""
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    pages = {"index.md": "# Home\n\nWelcome.\n", "guide.md": GUIDE}
+    pages["index.de.md"] = "# Start\n\nWillkommen beim Roboter.\n"
+    for name, text in pages.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (tmp_path / "site.yaml").write_text(
+        "site: {title: T, languages: [de]}\npages:\n"
+        "  - {path: /, file: index.md}\n  - {path: a/guide/, file: guide.md}\n"
+    )
+    build(tmp_path, output=tmp_path / "dist", report=Report())
+    return tmp_path / "dist"
+
+
+@pytest.fixture
+def tab_at_home(tab: Tab, site: Path, serve: Serve) -> Tab:
+    tab.goto(serve(site, "/me/robots/"))
+    return tab
+
+
+def found(tab: Tab, query: str) -> list[str]:
+    """Type a query and return the titles found, when the count is there."""
+    tab.get_by_role("searchbox").fill(query)
+    # The old count goes before the new one comes, so an empty field is waited for first.
+    expect(tab.get_by_role("status")).to_have_text(re.compile(r"result|Nothing"))
+    return tab.locator("dialog li b").all_inner_texts()
+
+
+@pytest.mark.parametrize(
+    ("query", "titles"),
+    [
+        ("install", ["Install"]),
+        ("publis", ["Install"]),  # unfinished, and a part of a name
+        ("instal rclcpp", ["Install"]),
+        ("robbot", ["Guide"]),  # with a mistake
+        ("große", ["Große Fahrt"]),
+        ("guide", ["Guide"]),
+        ("spin node", ["Große Fahrt"]),
+        ("willkommen", []),  # is in the other language
+        ("nonsense", []),
+    ],
+)
+def test_what_is_found(tab_at_home: Tab, query: str, titles: list[str]) -> None:
+    tab_at_home.keyboard.press("Control+k")
+    assert found(tab_at_home, query) == titles
+
+
+def test_it_works_by_keyboard(tab_at_home: Tab) -> None:
+    tab = tab_at_home
+    tab.keyboard.press("/")
+    found(tab, "r")
+    links = tab.locator("dialog li a")
+    assert links.count() == 3
+    tab.keyboard.press("ArrowDown")
+    tab.keyboard.press("ArrowDown")
+    expect(links.nth(1)).to_be_focused()
+    tab.keyboard.press("ArrowUp")
+    tab.keyboard.press("ArrowUp")
+    expect(tab.get_by_role("searchbox")).to_be_focused()
+    found(tab, "wheels")
+    tab.keyboard.press("Enter")
+    tab.wait_for_url("**/me/robots/a/guide/#gro%C3%9Fe-fahrt")
+    tab.keyboard.press("Control+k")
+    expect(tab.locator("dialog")).to_be_visible()
+    tab.keyboard.press("Escape")
+    expect(tab.locator("dialog")).to_be_hidden()
+
+
+def test_what_pages_say_is_shown_as_text(tab_at_home: Tab) -> None:
+    tab_at_home.keyboard.press("Control+k")
+    found(tab_at_home, "motors")
+    text = tab_at_home.locator("dialog li span").inner_text()
+    assert text.startswith("Motors & wheels, 3 < 4.")
+    assert tab_at_home.locator("dialog mark").all_inner_texts() == ["Motors"]
+
+
+def test_nothing_of_it_is_loaded_before(tab: Tab, site: Path, serve: Serve) -> None:
+    loaded: list[str] = []
+    tab.on("request", lambda request: loaded.append(request.url.rpartition("/")[2]))
+    tab.goto(serve(site))
+    tab.wait_for_load_state("networkidle")
+    parts = {"search.js", "search.css", "searchIndex.js", "minisearch.js", "search.en.json"}
+    assert not parts & set(loaded)
+    tab.get_by_role("button", name="Search").click()
+    found(tab, "install")
+    assert parts <= set(loaded)
+
+
+def test_each_language_has_its_own(tab: Tab, site: Path, serve: Serve) -> None:
+    tab.goto(f"{serve(site)}de/")
+    tab.get_by_role("button", name="Suchen").click()
+    tab.get_by_role("searchbox").fill("roboter")
+    expect(tab.get_by_role("status")).to_have_text("1 Treffer")
+    assert tab.locator("dialog li b").all_inner_texts() == ["Start"]

@@ -1,0 +1,111 @@
+// What a page offers beside its text: the switch of colours, buttons to copy code, the search.
+// Without it the page is complete, so the buttons it serves are hidden until it runs.
+
+offerColours();
+offerCopies();
+offerSearch();
+followHeadings();
+
+/** Let the button go through: as the device, light, dark; the choice is kept for the site. */
+function offerColours() {
+  const button = /** @type {HTMLElement | null} */ (document.querySelector(".colours-button"));
+  if (!button) return;
+  const root = document.documentElement;
+  const show = () => {
+    const now = root.dataset.colours ?? "auto";
+    const text = `${button.dataset.label}: ${button.dataset[now]}`;
+    button.setAttribute("aria-label", text);
+    button.title = text;
+  };
+  button.addEventListener("click", () => {
+    const next = { auto: "light", light: "dark" }[root.dataset.colours ?? "auto"];
+    if (next) root.dataset.colours = next;
+    else delete root.dataset.colours;
+    try {
+      if (next) localStorage.setItem("colours", next);
+      else localStorage.removeItem("colours");
+    } catch {
+      // Kept for this page only.
+    }
+    show();
+  });
+  show();
+  button.hidden = false;
+}
+
+/** Give every block of code a button that copies it. */
+function offerCopies() {
+  if (!navigator.clipboard) return;
+  const { copy = "", copied = "" } = document.body.dataset;
+  for (const block of document.querySelectorAll("div.code")) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "copy";
+    button.textContent = copy;
+    button.addEventListener("click", async () => {
+      await navigator.clipboard.writeText(block.querySelector("code")?.textContent ?? "");
+      button.textContent = copied;
+      setTimeout(() => (button.textContent = copy), 1500);
+    });
+    block.append(button);
+  }
+}
+
+/** Load the search when somebody wants it: by the button, Ctrl-K or a slash. */
+function offerSearch() {
+  const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog.search"));
+  const button = /** @type {HTMLElement | null} */ (document.querySelector(".search-button"));
+  if (!dialog || !button) return;
+  /** @type {Promise<unknown> | undefined} */
+  let dressed;
+  const open = async () => {
+    dressed ??= style("search.css");
+    const [{ openSearch }] = await Promise.all([import("./search.js"), dressed]);
+    openSearch(dialog);
+  };
+  button.addEventListener("click", open);
+  document.addEventListener("keydown", (event) => {
+    const typing = event.target instanceof Element && event.target.closest("input, textarea, select");
+    const slash = event.key === "/" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey;
+    const letter = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
+    if (!slash && !letter) return;
+    event.preventDefault();
+    open();
+  });
+  button.hidden = false;
+}
+
+/**
+ * Load a style sheet of the theme.
+ *
+ * @param {string} name
+ */
+function style(name) {
+  const link = document.createElement("link");
+  link.rel = "stylesheet";
+  link.href = new URL(name, import.meta.url).href;
+  return new Promise((resolve) => {
+    link.onload = link.onerror = resolve;
+    document.head.append(link);
+  });
+}
+
+/** Mark in the table of contents what is being read. */
+function followHeadings() {
+  const links = new Map();
+  for (const link of document.querySelectorAll(".toc a")) {
+    const id = decodeURIComponent(link.getAttribute("href")?.slice(1) ?? "");
+    const heading = document.getElementById(id);
+    if (heading) links.set(heading, link);
+  }
+  if (!links.size) return;
+  const mark = () => {
+    let current = null;
+    for (const [heading, link] of links) {
+      if (heading.getBoundingClientRect().top < innerHeight / 3) current = link;
+    }
+    for (const link of links.values()) link.toggleAttribute("data-current", link === current);
+  };
+  addEventListener("scroll", mark, { passive: true });
+  mark();
+}
