@@ -206,15 +206,12 @@ def test_a_node_that_starts_and_stops_leaves_nothing(browser: Browser, tab: Page
     wait_until_heard(tab, SHAPES["loop"][1])
     restart(tab, "a", 20)
     before, memory = held(tab), resident(browser)
-    begin = time.monotonic()
     restart(tab, "a", 100)
-    print("a restart takes", (time.monotonic() - begin) / 100)
     wait_until_heard(tab, {"a": SHAPES["loop"][1]["a"]})
-    after = held(tab)
-    print(before, after, (resident(browser) - memory) / 1e6)
-    assert after["elements"] < before["elements"] + 100
-    assert after["listeners"] < before["listeners"] + 20
-    assert after["heap"] < before["heap"] + 1e6
+    bounds = {"heap": 1e6, "elements": 100, "listeners": 20}
+    deadline = time.monotonic() + 60
+    while any((after := held(tab))[what] > before[what] + more for what, more in bounds.items()):
+        assert time.monotonic() < deadline, (before, after)
     assert resident(browser) < memory + 100e6
     assert len(tab.workers) == 3
     assert len(tab.evaluate("ros.graph.nodes()")) == 3

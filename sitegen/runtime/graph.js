@@ -126,7 +126,7 @@ export class Graph extends EventTarget {
       types: types(channel),
       publishers: nodesOf(channel.senders),
       subscriptions: nodesOf(channel.receivers),
-      missed: sum([...channel.receivers].map(({ owner, endpoint }) => owner.missed.get(endpoint.id) ?? 0)),
+      missed: sum([...channel.receivers].map(missed)),
       mismatches: mismatches(channel),
     }));
   }
@@ -242,6 +242,14 @@ function mismatches({ senders, receivers }) {
       return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
     }),
   );
+}
+
+/**
+ * What a subscription missed; one of the page itself has nothing to miss, it only looks.
+ * @param {Member} member
+ */
+function missed({ owner, endpoint }) {
+  return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
 }
 
 /** @param {number[]} numbers */

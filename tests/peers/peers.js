@@ -7,7 +7,7 @@ export const complaints = [];
 let asked = 0;
 
 /** Start a worker. `ask` has it do a command of peer.js and resolves with what that returns. */
-export function start(name = "") {
+export function start(name = "peer") {
   const worker = new Worker("peer.js", { type: "module" });
   const answers = new Map();
   const post = (message, transfer) => worker.postMessage(message, transfer);
