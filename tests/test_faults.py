@@ -20,7 +20,7 @@ ENDS = {
     "abort": (["Aborted()", "abort: Aborted()."], "failed"),
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
-    "out_of_memory": (["out_of_memory: std::bad_alloc: std::bad_alloc"], "failed"),
+    "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
     "recursion": (["recursion: RangeError: Maximum call stack size exceeded"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (

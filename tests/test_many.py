@@ -181,17 +181,16 @@ def restart(tab: Page, node: str, times: int) -> None:
     tab.evaluate(
         """async ([name, times]) => {
           const node = ros.nodes.get(name);
-          const become = (state) => new Promise((resolve) => {
-            const look = () => node.state === state && resolve(node.removeEventListener("state", look));
-            node.addEventListener("state", look);
-          });
+          const become = async (state) => {
+            while (node.state !== state) {
+              await new Promise((look) => node.addEventListener("state", look, { once: true }));
+            }
+          };
           for (let n = 0; n < times; n++) {
-            const stopped = become("stopped");
             node.stop();
-            await stopped;
-            const running = become("running");
+            await become("stopped");
             node.start();
-            await running;
+            await become("running");
           }
           for (const each of ros.nodes.values()) each.clear();
           for (const name in lines) lines[name] = [];

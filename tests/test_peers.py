@@ -13,7 +13,6 @@ from playwright.sync_api import Browser, Page
 from scenario import play_peers
 
 
-
 @pytest.fixture
 def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
     """A function that plays a scene with workers and returns what it returns."""
@@ -181,11 +180,11 @@ def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, kind: str) ->
 def test_what_was_published_last_arrives_though_its_node_is_gone(play: Any) -> None:
     """As a native one that ends hands its messages to the network before."""
     assert play("""
-      const b = start();
-      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos: { keepAll: true } });
+      const [b, qos] = [start(), { keepAll: true }];
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos });
       for (let turn = 0; turn < 20; turn++) {
         const a = start();
-        const p = await a.ask("create", { kind: "publisher", topic: "/t", qos: { keepAll: true } });
+        const p = await a.ask("create", { kind: "publisher", topic: "/t", qos });
         await until(() => a.ask("matched", { id: p }));
         // What it has sent comes while its listener does something else.
         b.ask("block", { duration: 50 });
