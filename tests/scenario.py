@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,8 @@ from typing import Any
 from browser import Serve
 from playwright.sync_api import Page
 
-RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+TESTS = Path(__file__).parent
+RUNTIME = TESTS.parent / "sitegen" / "runtime"
 
 # Counts what is under way between ports, so that a scenario can wait until all of it has come.
 PORTS = """
@@ -42,3 +44,12 @@ def player(tab: Page, serve: Serve, setting: str) -> Callable[[str], Any]:
     tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
     tab.goto(serve(RUNTIME) + "empty.html")
     return lambda scenario: tab.evaluate(f"async () => {{ {PORTS} {setting} {scenario} }}")
+
+
+def play_peers(tab: Page, serve: Serve, folder: Path) -> Callable[[str], Any]:
+    """Like `player`, for scenes with workers; see peers/."""
+    shutil.copytree(RUNTIME, folder / "runtime")
+    shutil.copytree(TESTS / "peers", folder, dirs_exist_ok=True)
+    tab.goto(serve(folder))
+    opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
+    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from browser import Built, Serve
 from panel import Panel, expect_nothing_left
-from playwright.sync_api import BrowserContext, Page
+from playwright.sync_api import BrowserContext, Page, expect
 
 SITE = Path(__file__).parent / "sites" / "faults"
 
@@ -20,6 +20,8 @@ ENDS = {
     "abort": (["Aborted()", "abort: Aborted()."], "failed"),
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
+    "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
+    "recursion": (["recursion: RangeError: Maximum call stack size exceeded"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (
         [
@@ -94,4 +96,21 @@ def test_a_flood_of_lines_keeps_the_last(page: Page) -> None:
     panel.wait_for("line 99999")
     assert panel.lines() == [f"line {number}" for number in range(99_000, 100_000)]
     panel.stop()
+    expect_nothing_left(page)
+
+
+def test_a_node_that_is_terminated_in_the_middle_of_large_messages_spoils_nothing(
+    page: Page,
+) -> None:
+    pour, drink = Panel(page, "pour"), Panel(page, "drink")
+    drink.start()
+    drink.expect_running()
+    for turn in range(3):
+        before = len(drink.lines())
+        pour.start()
+        expect(drink.console.locator("> *")).not_to_have_count(before)
+        pour.stop()
+        assert "pour: did not end within a second and was terminated" in pour.lines()[turn:]
+    assert {message for message in drink.messages()} == {"a large message, whole"}
+    drink.stop()
     expect_nothing_left(page)

@@ -277,3 +277,18 @@ def test_a_request_of_a_server_that_left_is_answered_by_nobody(play: Any) -> Non
       const answer = a.participant.take(id);
       return [asked, sequence, answer.sequence, answer.message[0]];
     """) == ["nothing", 1, 2, 2]
+
+
+def test_who_could_not_look_for_a_while_counts_each_period(play: Any) -> None:
+    """A program that computes, a page that was frozen."""
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a, { deadline: 10 }), s = subscription(b, { deadline: 10 });
+      publish(a, p, 1);
+      await settle(a, b);
+      const end = performance.now() + 300;
+      while (performance.now() < end);
+      await b.participant.wait(30);
+      const missed = (of, id) => of.participant.takeEvent(id, "deadline").total;
+      return [missed(a, p) >= 29, missed(b, s) >= 29];
+    """) == [True, True]

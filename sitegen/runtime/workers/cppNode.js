@@ -86,6 +86,7 @@ let over = false;
 function end(code, error) {
   if (over) return;
   over = true;
+  participant?.flush();
   printer.flush();
   post({ op: "exit", code, error });
 }
