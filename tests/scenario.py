@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 
 RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
 
@@ -37,8 +37,9 @@ const arrived = async () => {
 """
 
 
-def player(tab: Page, serve: Serve, setting: str) -> Callable[[str], Any]:
+def player(tab: Scripted, serve: Serve, folder: Path, setting: str) -> Callable[[str], Any]:
     """Return a function that runs a scenario after `setting` and returns what it returns."""
-    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
-    tab.goto(serve(RUNTIME) + "empty.html")
+    shutil.copytree(RUNTIME, folder, dirs_exist_ok=True)
+    (folder / "index.html").write_text('<!doctype html><link rel="icon" href="data:,">')
+    tab.goto(serve(folder))
     return lambda scenario: tab.evaluate(f"async () => {{ {PORTS} {setting} {scenario} }}")

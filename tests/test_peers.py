@@ -7,21 +7,23 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Browser, Page
+from browser import Scripted, Serve
+from playwright.sync_api import Browser
+
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 ROOT = Path(__file__).parent.parent
 ALL = {"keepAll": True}
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that plays a scene with workers and returns what it returns."""
     shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
     shutil.copytree(ROOT / "tests/peers", tmp_path, dirs_exist_ok=True)
-    tab.goto(serve(tmp_path))
+    any_tab.goto(serve(tmp_path))
     opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
-    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")
+    return lambda scene: any_tab.evaluate(f"async () => {{ {opening} {scene} }}")
 
 
 def test_a_reader_that_is_blocked_gets_the_newest_and_little_else(play: Any) -> None:
@@ -161,6 +163,7 @@ def resident(browser: Browser) -> int:
     return sum(pages) * 4096
 
 
+@pytest.mark.chromium
 @pytest.mark.parametrize("qos", [{"depth": 10}, {"depth": 10, "reliable": False}, ALL])
 def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, qos: dict[str, Any]) -> None:
     """Several gigabytes for a reader that takes little of it: what waits has a bound."""
