@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from browser import Built, Serve
 from panel import graph, numbers
+from test_demos import paths
 from test_faults import ENDS, plain
 from webkit import Window, WindowPanel
 
@@ -27,7 +28,7 @@ def page(window: Window, built: Built, serve: Serve) -> Iterator[Window]:
     names = "() => performance.getEntriesByType('resource').map(({ name }) => name)"
     loaded: list[str] = window.evaluate(names)
     assert [address for address in loaded if not address.startswith(url)] == []
-    programs = {address.split(".")[-2] for address in loaded if address.endswith(".wasm")}
+    programs = {name.split(".")[-2] for name in paths(loaded) if name.endswith(".wasm")}
     assert programs == {"asyncify"}
 
 
@@ -122,7 +123,7 @@ def test_demo05_looks_inside(page: Window) -> None:
     talker.start()
     listener.start()
     page.wait_for(f"{topics} [role=log]", "data: Hello, world!")
-    rate = f"{topics} tbody td span"
+    rate = f"{topics} tbody td:last-child span"
     page.wait_until(lambda: re.fullmatch(r"[12]\.\d\d Hz", page.text(rate)))
     page.fill(f"{publish} .ros-field input", "Grüße")
     page.click(f"{publish} .ros-send")
