@@ -179,7 +179,8 @@ def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, kind: str) ->
 
 def test_what_was_published_last_arrives_though_its_node_is_gone(play: Any) -> None:
     """As a native one that ends hands its messages to the network before."""
-    assert play("""
+    assert (
+        play("""
       const [b, qos] = [start(), { keepAll: true }];
       const s = await b.ask("create", { kind: "subscription", topic: "/t", qos });
       for (let turn = 0; turn < 20; turn++) {
@@ -194,4 +195,6 @@ def test_what_was_published_last_arrives_though_its_node_is_gone(play: Any) -> N
       }
       await until(async () => (await b.ask("heard", { id: s })).count === 20 * 500);
       return b.ask("faults");
-    """) == []
+    """)
+        == []
+    )
