@@ -114,3 +114,13 @@ def test_a_node_that_is_terminated_in_the_middle_of_large_messages_spoils_nothin
     assert {message for message in drink.messages()} == {"a large message, whole"}
     drink.stop()
     expect_nothing_left(page)
+
+
+def test_what_a_program_published_before_it_ended_arrives(page: Page) -> None:
+    speaker, listener = Panel(page, "last_words"), Panel(page, "listen")
+    listener.start()
+    speaker.start()
+    speaker.expect_state("stopped")
+    listener.wait_for("heard 300 words")
+    listener.stop()
+    expect_nothing_left(page)
