@@ -7,8 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 
 TESTS = Path(__file__).parent
 RUNTIME = TESTS.parent / "sitegen" / "runtime"
@@ -39,14 +38,15 @@ const arrived = async () => {
 """
 
 
-def player(tab: Page, serve: Serve, setting: str) -> Callable[[str], Any]:
+def player(tab: Scripted, serve: Serve, folder: Path, setting: str) -> Callable[[str], Any]:
     """Return a function that runs a scenario after `setting` and returns what it returns."""
-    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
-    tab.goto(serve(RUNTIME) + "empty.html")
+    shutil.copytree(RUNTIME, folder, dirs_exist_ok=True)
+    (folder / "index.html").write_text('<!doctype html><link rel="icon" href="data:,">')
+    tab.goto(serve(folder))
     return lambda scenario: tab.evaluate(f"async () => {{ {PORTS} {setting} {scenario} }}")
 
 
-def play_peers(tab: Page, serve: Serve, folder: Path) -> Callable[[str], Any]:
+def play_peers(tab: Scripted, serve: Serve, folder: Path) -> Callable[[str], Any]:
     """Like `player`, for scenes with workers; see peers/."""
     shutil.copytree(RUNTIME, folder / "runtime")
     shutil.copytree(TESTS / "peers", folder, dirs_exist_ok=True)

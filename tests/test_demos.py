@@ -14,12 +14,20 @@ from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page, e
 from sitegen.build import build
 from sitegen.report import Report
 
+pytestmark = pytest.mark.firefox
+
 ROOT = Path(__file__).parent.parent
 
 
-@pytest.fixture(params=["/", "/my-robot/"], ids=["root", "sub-path"])
-def url(built: Built, serve: Serve, request: pytest.FixtureRequest) -> str:
-    return serve(built(ROOT), request.param)
+# Where a site is has nothing to do with what runs in it, so two of the four pairs show both.
+@pytest.fixture(params=["jspi", "asyncify"], ids=["jspi-root", "asyncify-sub-path"])
+def engine(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def url(built: Built, serve: Serve, engine: str) -> str:
+    return serve(built(ROOT), "/" if engine == "jspi" else "/my-robot/")
 
 
 def paths(addresses: list[str]) -> list[str]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 from scenario import player
+
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """
@@ -49,9 +51,9 @@ const heard = (of, id) => {
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that runs a scenario and returns what it returns."""
-    return player(tab, serve, SETTING)
+    return player(any_tab, serve, tmp_path, SETTING)
 
 
 def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:

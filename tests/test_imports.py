@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "errors", "report", "theme"},
+    "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "report", "ros2wasm"),
         "workspace",
@@ -31,6 +31,7 @@ ALLOWED = {
     "diagnosis": {"errors", "interfaces", "model"},
     "digest": set(),
     "errors": set(),
+    "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
@@ -38,6 +39,7 @@ ALLOWED = {
     "prose": {"errors", "model"},
     "report": set(),
     "ros2wasm": {"digest", "errors", "interfaces", "messages", "model", "workspace"},
+    "serve": {"build", "errors", "model", "report"},
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),

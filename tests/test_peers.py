@@ -7,16 +7,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
+from browser import Scripted, Serve
 from memory import resident
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser
 from scenario import play_peers
+
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that plays a scene with workers and returns what it returns."""
-    return play_peers(tab, serve, tmp_path)
+    return play_peers(any_tab, serve, tmp_path)
 
 
 def test_a_reader_that_is_blocked_gets_the_newest_and_little_else(play: Any) -> None:
@@ -154,6 +156,7 @@ FLOODS = {
 }
 
 
+@pytest.mark.chromium
 @pytest.mark.parametrize("kind", FLOODS)
 def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, kind: str) -> None:
     """Two gigabytes for a reader that is slower: what waits has a bound."""
