@@ -193,7 +193,7 @@ def test_demo05_looks_inside(page: Page, url: str) -> None:
     listener.start()
     topics = panel("Topics")
     expect(topics.get_by_role("log")).to_contain_text(re.compile(r"data: Hello, world! \d+\n---"))
-    expect(topics.locator("tbody td span")).to_have_text(re.compile(r"^[12]\.\d\d Hz$"))
+    expect(topics.locator("tbody td:last-child span")).to_have_text(re.compile(r"^[12]\.\d\d Hz$"))
     expect(topics.get_by_text("/minimal_publisher → /minimal_subscriber")).to_be_visible()
 
     publish = panel("Publish")

@@ -122,7 +122,7 @@ def test_demo05_looks_inside(page: Window) -> None:
     talker.start()
     listener.start()
     page.wait_for(f"{topics} [role=log]", "data: Hello, world!")
-    rate = f"{topics} tbody td span"
+    rate = f"{topics} tbody td:last-child span"
     page.wait_until(lambda: re.fullmatch(r"[12]\.\d\d Hz", page.text(rate)))
     page.fill(f"{publish} .ros-field input", "Grüße")
     page.click(f"{publish} .ros-send")
