@@ -23,7 +23,7 @@ ENDS = {
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
     "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
-    "recursion": (["recursion: RangeError: Maximum call stack size exceeded"], "failed"),
+    "recursion": (["recursion: stack overflow: functions call each other too deep"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (
         [
