@@ -37,9 +37,7 @@ DOWNLOAD = [
 # behind: sitegen generates its own from the type descriptions (*.json).
 PURE = "lib/python3.11/site-packages/"
 # What runs in the page: rclpy, all that it imports, and the message classes.
-PAGE = (
-    r"(rclpy|ament_index_python|yaml)/.+|typing_extensions|[a-z_]+/((msg|srv|action)/)?\w+"
-)
+PAGE = r"(rclpy|ament_index_python|yaml)/.+|typing_extensions|[a-z_]+/((msg|srv|action)/)?\w+"
 TYPE_SUPPORT = re.compile(r"__(rosidl_)?type_?support")
 PLACES = [
     (re.compile(r"include/[^/]+/(?P<path>.+\.hpp)$"), "include"),

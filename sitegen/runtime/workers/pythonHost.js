@@ -55,10 +55,10 @@ export function pythonHost(participant, printer, failed) {
     wake: () => participant.wake(),
     /**
      * Run a Python function on a stack of its own, after the present one has come to wait.
-     * @param {{callPromising(): Promise<unknown>}} body
+     * @param {{callPromising(): Promise<unknown>, destroy(): void}} body
      */
     spawn(body) {
-      setTimeout(() => body.callPromising().catch(failed));
+      setTimeout(() => body.callPromising().catch(failed).finally(() => body.destroy()));
     },
     /** @param {number} severity @param {string} logger @param {string} text */
     log: (severity, logger, text) => printer.log(SEVERITIES[severity] ?? "info", logger, text),

@@ -16,7 +16,7 @@ from collections.abc import Callable
 from typing import Any
 
 import ros_host
-from pyodide.ffi import create_once_callable
+from pyodide.ffi import create_proxy
 
 from rclpy_backend.blocking import current_thread, enter_thread, sleep, wait, wake
 
@@ -99,7 +99,7 @@ def _start(
         finally:
             handle._set_done()
 
-    ros_host.spawn(create_once_callable(body))
+    ros_host.spawn(create_proxy(body))
     return handle
 
 

@@ -31,7 +31,9 @@ def main():
     weak = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
     told = []
     events = SubscriptionEventCallbacks(
-        incompatible_qos=lambda event: told.append((event.total_count, event.last_policy_kind.name)),
+        incompatible_qos=lambda event: told.append(
+            (event.total_count, event.last_policy_kind.name)
+        ),
         matched=lambda event: told.append(("matched", event.current_count)),
     )
     node.create_publisher(String, "strict", weak)
@@ -48,8 +50,9 @@ def main():
     slow.publish(String())
     while not missed:
         rclpy.spin_once(node)
-    print("first missed deadline", missed[0])
+    print("missed a deadline", missed[0] >= 1)
     print(qos_check_compatible(qos_profile_sensor_data, kept))
     print(QoSProfile(depth=3))
-    print(Time(seconds=3) - Time(seconds=1), node.get_clock().now() > Time(clock_type=node.get_clock().clock_type))
+    clock = node.get_clock()
+    print(Time(seconds=3) - Time(seconds=1), clock.now() > Time(clock_type=clock.clock_type))
     rclpy.shutdown()

@@ -16,26 +16,32 @@ class Both(Node):
         self.create_subscription(Float64MultiArray, "numbers", self.add, 10)
         self.timer = self.create_timer(0.05, self.say)
         self.count = 0
-        self.heard = 0
+        self.text = None
+        self.sums = []
 
     def say(self):
         """Publish."""
-        if self.count == 3:
-            self.timer.cancel()
+        if self.count > len(self.sums):
             return
         self.publisher.publish(String(data=f"Hello {self.count} äöü 🤖"))
         self.numbers.publish(Float64MultiArray(data=[1.5 * self.count, -2.0]))
         self.count += 1
 
     def hear(self, message):
-        """Print what was heard."""
-        print(f"heard {message}", flush=True)
-        self.heard += 1
+        """Remember what was heard."""
+        self.text = message
+        self.tell()
 
     def add(self, message):
-        """Print the sum."""
-        print(f"sum {sum(message.data)} of {message.data}", flush=True)
-        self.heard += 1
+        """Remember the sum."""
+        self.sums.append(f"sum {sum(message.data)} of {message.data}")
+        self.tell()
+
+    def tell(self):
+        """Print both, in an order that does not depend on the middleware."""
+        if self.text and len(self.sums) == self.count:
+            print(f"heard {self.text}", self.sums[-1], flush=True)
+            self.text = None
 
 
 def main():
@@ -43,8 +49,9 @@ def main():
     rclpy.init()
     node = Both()
     print(node.get_fully_qualified_name(), node.publisher.topic_name)
-    while node.heard < 6:
+    while len(node.sums) < 3 or node.text:
         rclpy.spin_once(node)
+    node.timer.cancel()
     print("timer cancelled", node.timer.is_canceled())
     node.destroy_node()
     rclpy.shutdown()

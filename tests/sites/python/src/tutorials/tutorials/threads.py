@@ -41,7 +41,9 @@ def main():
     group = ReentrantCallbackGroup()
     done = []
     publisher = node.create_publisher(UInt8, "numbers", 10)
-    node.create_subscription(UInt8, "numbers", lambda m: done.append(m.data), 10, callback_group=group)
+    node.create_subscription(
+        UInt8, "numbers", lambda m: done.append(m.data), 10, callback_group=group
+    )
     guard = node.create_guard_condition(lambda: done.append("guard"))
     executor = MultiThreadedExecutor(num_threads=2)
     executor.add_node(node)
