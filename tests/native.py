@@ -51,7 +51,7 @@ class Native:
         env["PYTHONPATH"] = f"{prefix / 'python'}"
         env["ROS_DOMAIN_ID"] = str(os.getpid() % 100 + 1)
         program = f"import sys; from {module} import {name}; sys.exit({name}())"
-        command = [self._python, "-c", program, "a", "b c"]
+        command: list[str | Path] = [self._python, "-c", program, "a", "b c"]
         return subprocess.run(command, env=env, text=True, capture_output=True)
 
     @property

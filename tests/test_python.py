@@ -128,8 +128,9 @@ def test_pyproject_is_read(package: Path) -> None:
         (
             "from setuptools import setup\nsetup(packages=['py_pubsub'])\n",
             "talker",
-            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; name them in "
-            "its setup.py: entry_points={'console_scripts': ['talker = my_package.talker:main']}",
+            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; name them "
+            "in its setup.py: entry_points={'console_scripts': "
+            "['talker = my_package.talker:main']}",
         ),
         (
             "from setuptools import setup\n\nsetup(entry_points=make())\n",
