@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 PORT ?= 8000
 
-.PHONY: demo serve test lint bench clean
+.PHONY: demo serve test test-firefox lint bench clean
 
 demo: .venv/ready .venv/emscripten
 	$(BIN)/sitegen build
@@ -15,8 +15,13 @@ serve:
 	@echo "http://localhost:$(PORT)/ (Ctrl-C ends it)"
 	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
 
-test: .venv/ready .venv/emscripten .venv/chromium lint
+# Everything in Chromium; what drives nodes, graph and panels in Firefox and WebKitGTK, too.
+test: .venv/ready .venv/emscripten .venv/chromium .venv/firefox .venv/webkit lint
 	$(BIN)/python -m pytest
+
+# Everything in Firefox, but what only Chromium has.
+test-firefox: .venv/ready .venv/emscripten .venv/chromium .venv/firefox .venv/webkit
+	$(BIN)/python -m pytest --firefox
 
 lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/ruff check .
@@ -44,6 +49,15 @@ clean:
 
 .venv/chromium: | .venv/ready
 	@test -x /usr/bin/chromium || ./install chromium
+	touch $@
+
+.venv/firefox: | .venv/ready
+	@test -x /usr/bin/firefox-esr || ./install firefox-esr
+	touch $@
+
+.venv/webkit: | .venv/ready
+	@test -x /usr/bin/WebKitWebDriver || ./install webkit2gtk-driver
+	@test -x /usr/bin/Xvfb || ./install xvfb
 	touch $@
 
 node_modules/.package-lock.json: package.json package-lock.json

@@ -11,6 +11,8 @@ from sitegen import __version__
 from sitegen.errors import SiteError
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
+# What a command that fails has not done.
+DONE = {"build": "built", "init": "written", "serve": "served", "theme": "copied"}
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -22,14 +24,19 @@ def main(argv: list[str] | None = None) -> int:
         if arguments.debug:
             traceback.print_exc()
         count = len(error.lines)
-        done = "built" if arguments.command == "build" else "copied"
+        done = DONE.get(arguments.command, "done")
         lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was {done}"]
         print(*lines, sep="\n", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         if arguments.debug:
             traceback.print_exc()
-        return STOPPED
+        # Nothing else ends it, so this is no mishap.
+        return BUILT if arguments.command == "serve" else STOPPED
+    except BrokenPipeError:
+        # Whoever read what is printed had enough.
+        sys.stderr.close()
+        return BUILT
     except Exception:
         traceback.print_exc()
         print("this is a bug in sitegen, please report it", file=sys.stderr)
@@ -42,6 +49,28 @@ def _build(arguments: argparse.Namespace) -> None:
     from sitegen.report import Report
 
     build(arguments.folder, output=arguments.output, report=Report())
+
+
+def _init(arguments: argparse.Namespace) -> None:
+    from sitegen.init import init
+    from sitegen.report import Report
+
+    init(arguments.folder, Report(sys.stdout))
+
+
+def _serve(arguments: argparse.Namespace) -> None:
+    from sitegen.report import Report
+    from sitegen.serve import serve
+
+    serve(arguments.folder, port=arguments.port, report=Report())
+
+
+def _schema(arguments: argparse.Namespace) -> None:
+    import json
+
+    from sitegen import config
+
+    print(json.dumps(config.json_schema(), indent=2))
 
 
 def _copy_theme(arguments: argparse.Namespace) -> None:
@@ -62,8 +91,8 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
     )
     parser.add_argument("--version", action="version", version=f"sitegen {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    build = commands.add_parser("build", help="write the site to a folder", parents=[debug])
-    build.add_argument(
+    folder = argparse.ArgumentParser(add_help=False)
+    folder.add_argument(
         "folder",
         nargs="?",
         default=Path(),
@@ -71,6 +100,19 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="FOLDER",
         help="the folder that holds site.yaml (default: this one)",
     )
+    beginning = commands.add_parser(
+        "init", help="write a site.yaml for the workspace of a folder", parents=[debug]
+    )
+    beginning.add_argument(
+        "folder",
+        nargs="?",
+        default=Path(),
+        type=Path,
+        metavar="FOLDER",
+        help="the folder of the workspace (default: this one)",
+    )
+    beginning.set_defaults(run=_init)
+    build = commands.add_parser("build", help="write the site to a folder", parents=[folder, debug])
     build.add_argument(
         "--output",
         type=Path,
@@ -78,6 +120,17 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
     build.set_defaults(run=_build)
+    serve = commands.add_parser(
+        "serve", help="show the site in a browser while you edit it", parents=[folder, debug]
+    )
+    serve.add_argument(
+        "--port", type=int, default=8000, help="the first port to try (default: 8000)"
+    )
+    serve.set_defaults(run=_serve)
+    schema = commands.add_parser(
+        "schema", help="print the JSON Schema of site.yaml, for editors", parents=[debug]
+    )
+    schema.set_defaults(run=_schema)
     theme = commands.add_parser("theme", help="begin an own theme")
     doings = theme.add_subparsers(dest="doing", required=True, metavar="COMMAND")
     copying = doings.add_parser("copy", help="copy a theme of sitegen", parents=[debug])

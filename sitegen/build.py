@@ -9,6 +9,7 @@ import shutil
 import tempfile
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from sitegen import assets, config, cpp, pages, python, ros2wasm, workspace
@@ -21,26 +22,51 @@ MARKER = ".nojekyll"
 FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
 
 
+@dataclass(frozen=True)
+class Made:
+    """What a folder with a site.yaml becomes: its site, its programs, the files of dist/."""
+
+    site: Site
+    builds: cpp.Builds
+    bundles: python.Bundles | None
+    artifacts: Sequence[Artifact]
+
+
 def build(folder: Path, *, output: Path, report: Report) -> None:
     """Build the site of `folder` into `output`, which stays as it was when anything is wrong."""
     begun = time.monotonic()
+    made = make(folder, report, output=output)
+    write(made.artifacts, output)
+    summarize(made, report)
+    pages, nodes = count(len(made.site.pages), "page"), count(len(nodes_of(made.site)), "node")
+    report.say(
+        f"built {pages}, {nodes} in {time.monotonic() - begun:.1f} s"
+        f" → {shown(output)} (python -m http.server --directory {shown(output)})"
+    )
 
+
+def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
+    """Make all files of the site of `folder`; refuse early an `output` not to be replaced."""
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
-    check_output(output)
+    if output:
+        check_output(output)
 
     # Of nodes that the ROS2WASM project compiled, the types are looked up.
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    nodes = nodes_of(site)
     builds = cpp.compile_nodes(
-        jobs_of(site, nodes), engines, root=site.root, cache=cache_folder(), report=report
+        jobs_of(site, nodes_of(site)),
+        engines,
+        root=site.root,
+        cache=cache_folder(),
+        report=report,
     )
 
     # Python nodes become one archive for all and one for each package.
-    bundles = python.bundle(site, nodes, cache=cache_folder())
+    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
 
     # Markdown pages become HTML with a page.json each.
     types = {
@@ -53,7 +79,7 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     programs = pages.Programs(assets.preloads(site), types, foreign, versions, digests(archives))
     artifacts = pages.render(site, programs)
 
-    # These, and what they use, are written.
+    # These, and what they use, are the site.
     artifacts += assets.runtime(site)
     artifacts += assets.search(site)
     artifacts += assets.programs(builds.items())
@@ -61,14 +87,7 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
     check_paths(artifacts)
-    write(artifacts, output)
-
-    summarize(site, nodes, builds, bundles, report)
-    seconds = time.monotonic() - begun
-    report.say(
-        f"built {count(len(site.pages), 'page')}, {count(len(nodes), 'node')} in {seconds:.1f} s"
-        f" → {shown(output)} (python -m http.server --directory {shown(output)})"
-    )
+    return Made(site, builds, bundles, artifacts)
 
 
 def nodes_of(site: Site) -> list[Node]:
@@ -174,30 +193,25 @@ def write(artifacts: Sequence[Artifact], output: Path) -> None:
         fresh.rename(output)
 
 
-def summarize(
-    site: Site,
-    nodes: Sequence[Node],
-    builds: cpp.Builds,
-    bundles: python.Bundles | None,
-    report: Report,
-) -> None:
+def summarize(made: Made, report: Report) -> None:
     """Say what the site consists of."""
+    site = made.site
     for note in site.notes:
         report.say(note)
     width = max(len(page.path) for page in site.pages) + 1
     for page in site.pages:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
-    for node in nodes:
+    for node in nodes_of(site):
         if node.ros2wasm:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)
             script = node.ros2wasm.script.relative_to(site.root).as_posix()
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
-        if bundles and site.setup_of(node):
-            total = len(bundles.common) + len(bundles.packages[node.package])
+        if made.bundles and site.setup_of(node):
+            total = len(made.bundles.common) + len(made.bundles.packages[node.package])
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
-        forms = builds[node.package, node.executable]
+        forms = made.builds[node.package, node.executable]
         sizes = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)
         report.say(f"  {node.package}/{node.executable}: {sizes}")
 

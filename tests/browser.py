@@ -1,4 +1,4 @@
-"""Open built pages in a real browser: a plain web server, and Chromium."""
+"""Open built pages in real browsers: a plain web server, and what Playwright drives."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any, Protocol
 
 from playwright.sync_api import Browser, sync_playwright
 
@@ -17,7 +18,17 @@ Serve = Callable[..., str]
 # What the fixture `built` is: it takes the folder of a site and gives that of the built one.
 Built = Callable[[Path], Path]
 
+
+class Scripted(Protocol):
+    """A tab or a window of any browser: it goes to pages and runs scripts there."""
+
+    def goto(self, url: str) -> object: ...
+
+    def evaluate(self, expression: str, /) -> Any: ...
+
+
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+FIREFOX = os.environ.get("FIREFOX", "/usr/bin/firefox-esr")
 FLAGS = [
     "--no-sandbox",
     "--disable-gpu",
@@ -30,10 +41,14 @@ FLAGS = [
 
 
 @contextmanager
-def chromium() -> Iterator[Browser]:
-    """Run Chromium without a window."""
+def running(name: str) -> Iterator[Browser]:
+    """Run Chromium or Firefox without a window."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        if name == "firefox":
+            # This channel is the stock Firefox, driven by WebDriver BiDi.
+            browser = playwright.firefox.launch(executable_path=FIREFOX, channel="moz-firefox")
+        else:
+            browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
         try:
             yield browser
         finally:

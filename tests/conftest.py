@@ -8,26 +8,76 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import Built, Serve, chromium, serving
+from browser import Built, Scripted, Serve, running, serving
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect
+from webkit import Window, webkit
 
 from sitegen.build import build
 from sitegen.report import Report
+from sitegen.toolchain import Toolchain
 
 ROOT = Path(__file__).parent.parent
+# How the ROS2WASM project builds.
+ROS2WASM = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
 # A browser that lacks JSPI gets the other build of each node.
 WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
-
 
 # A slow machine is no fault of what is tested: what is waited for may take its time.
 expect.set_options(timeout=60_000)
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--firefox", action="store_true", help="run the tests of pages in Firefox only"
+    )
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Run the tests of pages in Chromium, the reference, and in what else they are marked with."""
+    if "browser_name" not in metafunc.fixturenames:
+        return
+    marks = {mark.name for mark in metafunc.definition.iter_markers()}
+    if "chromium" in marks:
+        names = ["chromium"]
+    elif metafunc.config.getoption("firefox"):
+        names = ["firefox"]
+    else:
+        names = ["chromium", *(name for name in ("firefox", "webkit") if name in marks)]
+    metafunc.parametrize("browser_name", names, indirect=True, scope="session")
+
+
 @pytest.fixture(scope="session")
-def browser() -> Iterator[Browser]:
-    """One Chromium for all tests."""
-    with chromium() as browser:
+def browser_name(request: pytest.FixtureRequest) -> str:
+    """The browser that the test runs in."""
+    return str(request.param)
+
+
+@pytest.fixture(scope="session")
+def browser(browser_name: str) -> Iterator[Browser]:
+    """One Chromium or Firefox for all tests."""
+    with running(browser_name) as browser:
         yield browser
+
+
+@pytest.fixture(scope="session")
+def webkit_window() -> Iterator[Window]:
+    """One WebKitGTK for all tests."""
+    with webkit() as window:
+        yield window
+
+
+@pytest.fixture
+def window(webkit_window: Window, serve: Serve) -> Iterator[Window]:
+    """An empty window of WebKitGTK."""
+    yield webkit_window
+    webkit_window.goto("about:blank")
+
+
+@pytest.fixture
+def any_tab(browser_name: str, request: pytest.FixtureRequest) -> Scripted:
+    """An empty tab or window of any browser, for tests that only run scripts in it."""
+    found: Scripted = request.getfixturevalue("window" if browser_name == "webkit" else "tab")
+    return found
 
 
 @pytest.fixture
@@ -73,6 +123,20 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
         return sites[folder]
 
     return made
+
+
+@pytest.fixture(scope="session")
+def ros2wasm(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The built site of sites/ros2wasm, with a program that is compiled as theirs are."""
+    folder = tmp_path_factory.mktemp("ros2wasm") / "site"
+    shutil.copytree(ROOT / "tests/sites/ros2wasm", folder)
+    shutil.copytree(ROOT / "demos/demo05/src", folder / "src")
+    tools = Toolchain.find()
+    pre = [f"--pre-js={folder / name}" for name in ("nodes/middleware.js", "compiled/module.js")]
+    source, program = folder / "compiled/program.cpp", folder / "nodes/program.js"
+    done = tools.run(tools.compiler, *ROS2WASM, *pre, source, "-o", str(program))
+    assert done.returncode == 0, done.stdout
+    return built(folder)
 
 
 @pytest.fixture(params=["jspi", "asyncify"])

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import re
 import time
+from typing import Protocol
 
+from browser import Scripted
 from playwright.sync_api import Locator, Page, expect
 
 LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
+
+
+class Speaker(Protocol):
+    """What has a console."""
+
+    def messages(self) -> list[str]: ...
 
 
 class Panel:
@@ -39,22 +47,26 @@ class Panel:
         return [line for line in self.console.inner_text().split("\n") if line]
 
     def messages(self) -> list[str]:
-        """What the node logged, each line checked for its form; ROS's own words left out."""
-        found = [LINE.match(line) for line in self.lines()]
-        assert all(found), self.lines()
-        return [match[3] for match in found if match and match[2] != "rclcpp"]
+        return messages(self.lines())
 
     def wait_for(self, text: str) -> None:
         expect(self.console).to_contain_text(text)
 
 
-def numbers(panel: Panel, before: str) -> list[int]:
+def messages(lines: list[str]) -> list[str]:
+    """What a node logged, each line checked for its form; ROS's own words left out."""
+    found = [LINE.match(line) for line in lines]
+    assert all(found), lines
+    return [match[3] for match in found if match and match[2] != "rclcpp"]
+
+
+def numbers(panel: Speaker, before: str) -> list[int]:
     """The numbers of the greetings in a console."""
     greetings = (re.fullmatch(rf"{before}: 'Hello, world! (\d+)'", m) for m in panel.messages())
     return [int(match[1]) for match in greetings if match]
 
 
-def graph(page: Page) -> dict[str, list[str]]:
+def graph(page: Scripted) -> dict[str, list[str]]:
     """Who is in the graph of the page: nodes, what each topic connects, and all endpoints."""
     found: dict[str, list[str]] = page.evaluate(
         """async () => {

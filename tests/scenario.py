@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 
-RUNTIME = Path(__file__).parent.parent / "sitegen" / "runtime"
+TESTS = Path(__file__).parent
+RUNTIME = TESTS.parent / "sitegen" / "runtime"
 
 # Counts what is under way between ports, so that a scenario can wait until all of it has come.
 PORTS = """
@@ -37,8 +38,18 @@ const arrived = async () => {
 """
 
 
-def player(tab: Page, serve: Serve, setting: str) -> Callable[[str], Any]:
+def player(tab: Scripted, serve: Serve, folder: Path, setting: str) -> Callable[[str], Any]:
     """Return a function that runs a scenario after `setting` and returns what it returns."""
-    tab.route("**/empty.html", lambda route: route.fulfill(body="", content_type="text/html"))
-    tab.goto(serve(RUNTIME) + "empty.html")
+    shutil.copytree(RUNTIME, folder, dirs_exist_ok=True)
+    (folder / "index.html").write_text('<!doctype html><link rel="icon" href="data:,">')
+    tab.goto(serve(folder))
     return lambda scenario: tab.evaluate(f"async () => {{ {PORTS} {setting} {scenario} }}")
+
+
+def play_peers(tab: Scripted, serve: Serve, folder: Path) -> Callable[[str], Any]:
+    """Like `player`, for scenes with workers; see peers/."""
+    shutil.copytree(RUNTIME, folder / "runtime")
+    shutil.copytree(TESTS / "peers", folder, dirs_exist_ok=True)
+    tab.goto(serve(folder))
+    opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
+    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")

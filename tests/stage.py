@@ -7,6 +7,9 @@ from typing import Any
 from playwright.sync_api import Locator
 from playwright.sync_api import Page as Tab
 
+# By how many pixels a page is wider than the screen.
+WIDER = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+
 
 def show(page: Tab, kind: str, options: dict[str, Any] | None = None) -> Locator:
     page.evaluate(

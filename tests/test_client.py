@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 from scenario import player
+
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 SETTING = """
 const { Graph } = await import("./graph.js");
@@ -34,9 +36,9 @@ const plain = (value) => JSON.parse(JSON.stringify(value, (key, one) =>
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that runs a scenario and returns what it returns."""
-    return player(tab, serve, SETTING)
+    return player(any_tab, serve, tmp_path, SETTING)
 
 
 def test_messages_of_every_kind_of_field_come_back(play: Any) -> None:

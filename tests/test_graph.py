@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Page
+from browser import Scripted, Serve
 from scenario import player
+
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """
@@ -49,9 +51,9 @@ const heard = (of, id) => {
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that runs a scenario and returns what it returns."""
-    return player(tab, serve, SETTING)
+    return player(any_tab, serve, tmp_path, SETTING)
 
 
 def test_messages_arrive_in_order_with_what_is_known_of_them(play: Any) -> None:
@@ -277,3 +279,18 @@ def test_a_request_of_a_server_that_left_is_answered_by_nobody(play: Any) -> Non
       const answer = a.participant.take(id);
       return [asked, sequence, answer.sequence, answer.message[0]];
     """) == ["nothing", 1, 2, 2]
+
+
+def test_who_could_not_look_for_a_while_counts_each_period(play: Any) -> None:
+    """A program that computes, a page that was frozen."""
+    assert play("""
+      const [a, b] = [join(), join()];
+      const p = publisher(a, { deadline: 10 }), s = subscription(b, { deadline: 10 });
+      publish(a, p, 1);
+      await settle(a, b);
+      const end = performance.now() + 300;
+      while (performance.now() < end);
+      await b.participant.wait(30);
+      const missed = (of, id) => of.participant.takeEvent(id, "deadline").total;
+      return [missed(a, p) >= 29, missed(b, s) >= 29];
+    """) == [True, True]

@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "errors", "report", "theme"},
+    "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
         "workspace",
@@ -32,6 +32,7 @@ ALLOWED = {
     "diagnosis": {"errors", "interfaces", "model"},
     "digest": set(),
     "errors": set(),
+    "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
@@ -41,6 +42,7 @@ ALLOWED = {
     "report": set(),
     "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
     "ros2wasm": {"descriptions", "messages", "model"},
+    "serve": {"build", "errors", "model", "report"},
     "setupfiles": {"literals"},
     "theme": {"errors"},
     "toolchain": set(),

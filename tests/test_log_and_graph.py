@@ -11,6 +11,9 @@ from playwright.sync_api import Page as Tab
 from stage import add, chatter, hide_tab, show
 
 ROOT = Path(__file__).parent.parent
+
+pytestmark = pytest.mark.firefox
+
 # What stands where there is no rate.
 NONE = "\u2013"
 

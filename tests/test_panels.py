@@ -8,9 +8,12 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
-from stage import add, cells, chatter, hide_tab, show, subscribed
+from stage import WIDER, add, cells, chatter, hide_tab, show, subscribed
 
 ROOT = Path(__file__).parent.parent
+
+pytestmark = pytest.mark.firefox
+
 # What stands where there is no rate.
 NONE = "\u2013"
 
@@ -25,13 +28,49 @@ def test_topics_come_and_go_with_their_types_and_numbers(stage: Tab) -> None:
     add(stage, "subscription", "/_page", "/only_asked_for", "std_msgs/msg/String")
     assert cells(panel) == [f"/chatter std_msgs/msg/String 1 1 {NONE}"]
     row = panel.locator("tbody tr")
-    assert row.locator("td").nth(1).get_attribute("title") == "/listener"
+    assert row.locator("td").nth(1).locator("span").get_attribute("title") == "/listener"
     panel.get_by_label("Show hidden").check()
     assert [cell.split()[0] for cell in cells(panel)] == ["/_hidden", "/chatter", "/rosout"]
     stage.evaluate("ros.graph.remove('/talker')")
     assert cells(panel) == [f"/chatter std_msgs/msg/String 0 1 {NONE}"]
     stage.evaluate("ros.graph.remove('/listener')")
     assert cells(panel) == []
+
+
+def test_topics_tell_who_does_not_hear_whom_and_what_was_missed(stage: Tab) -> None:
+    chatter(stage)
+    panel = show(stage, "topics")
+    warnings = panel.locator("tbody p")
+    expect(warnings).to_have_count(0)
+    policies = ["RELIABILITY", "DURABILITY", "DEADLINE", "LIVELINESS", "TYPE"]
+    texts = []
+    for policy in policies:
+        pair = {"publisher": "/talker", "subscription": "/listener", "policy": policy}
+        hidden = {**pair, "subscription": "/_page"}
+        stage.evaluate(
+            "(pairs) => { ros.graph.mismatches['/chatter'] = pairs; ros.graph.changed(); }",
+            [pair, pair, hidden],
+        )
+        texts.append(warnings.inner_text())
+    assert [text.split(":")[0] for text in texts] == [
+        f"/listener does not hear /talker. {policy.capitalize()}" for policy in policies
+    ]
+    assert texts[0].endswith("the subscription asks for reliable, the publisher offers best effort")
+    assert len({text.split(":")[1] for text in texts}) == len(policies)
+    stage.evaluate(
+        """() => {
+          ros.graph.mismatches["/chatter"] = [1, 2, 3, 4, 5].map((n) =>
+            ({ publisher: "/talker", subscription: `/<b>${n}`, policy: "TYPE" }));
+          ros.graph.missed["/chatter"] = 12345;
+          ros.graph.changed();
+        }"""
+    )
+    assert warnings.count() == 4
+    expect(warnings.last).to_have_text("and 2 more like these")
+    expect(warnings.first).to_contain_text("/<b>1 does not hear /talker")
+    expect(panel.get_by_text("12K missed")).to_have_attribute("title", re.compile("faster"))
+    stage.evaluate("ros.graph.mismatches = {}; ros.graph.missed = {}; ros.graph.changed()")
+    assert cells(panel) == [f"/chatter std_msgs/msg/String 1 1 {NONE}"]
 
 
 def test_rate_and_bandwidth_are_measured(stage: Tab) -> None:
@@ -48,11 +87,11 @@ def test_rate_and_bandwidth_are_measured(stage: Tab) -> None:
           }, 10);
         }"""
     )
-    expect(panel.locator("tbody td span").first).to_have_text("50.0 Hz")
-    expect(panel.locator("tbody td small").first).to_have_text("75.0 kB/s")
+    expect(panel.locator("tbody td:last-child span").first).to_have_text("50.0 Hz")
+    expect(panel.locator("tbody td:last-child small").first).to_have_text("75.0 kB/s")
     stage.evaluate("clearInterval(publisher)")
     # A publisher that is silent slows down, and soon has no rate at all.
-    expect(panel.locator("tbody td span").first).to_have_text(NONE)
+    expect(panel.locator("tbody td:last-child span").first).to_have_text(NONE)
 
 
 def test_a_topic_is_echoed_paused_and_bounded(stage: Tab) -> None:
@@ -292,7 +331,7 @@ def test_panels_fit_a_phone(stage: Tab, kind: str) -> None:
         "ros.addNode('talker', 'a_package_with_a_long_name', 'an_executable_with_one_too')"
     )
     panel = show(stage, kind, {"show": ["/add"]} if kind == "services" else {})
-    assert stage.evaluate("document.documentElement.scrollWidth") == 360
+    assert stage.evaluate(WIDER) == 0
     sizes = panel.locator("button:visible, select:visible, input:not([type=checkbox]):visible")
     heights = sizes.evaluate_all("(all) => all.map((each) => each.offsetHeight)")
     assert all(height >= 36 for height in heights)

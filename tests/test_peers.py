@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
-from browser import Serve
-from playwright.sync_api import Browser, Page
+from browser import Scripted, Serve
+from memory import resident
+from playwright.sync_api import Browser
+from scenario import play_peers
 
-ROOT = Path(__file__).parent.parent
+pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 
 @pytest.fixture
-def play(tab: Page, serve: Serve, tmp_path: Path) -> Any:
+def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
     """A function that plays a scene with workers and returns what it returns."""
-    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
-    shutil.copytree(ROOT / "tests/peers", tmp_path, dirs_exist_ok=True)
-    tab.goto(serve(tmp_path))
-    opening = 'const { complaints, graph, random, start, until } = await import("./peers.js");'
-    return lambda scene: tab.evaluate(f"async () => {{ {opening} {scene} }}")
+    return play_peers(any_tab, serve, tmp_path)
 
 
 def test_a_reader_that_is_blocked_gets_the_newest_and_little_else(play: Any) -> None:
@@ -151,16 +148,6 @@ def test_foreign_nonsense_is_dropped_and_told(play: Any) -> None:
     """) == [8, ["sent what is no frame to other nodes; it was dropped"], [], 2]
 
 
-def resident(browser: Browser) -> int:
-    """Memory of all renderers, in bytes."""
-    session = browser.new_browser_cdp_session()
-    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
-    session.detach()
-    pids = [process["id"] for process in processes if process["type"] == "renderer"]
-    pages = [int(Path(f"/proc/{pid}/statm").read_text().split()[1]) for pid in pids]
-    return sum(pages) * 4096
-
-
 # What publisher and subscription have, and how many messages are taken at each look, every 5 ms.
 FLOODS = {
     "keep last": ({"depth": 10}, 1),
@@ -169,6 +156,7 @@ FLOODS = {
 }
 
 
+@pytest.mark.chromium
 @pytest.mark.parametrize("kind", FLOODS)
 def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, kind: str) -> None:
     """Two gigabytes for a reader that is slower: what waits has a bound."""
@@ -190,3 +178,26 @@ def test_a_flood_does_not_fill_memory(browser: Browser, play: Any, kind: str) ->
     assert faults == []
     assert heard == 20_000 if kind == "keep all" else heard < 20_000
     assert resident(browser) - before < 1e9
+
+
+def test_what_was_published_last_arrives_though_its_node_is_gone(play: Any) -> None:
+    """As a native one that ends hands its messages to the network before."""
+    assert (
+        play("""
+      const [b, qos] = [start(), { keepAll: true }];
+      const s = await b.ask("create", { kind: "subscription", topic: "/t", qos });
+      for (let turn = 0; turn < 20; turn++) {
+        const a = start();
+        const p = await a.ask("create", { kind: "publisher", topic: "/t", qos });
+        await until(() => a.ask("matched", { id: p }));
+        // What it has sent comes while its listener does something else.
+        b.ask("block", { duration: 50 });
+        await a.ask("publish", { id: p, count: 500 });
+        await a.ask("destroyAll");
+        a.kill();
+      }
+      await until(async () => (await b.ask("heard", { id: s })).count === 20 * 500);
+      return b.ask("faults");
+    """)
+        == []
+    )

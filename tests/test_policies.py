@@ -9,7 +9,7 @@ import yaml
 from browser import Built, Serve
 from native import Native
 from panel import Panel, expect_nothing_left
-from playwright.sync_api import BrowserContext, Page
+from playwright.sync_api import BrowserContext, Page, expect
 
 SITE = Path(__file__).parent / "sites" / "qos"
 
@@ -63,6 +63,10 @@ def test_what_does_not_suit_is_told_in_the_words_of_ros(page: Page) -> None:
     assert "requesting incompatible QoS. No messages will be sent to it." in (
         offers.console.inner_text()
     )
+    page.locator(".ros-topics").scroll_into_view_if_needed()
+    warnings = page.locator(".ros-topics tbody p")
+    expect(warnings.get_by_text("/strict does not hear /offers. Durability: ")).to_be_visible()
+    expect(warnings.get_by_text("/strict does not hear /offers. Type: ")).to_be_visible()
 
 
 def test_nothing_is_lost_where_all_is_kept(page: Page) -> None:

@@ -8,36 +8,17 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import Built, Serve
+from browser import Serve
 from panel import Panel, expect_nothing_left, graph, numbers
 from playwright.sync_api import Browser, Page, expect
 
-from sitegen.toolchain import Toolchain
-
-ROOT = Path(__file__).parent.parent
-SITE = ROOT / "tests/sites/ros2wasm"
-# As their own are built.
-FLAGS = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
-
-
-@pytest.fixture(scope="session")
-def dist(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("ros2wasm") / "site"
-    shutil.copytree(SITE, folder)
-    shutil.copytree(ROOT / "demos/demo05/src", folder / "src")
-    tools = Toolchain.find()
-    pre = [f"--pre-js={folder / name}" for name in ("nodes/middleware.js", "compiled/module.js")]
-    program = folder / "nodes/program.js"
-    done = tools.run(
-        tools.compiler, *FLAGS, *pre, folder / "compiled/program.cpp", "-o", str(program)
-    )
-    assert done.returncode == 0, done.stdout
-    return built(folder)
+# Firefox that is driven by WebDriver now and then loses a worker that starts one, and only then.
+pytestmark = pytest.mark.chromium
 
 
 @pytest.fixture
-def url(dist: Path, serve: Serve) -> str:
-    return serve(dist, "/robot/")
+def url(ros2wasm: Path, serve: Serve) -> str:
+    return serve(ros2wasm, "/robot/")
 
 
 @pytest.fixture

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from browser import Built, Serve
 from panel import Panel, expect_nothing_left
 from playwright.sync_api import BrowserContext
+
+pytestmark = pytest.mark.firefox
 
 SITE = Path(__file__).parent / "sites" / "services"
 

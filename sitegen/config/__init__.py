@@ -1,5 +1,6 @@
 """Turn site.yaml, and the Markdown that it names, into a Site."""
 
+from sitegen.config.jsonschema import json_schema
 from sitegen.config.site import load
 
-__all__ = ["load"]
+__all__ = ["json_schema", "load"]

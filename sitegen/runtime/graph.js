@@ -94,7 +94,9 @@ export class Graph extends EventTarget {
 
   /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
   miss(id, endpoint, count) {
-    this.#participants.get(id)?.missed.set(endpoint, count);
+    const owner = this.#participants.get(id);
+    if (!owner?.endpoints.has(endpoint)) return;
+    owner.missed.set(endpoint, count);
     this.#changed();
   }
 
@@ -124,7 +126,7 @@ export class Graph extends EventTarget {
       types: types(channel),
       publishers: nodesOf(channel.senders),
       subscriptions: nodesOf(channel.receivers),
-      missed: sum([...channel.receivers].map(({ owner, endpoint }) => owner.missed.get(endpoint.id) ?? 0)),
+      missed: sum([...channel.receivers].map(missed)),
       mismatches: mismatches(channel),
     }));
   }
@@ -240,6 +242,14 @@ function mismatches({ senders, receivers }) {
       return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
     }),
   );
+}
+
+/**
+ * What a subscription missed; one of the page itself has nothing to miss, it only looks.
+ * @param {Member} member
+ */
+function missed({ owner, endpoint }) {
+  return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
 }
 
 /** @param {number[]} numbers */

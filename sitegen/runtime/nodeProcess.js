@@ -125,6 +125,16 @@ export class NodeProcess extends EventTarget {
     }
   }
 
+  /** Run another program from now on; where the old one runs, the new one starts. @param {NodeEntry} entry */
+  replace(entry) {
+    const running = this.#state === "starting" || this.#state === "running";
+    this.#entry = entry;
+    this.#module = undefined;
+    if (!running) return;
+    this.stop();
+    this.start();
+  }
+
   /** Empty its consoles. */
   clear() {
     this.dispatchEvent(new Event("clear"));

@@ -1,10 +1,15 @@
 // The ROS of a page, as a widget is given it, that does what a test says: protocol.js has the types.
 
+import { DEFAULT_QOS } from "./runtime/protocol.js";
+
 class FakeGraph extends EventTarget {
   all = [];
+  /** By topic: what subscriptions missed, and who does not hear whom. */
+  missed = {};
+  mismatches = {};
   add(kind, node, name, type, { program = "", ...qos } = {}) {
-    const policies = { depth: 10, reliable: true, transientLocal: false, keepAll: false, ...qos };
-    this.all.push({ id: this.all.length + 1, kind, node, name, type, program, qos: policies });
+    const policies = { ...DEFAULT_QOS, ...qos };
+    this.all.push({ id: this.all.length + 1, kind, node, name, type, program, missed: 0, qos: policies });
     this.changed();
   }
   remove(node) {
@@ -21,7 +26,11 @@ class FakeGraph extends EventTarget {
     return this.all.filter(({ kind }) => kind === "node").map(({ node }) => node).sort();
   }
   topics() {
-    return this.sides("publisher", "subscription", "publishers", "subscriptions");
+    return this.sides("publisher", "subscription", "publishers", "subscriptions").map((topic) => ({
+      ...topic,
+      missed: this.missed[topic.name] ?? 0,
+      mismatches: this.mismatches[topic.name] ?? [],
+    }));
   }
   services() {
     return this.sides("service", "client", "servers", "clients");

@@ -7,11 +7,11 @@ export const complaints = [];
 let asked = 0;
 
 /** Start a worker. `ask` has it do a command of peer.js and resolves with what that returns. */
-export function start() {
+export function start(name = "peer") {
   const worker = new Worker("peer.js", { type: "module" });
   const answers = new Map();
   const post = (message, transfer) => worker.postMessage(message, transfer);
-  const id = graph.join(post, "", (text) => complaints.push(text));
+  const id = graph.join(post, name, (text) => complaints.push(text));
   worker.onmessage = ({ data }) => {
     if (data.op === "create") graph.create(id, data.endpoint);
     if (data.op === "destroy") graph.destroy(id, data.id);

@@ -6,6 +6,9 @@ import { Outbox } from "./outbox.js";
 
 /** @import { FromPeer, Head } from "../protocol.js" */
 
+// What a worker sent before it ended is here by then (ms). Not all browsers tell when a port has no more.
+const LINGER = 1000;
+
 /**
  * @typedef {{
  *   deliver(head: Head, message: Uint8Array, received: number): void,
@@ -46,8 +49,15 @@ export class Link {
     this.#outbox.flush();
   }
 
-  close() {
-    this.#port.close();
+  /**
+   * The other worker is gone: take what it had sent, then close and call `closed`.
+   * @param {() => void} closed
+   */
+  end(closed) {
+    setTimeout(() => {
+      this.#port.close();
+      closed();
+    }, LINGER);
   }
 
   /** @param {unknown} data */

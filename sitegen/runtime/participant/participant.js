@@ -172,7 +172,9 @@ export class Participant {
         this.#links.set(message.peer, this.#link(message.peer, message.port));
         break;
       case "unlink":
-        this.#links.get(message.peer)?.close();
+        this.#links.get(message.peer)?.end(() => {
+          for (const { reader } of this.#locals.values()) reader?.forget(message.peer);
+        });
         this.#links.delete(message.peer);
         break;
       case "match": {

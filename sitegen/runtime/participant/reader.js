@@ -1,7 +1,7 @@
 // @ts-check
 // The receiving side of a subscription: what waits for the program, and the credits that it gives.
 
-import { now } from "../protocol.js";
+import { fromPageId, now } from "../protocol.js";
 import { Queue } from "./queue.js";
 import { Watch } from "./watch.js";
 import { WINDOW } from "./writer.js";
@@ -43,7 +43,7 @@ export class Reader {
     this.#status = status;
     this.#credit = credit;
     this.#queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
-    this.#deadline = new Watch(qos.deadline, () => status.add("deadline", 1), true);
+    this.#deadline = new Watch(qos.deadline, (periods) => status.add("deadline", periods), true);
   }
 
   /** @param {Remote} remote */
@@ -64,6 +64,13 @@ export class Reader {
     source.lease?.close();
     this.#setAlive(source, undefined);
     this.#sources.delete(name);
+  }
+
+  /** Forget all publishers of a worker that is gone: some messages may have come after `unmatch`. @param {number} peer */
+  forget(peer) {
+    for (const name of this.#sources.keys()) {
+      if (fromPageId(name).peer === peer) this.#sources.delete(name);
+    }
   }
 
   /** A publisher lives, though it has nothing to say. @param {number} name */

@@ -17,7 +17,8 @@ export class Watch {
   /**
    * It rests until the first `touch`.
    * @param {number} period in ms; with Infinity it always rests
-   * @param {() => void} late called after a period without `touch`
+   * @param {(periods: number) => void} late called after so many periods without `touch`; more than one where
+   *   the worker could not look before
    * @param {boolean} repeats whether each further period counts too, or it rests until the next `touch`
    */
   constructor(period, late, repeats) {
@@ -46,9 +47,10 @@ export class Watch {
 
   #check() {
     this.#timer = undefined;
-    while (now() - this.#last >= this.#period) {
-      this.#last += this.#period;
-      this.#late();
+    const periods = Math.floor((now() - this.#last) / this.#period);
+    if (periods > 0) {
+      this.#last += periods * this.#period;
+      this.#late(periods);
       if (!this.#repeats) return;
     }
     if (this.#period !== Infinity) this.#arm();

@@ -43,7 +43,7 @@ export class Writer {
   constructor(qos, status, send) {
     this.#qos = qos;
     this.#send = send;
-    this.#deadline = new Watch(qos.deadline, () => status.add("deadline", 1), true);
+    this.#deadline = new Watch(qos.deadline, (periods) => status.add("deadline", periods), true);
     const lost = () => status.add("liveliness", 1);
     this.#lease = new Watch(qos.manual ? qos.lease : Infinity, lost, false);
   }

@@ -4,10 +4,11 @@
 import { arrange, button, create, setText, toggle } from "../elements.js";
 import { whileSeen } from "../looking.js";
 import { createEcho } from "../messages/echo.js";
+import { explain } from "../messages/mismatch.js";
 import { Rate } from "../messages/rate.js";
 import { now } from "../protocol.js";
 
-/** @import { Ros } from "../protocol.js" */
+/** @import { Mismatch, Ros } from "../protocol.js" */
 
 // How often rates are written, in milliseconds.
 const REFRESH = 500;
@@ -21,9 +22,15 @@ const HEADINGS = /** @type {const} */ ([
   ["Rate", "messages and bytes a second, over the last five seconds"],
 ]);
 
+// More of those who do not hear each other than this are counted, not listed.
+const WARNINGS = 3;
+const MISSED = "Messages that came faster than subscriptions took them, so that newer ones replaced them";
+const compact = new Intl.NumberFormat("en", { notation: "compact" });
+
 /**
- * @typedef {{name: string, types: string[], publishers: string[], subscriptions: string[]}} Topic
- * @typedef {{element: HTMLElement, pick: HTMLButtonElement, show(topic: Topic): void,
+ * @typedef {{name: string, types: string[], publishers: string[], subscriptions: string[],
+ *   missed: number, mismatches: Mismatch[]}} Topic
+ * @typedef {{elements(): HTMLElement[], pick: HTMLButtonElement, show(topic: Topic): void,
  *   measure(): void, stop(): void}} Row
  */
 
@@ -84,7 +91,7 @@ export function mount(element, ros, { show, echo: first }) {
       }
       row.show(topic);
     }
-    arrange(body, names.flatMap((name) => rows.get(name)?.element ?? []));
+    arrange(body, names.flatMap((name) => rows.get(name)?.elements() ?? []));
     table.hidden = names.length === 0;
     hint.hidden = names.length > 0;
     echo.look();
@@ -116,7 +123,7 @@ export function mount(element, ros, { show, echo: first }) {
  * @param {Topic[]} topics @param {string[] | null} show @param {boolean} hidden
  */
 function listed(topics, show, hidden) {
-  const none = { types: [], publishers: [], subscriptions: [] };
+  const none = { types: [], publishers: [], subscriptions: [], missed: 0, mismatches: [] };
   if (show) return show.map((name) => topics.find((topic) => topic.name === name) ?? { name, ...none });
   // What only panels ask for is nothing of the robot.
   const used = topics.filter(({ publishers, subscriptions }) => [...publishers, ...subscriptions].some(isShown));
@@ -136,10 +143,15 @@ function createRow(ros, name, choose) {
   const head = create("th", "", pick, type);
   head.scope = "row";
   const from = create("td", "");
-  const to = create("td", "");
+  const listening = create("span", "");
+  const lost = create("small", "");
+  const to = create("td", "", listening, lost);
   const rate = create("span", "");
   const bandwidth = create("small", "");
   const element = create("tr", "", head, from, to, create("td", "", rate, bandwidth));
+  const warnings = create("td", "");
+  warnings.colSpan = HEADINGS.length;
+  const below = create("tr", "ros-warnings", warnings);
   let measure = new Rate();
   let measured = "";
   let unsubscribe = () => {};
@@ -155,16 +167,19 @@ function createRow(ros, name, choose) {
   stop();
 
   return {
-    element,
+    elements: () => (warnings.hasChildNodes() ? [element, below] : [element]),
     pick,
     stop,
-    show({ types, publishers, subscriptions }) {
+    show({ types, publishers, subscriptions, missed, mismatches }) {
       setText(type, types.join(", "));
       const listeners = subscriptions.filter(isShown);
       setText(from, String(publishers.length));
       from.title = publishers.join(", ");
-      setText(to, String(listeners.length));
-      to.title = listeners.join(", ");
+      setText(listening, String(listeners.length));
+      listening.title = listeners.join(", ");
+      setText(lost, missed ? `${compact.format(missed)} missed` : "");
+      lost.title = MISSED;
+      warn(warnings, mismatches.filter((pair) => isShown(pair.publisher) && isShown(pair.subscription)));
       element.classList.toggle("ros-idle", !publishers.length);
       const wanted = publishers.length ? (types[0] ?? "") : "";
       if (wanted === measured) return;
@@ -183,6 +198,15 @@ function createRow(ros, name, choose) {
       setText(bandwidth, bytes ? size(bytes) : "");
     },
   };
+}
+
+/** Say who does not hear whom. @param {Element} element @param {Mismatch[]} mismatches */
+function warn(element, mismatches) {
+  const texts = [...new Set(mismatches.map(explain))];
+  const more = texts.length - WARNINGS;
+  const shown = [...texts.slice(0, WARNINGS), ...(more > 0 ? [`and ${more} more like these`] : [])];
+  if (shown.join() === [...element.children].map((child) => child.textContent).join()) return;
+  element.replaceChildren(...shown.map((text) => create("p", "", text)));
 }
 
 /** @param {number} bytes a second */

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <string>
 #include <typeinfo>
 #include <utility>
@@ -66,6 +67,8 @@ std::string describe_exception()
 {
   try {
     throw;
+  } catch (const std::bad_alloc &) {
+    return "out of memory (std::bad_alloc)";
   } catch (const std::exception & error) {
     return class_name(typeid(error).name()) + ": " + error.what();
   } catch (const std::string & text) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "rclcpp/rclcpp.hpp"
 #include "std_msgs/msg/string.hpp"
@@ -25,6 +26,20 @@ struct BatteryError : std::runtime_error
 using NodePtr = rclcpp::Node::SharedPtr;
 
 static volatile int zero = 0;
+
+// Not touched, so that only the program runs out of memory and not the machine.
+struct Block
+{
+  Block() {}
+  char bytes[64 << 20];
+};
+static std::vector<std::unique_ptr<Block>> blocks;
+
+static int deeper(int depth)
+{
+  volatile int here[4] = {depth};
+  return zero == 0 ? deeper(depth + 1) + here[zero] : depth;
+}
 
 static const std::map<std::string, void (*)(NodePtr)> kFaults = {
   {"throw", [](NodePtr) {throw robot::BatteryError("battery <b>low</b>");}},
@@ -50,6 +65,46 @@ static const std::map<std::string, void (*)(NodePtr)> kFaults = {
   {"busy", [](NodePtr node) {
       RCLCPP_INFO(node->get_logger(), "busy");
       while (zero == 0) {}
+    }},
+  {"out-of-memory", [](NodePtr) {
+      for (;;) {blocks.push_back(std::make_unique<Block>());}
+    }},
+  {"recursion", [](NodePtr) {zero = deeper(0);}},
+  {"pour", [](NodePtr node) {
+      auto publisher = node->create_publisher<std_msgs::msg::String>("/large", 10);
+      std_msgs::msg::String message;
+      for (char filling = 'a';; filling = filling == 'z' ? 'a' : filling + 1) {
+        message.data.assign(4'000'000, filling);
+        publisher->publish(message);
+        std::this_thread::sleep_for(1ms);
+      }
+    }},
+  {"drink", [](NodePtr node) {
+      auto subscription = node->create_subscription<std_msgs::msg::String>(
+        "/large", 10, [node](const std_msgs::msg::String & message) {
+          const auto whole = message.data.size() == 4'000'000 &&
+          message.data.find_first_not_of(message.data[0]) == std::string::npos;
+          RCLCPP_INFO(node->get_logger(), "a large message, %s", whole ? "whole" : "torn");
+        });
+      rclcpp::spin(node);
+    }},
+  {"last-words", [](NodePtr node) {
+      auto publisher = node->create_publisher<std_msgs::msg::String>("/words", rclcpp::QoS(300));
+      while (publisher->get_subscription_count() == 0) {std::this_thread::sleep_for(10ms);}
+      for (int i = 1; i <= 300; ++i) {
+        std_msgs::msg::String message;
+        message.data = std::to_string(i);
+        publisher->publish(message);
+      }
+    }},
+  {"listen", [](NodePtr node) {
+      int count = 0;
+      auto subscription = node->create_subscription<std_msgs::msg::String>(
+        "/words", rclcpp::QoS(300), [&](const std_msgs::msg::String & message) {
+          count += 1;
+          if (message.data == "300") {RCLCPP_INFO(node->get_logger(), "heard %d words", count);}
+        });
+      rclcpp::spin(node);
     }},
   {"sleep", [](NodePtr node) {
       const auto begin = node->now();

@@ -1,0 +1,112 @@
+"""The schema of site.yaml as JSON Schema, by which editors complete and check it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from sitegen.config.schema import (
+    FILE,
+    FORMS,
+    MARKDOWN,
+    NODE,
+    PAGE,
+    ROBOTS,
+    ROS2WASM,
+    SITE,
+    WIDGETS,
+    Key,
+)
+
+Json = dict[str, object]
+
+TEXT: Json = {"type": "string", "minLength": 1}
+# What each type of the schema is in JSON.
+TYPES: dict[str, Json] = {
+    "text": TEXT,
+    "path": TEXT,
+    "url": {"type": "string", "pattern": "^https?://"},
+    "flag": {"type": "boolean"},
+    "number": {"type": "integer", "minimum": 1},
+    "list of text": {"type": "array", "items": TEXT},
+    "text by name": {"type": "object", "additionalProperties": TEXT},
+    "site": {"$ref": "#/$defs/site"},
+    "nodes": {"type": "object", "additionalProperties": {"$ref": "#/$defs/node"}},
+    "pages": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/page"}},
+    "content": {"type": "array", "items": {"$ref": "#/$defs/item"}},
+    "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
+}
+TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
+TYPES |= {
+    "list of names": {"type": "array", "items": TYPES["name"]},
+    "interface by name": {"type": "object", "additionalProperties": TYPES["interface"]},
+}
+NAV: Json = {
+    "anyOf": [
+        TEXT,
+        {
+            "type": "object",
+            "minProperties": 1,
+            "maxProperties": 1,
+            "additionalProperties": {"anyOf": [TEXT, TYPES["nav"]]},
+        },
+    ]
+}
+
+
+def json_schema() -> Json:
+    """Return the JSON Schema of site.yaml."""
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "site.yaml of sitegen",
+        **_mapping(FILE),
+        "$defs": {
+            "site": _mapping(SITE),
+            "node": {"anyOf": [_mapping(NODE), _mapping(ROS2WASM)]},
+            "page": _mapping(PAGE),
+            "nav": NAV,
+            "item": _item(),
+        },
+    }
+
+
+def _mapping(keys: Iterable[Key]) -> Json:
+    keys = tuple(keys)
+    schema: Json = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {key.name: _key(key) for key in keys},
+    }
+    required = [key.name for key in keys if key.required]
+    return schema | ({"required": required} if required else {})
+
+
+def _key(key: Key) -> Json:
+    schema = {**TYPES[key.type], "description": key.help}
+    if key in WIDGETS["robot"] and key.name == "kind":
+        schema["enum"] = sorted(ROBOTS)
+    return schema if key.default is None else schema | {"default": key.default}
+
+
+def _item() -> Json:
+    """Return what an item of `content` is: a mapping of one key, the kind."""
+    kinds: Json = {MARKDOWN.name: _key(MARKDOWN)}
+    for kind, keys in WIDGETS.items():
+        kinds[kind] = _widget(kind, keys)
+    return {
+        "type": "object",
+        "additionalProperties": False,
+        "minProperties": 1,
+        "maxProperties": 1,
+        "properties": kinds,
+    }
+
+
+def _widget(kind: str, keys: tuple[Key, ...]) -> Json:
+    """Return what a widget is: its target alone, its options, or nothing where none is needed."""
+    options = _mapping(keys)
+    forms: list[Json] = [options]
+    if any(key.name == "node" for key in keys):
+        forms.append(TEXT)
+    if not any(key.required for key in keys):
+        forms.append({"type": "null"})
+    return {"anyOf": forms}

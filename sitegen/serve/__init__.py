@@ -1,0 +1,24 @@
+"""Serve a site while its author edits it: every change is built, and open pages follow."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sitegen.report import Report
+from sitegen.serve.live import LiveSite
+from sitegen.serve.server import Server
+from sitegen.serve.watcher import changes
+
+__all__ = ["serve"]
+
+
+def serve(folder: Path, *, port: int, report: Report) -> None:
+    """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it."""
+    live = LiveSite(folder, report)
+    live.rebuild()
+    with Server(live, port) as server:
+        if server.port != port:
+            report.say(f"port {port} is in use")
+        report.say(f"{server.url} (Ctrl-C ends it)")
+        for changed in changes(folder):
+            live.rebuild(changed)

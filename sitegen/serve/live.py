@@ -1,0 +1,81 @@
+"""The site as it is now: the files of its last good build, and what is wrong since then."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import threading
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from sitegen.build import count, make
+from sitegen.errors import SiteError
+from sitegen.model import Artifact
+from sitegen.report import Report
+
+# An idle connection says something this often (s), so that one that broke is noticed.
+BEAT = 15
+
+
+class LiveSite:
+    """Built again and again; threads may ask for files and wait for news meanwhile."""
+
+    def __init__(self, folder: Path, report: Report) -> None:
+        self._folder = folder
+        self._report = report
+        self._files: Mapping[str, Artifact] = {}
+        self._digests: Mapping[str, str] = {}
+        self._news: list[tuple[str, object]] = []
+        self._changed = threading.Condition()
+
+    def rebuild(self, changed: Sequence[Path] = ()) -> None:
+        """Build the site; if anything is wrong it stays as it is, and its pages say so."""
+        begun = time.monotonic()
+        try:
+            artifacts = make(self._folder, self._report).artifacts
+        except SiteError as error:
+            for line in error.lines:
+                self._report.say(line)
+            self._report.say(f"{count(len(error.lines), 'problem')}; the pages stay as they were")
+            self._tell("wrong", error.lines)
+            return
+        files = {artifact.path: artifact for artifact in artifacts}
+        digests = {path: _digest(artifact) for path, artifact in files.items()}
+        different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
+        self._files, self._digests = files, digests
+        names = ", ".join(file.name for file in changed[:3]) + (", …" if len(changed) > 3 else "")
+        cause = f"{names}: " if names else ""
+        seconds = time.monotonic() - begun
+        self._report.say(f"{cause}built in {seconds:.1f} s, {count(len(different), 'file')} new")
+        self._tell("built", sorted(different))
+
+    def file(self, path: str) -> Artifact | None:
+        """Return the file at `path` of the site."""
+        return self._files.get(path)
+
+    def news(self) -> Iterator[str]:
+        """Yield what happens from now on, as server-sent events; first what is wrong, if it is."""
+        with self._changed:
+            seen = len(self._news)
+            if self._news and self._news[-1][0] == "wrong":
+                seen -= 1
+        yield "retry: 500\n\n"
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: len(self._news) > seen, timeout=BEAT)  # noqa: B023
+                news, seen = self._news[seen:], len(self._news)
+            yield (
+                "".join(f"event: {kind}\ndata: {json.dumps(what)}\n\n" for kind, what in news)
+                or ":\n\n"
+            )
+
+    def _tell(self, kind: str, what: object) -> None:
+        with self._changed:
+            self._news.append((kind, what))
+            self._changed.notify_all()
+
+
+def _digest(artifact: Artifact) -> str:
+    source = artifact.source
+    return hashlib.sha256(source if isinstance(source, bytes) else source.read_bytes()).hexdigest()

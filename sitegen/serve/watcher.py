@@ -1,0 +1,62 @@
+"""Tell when files of a site change, those that change together at once."""
+
+from __future__ import annotations
+
+import os
+import queue
+from collections.abc import Iterator
+from pathlib import Path
+
+from watchdog.events import EVENT_TYPE_CLOSED, FileSystemEvent, FileSystemEventHandler
+from watchdog.observers import Observer
+
+# Editors write a file in several steps, and many files in one go: those within this time (s).
+PAUSE = 0.1
+# Folders that tools write to; colcon's three are at the top of a workspace.
+IGNORED = {"__pycache__", "node_modules", "dist"}
+COLCON = {"build", "install", "log"}
+CHANGES = {"created", "modified", "moved", "deleted", EVENT_TYPE_CLOSED}
+
+
+def changes(folder: Path) -> Iterator[list[Path]]:
+    """Yield the files below `folder` that changed since the last time, as soon as some did."""
+    root = folder.resolve()
+    changed: queue.Queue[Path] = queue.Queue()
+    observer = Observer()
+    observer.schedule(_Listener(root, changed), str(root), recursive=True)
+    observer.start()
+    try:
+        while True:
+            files = {changed.get()}
+            try:
+                while True:
+                    files.add(changed.get(timeout=PAUSE))
+            except queue.Empty:
+                yield sorted(files)
+    finally:
+        observer.stop()
+        observer.join()
+
+
+class _Listener(FileSystemEventHandler):
+    def __init__(self, root: Path, changed: queue.Queue[Path]) -> None:
+        self._root = root
+        self._changed = changed
+
+    def on_any_event(self, event: FileSystemEvent) -> None:
+        if event.is_directory or event.event_type not in CHANGES:
+            return
+        for path in filter(None, (event.src_path, event.dest_path)):
+            file = Path(os.fsdecode(path))  # type: ignore[arg-type]
+            if file.is_relative_to(self._root) and not _ignored(file.relative_to(self._root)):
+                self._changed.put(file)
+
+
+def _ignored(path: Path) -> bool:
+    """Return whether a file is none of the author's: hidden, made by a tool, or a draft."""
+    folders = path.parts[:-1]
+    return (
+        any(part.startswith(".") or part in IGNORED for part in path.parts)
+        or (bool(folders) and folders[0] in COLCON)
+        or path.name.endswith(("~", ".swp", ".tmp"))
+    )
