@@ -24,7 +24,7 @@ FOREIGN = "holds files that sitegen did not write; empty it or choose another --
 
 @dataclass(frozen=True)
 class Made:
-    """What a folder with a site.yaml becomes: its site, its nodes, and the files of dist/."""
+    """What a folder with a site.yaml becomes: its site, its programs, the files of dist/."""
 
     site: Site
     builds: cpp.Builds

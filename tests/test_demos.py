@@ -240,8 +240,9 @@ def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: st
     topics = page.get_by_role("region", name="Topics")
     topics.get_by_role("log").scroll_into_view_if_needed()  # only who looks at it subscribes
     expect(topics.get_by_role("log")).to_contain_text(re.compile(r"data: Hello, world! \d+\n---"))
-    assert graph(page)["nodes"] == ["/minimal_subscriber", "/minimal_publisher"]
+    assert graph(page)["nodes"] == ["/minimal_publisher", "/minimal_subscriber"]
     talker.stop()
+    talker.wait_for("Goodbye")
     assert talker.lines()[-1] == "Goodbye"
     listener.stop()
 
