@@ -36,6 +36,8 @@ DOWNLOAD = [
 # Where a file of a wheel goes, by its path below `<wheel>.data/data/`. Type supports of DDS stay
 # behind: sitegen generates its own from the type descriptions (*.json).
 PURE = "lib/python3.11/site-packages/"
+# What runs in the page: rclpy, all that it imports, and the message classes.
+PAGE = r"(rclpy|ament_index_python|yaml)/.+|typing_extensions|[a-z_]+/((msg|srv|action)/)?\w+"
 TYPE_SUPPORT = re.compile(r"__(rosidl_)?type_?support")
 PLACES = [
     (re.compile(r"include/[^/]+/(?P<path>.+\.hpp)$"), "include"),
@@ -43,7 +45,9 @@ PLACES = [
     (re.compile(r"share/(?P<path>[^/]+/(msg|srv|action)/[^/]+\.(json|msg|srv|action))$"), "share"),
     (re.compile(r"share/(?P<path>[^/]+/package\.xml)$"), "share"),
     (re.compile(r"share/(?P<path>rosidl_[^/]+/resource/.+)$"), "share"),
-    (re.compile(rf"{PURE}(?P<path>rosidl_[a-z_]+/.+\.(py|em|lark))$"), "python"),
+    (re.compile(rf"{PURE}(?P<path>(rosidl_[a-z_]+|rpyutils)/.+\.(py|em|lark))$"), "python"),
+    (re.compile(rf"{PURE}(?P<path>({PAGE})\.py)$"), "page"),
+    (re.compile(rf"{PURE}(?P<path>\w+-[\d.]+\.dist-info/licenses/LICENSE)$"), "page"),
 ]
 
 

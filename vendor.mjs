@@ -2,7 +2,7 @@
 // with their licences. Run by hatch_build.py when package-lock.json has changed.
 
 import { build } from "esbuild";
-import { readdir, readFile, writeFile } from "node:fs/promises";
+import { copyFile, mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { join, relative } from "node:path";
 
 const TARGET = "sitegen/runtime/vendor";
@@ -14,6 +14,9 @@ const BUNDLES = {
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
+
+/** Python comes as it is: its parts find each other by their names. */
+const PYTHON = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"];
 
 const packages = new Set();
 for (const [name, contents] of Object.entries(BUNDLES)) {
@@ -34,18 +37,35 @@ for (const [name, contents] of Object.entries(BUNDLES)) {
   }
 }
 
+await mkdir(join(TARGET, "pyodide"), { recursive: true });
+for (const file of PYTHON) {
+  await copyFile(join("node_modules/pyodide", file), join(TARGET, "pyodide", file));
+}
+// Of the list of packages that Python could load from elsewhere, only what it is for.
+const lock = JSON.parse(await readFile("node_modules/pyodide/pyodide-lock.json", "utf8"));
+const none = JSON.stringify({ info: lock.info, packages: {} });
+await writeFile(join(TARGET, "pyodide/pyodide-lock.json"), none);
+const loader = join(TARGET, "pyodide/pyodide.mjs");
+const text = await readFile(loader, "utf8");
+await writeFile(loader, text.replace(/\/\/# sourceMappingURL=.*\n?/, ""));
+await writeFile(
+  join(TARGET, "pyodide/pyodide.d.mts"),
+  "export function loadPyodide(options: object): Promise<any>;\n",
+);
+
 // A library may hold others already.
 for (const folder of packages) {
   const { dependencies = {} } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
   for (const name of Object.keys(dependencies)) packages.add(join("node_modules", name));
 }
+packages.add("node_modules/pyodide"); // what it depends on stays behind
 
 const texts = [];
 for (const folder of [...packages].sort()) {
-  const { name, version, license } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
+  const about = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
   const file = (await readdir(folder)).find((each) => /^licen[cs]e(\.\w+)?$/i.test(each));
-  const text = file ? await readFile(join(folder, file), "utf8") : "";
-  texts.push(`${name} ${version} (${license})\n\n${text}`);
+  const text = file ? await readFile(join(folder, file), "utf8") : `Sources: ${about.homepage}`;
+  texts.push(`${about.name} ${about.version} (${about.license})\n\n${text}`);
 }
 await writeFile(join(TARGET, "licenses.txt"), texts.join("\n\n----\n\n"));
-console.log(`${relative(".", TARGET)}: ${Object.keys(BUNDLES).join(", ")}`);
+console.log(`${relative(".", TARGET)}: ${Object.keys(BUNDLES).join(", ")}, pyodide`);

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from sitegen.digest import digest_of
 from sitegen.model import Artifact, Build, Node, Page, Site, Widget
 
 RUNTIME = Path(__file__).resolve().parent / "runtime"
+VENDOR = RUNTIME / "vendor"
+# What browsers load of Pyodide, by the end of its name.
+PYTHON = {".json", ".mjs", ".wasm", ".zip"}
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
 PLAIN = {"buttons", "console"}
@@ -31,10 +34,13 @@ def runtime(site: Site) -> list[Artifact]:
     files = {file for page in site.pages for file in _modules(page)}
     if not files:
         return []
-    workers = {_worker(node) for page in site.pages for node in page.nodes.values()}
+    workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
-    if any(file.parent.name == "vendor" for file in files):
-        files.add(RUNTIME / "vendor" / "licenses.txt")
+    if "pythonNode" in workers:
+        parts = (VENDOR / "pyodide").iterdir()
+        files |= {file for file in parts if file.suffix in PYTHON}
+    if any(file.is_relative_to(VENDOR) for file in files):
+        files.add(VENDOR / "licenses.txt")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
 
 
@@ -115,8 +121,16 @@ def scripts(site: Site) -> list[Artifact]:
     return [Artifact(f"ros2wasm/{f.relative_to(site.root).as_posix()}", f) for f in sorted(files)]
 
 
-def _worker(node: Node) -> str:
+def archives(common: bytes, packages: Mapping[str, bytes]) -> list[Artifact]:
+    """Return the archives of Python nodes: what all have in common, and one of each package."""
+    own = (Artifact(f"nodes/{name}/python.zip", data) for name, data in packages.items())
+    return [Artifact("nodes/ros.zip", common), *own]
+
+
+def _worker(site: Site, node: Node) -> str:
     """Return which worker of the runtime runs `node`."""
+    if site.setup_of(node):
+        return "pythonNode"
     return "ros2wasmNode" if node.ros2wasm else "cppNode"
 
 

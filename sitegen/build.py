@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import shutil
@@ -11,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, ros2wasm, workspace
+from sitegen import assets, config, cpp, pages, python, ros2wasm, workspace
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -23,10 +24,11 @@ FOREIGN = "holds files that sitegen did not write; empty it or choose another --
 
 @dataclass(frozen=True)
 class Made:
-    """What a folder with a site.yaml becomes: its site, the compiled nodes, the files of dist/."""
+    """What a folder with a site.yaml becomes: its site, its programs, the files of dist/."""
 
     site: Site
     builds: cpp.Builds
+    bundles: python.Bundles | None
     artifacts: Sequence[Artifact]
 
 
@@ -63,21 +65,29 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
         report=report,
     )
 
+    # Python nodes become one archive for all and one for each package.
+    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
+
     # Markdown pages become HTML with a page.json each.
     types = {
-        page.path: types_of(page, builds, foreign) for page in site.pages if assets.takes_part(page)
+        page.path: types_of(site, page, builds, bundles, foreign)
+        for page in site.pages
+        if assets.takes_part(page)
     }
     versions = assets.versions(builds.items())
-    artifacts = pages.render(site, pages.Programs(assets.preloads(site), types, foreign, versions))
+    archives = assets.archives(bundles.common, bundles.packages) if bundles else []
+    programs = pages.Programs(assets.preloads(site), types, foreign, versions, digests(archives))
+    artifacts = pages.render(site, programs)
 
     # These, and what they use, are the site.
     artifacts += assets.runtime(site)
     artifacts += assets.search(site)
     artifacts += assets.programs(builds.items())
+    artifacts += archives
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
     check_paths(artifacts)
-    return Made(site, builds, artifacts)
+    return Made(site, builds, bundles, artifacts)
 
 
 def nodes_of(site: Site) -> list[Node]:
@@ -94,7 +104,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        if not node.ros2wasm:
+        if not node.ros2wasm and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():
@@ -103,15 +113,32 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     return jobs
 
 
-def types_of(page: Page, builds: cpp.Builds, foreign: ros2wasm.Types) -> dict[str, object]:
+def types_of(
+    site: Site,
+    page: Page,
+    builds: cpp.Builds,
+    bundles: python.Bundles | None,
+    foreign: ros2wasm.Types,
+) -> dict[str, object]:
     """Return the message types that the nodes of `page` use, by name."""
     types: dict[str, object] = {}
     for name, node in page.nodes.items():
         if node.ros2wasm:
             types |= foreign[page.path][name]
+        elif bundles and site.setup_of(node):
+            types |= bundles.types[node.package]
         else:
             types |= json.loads(builds[node.package, node.executable][0].types.read_text())
     return types
+
+
+def digests(archives: Sequence[Artifact]) -> dict[str, str]:
+    """Return a digest of the bytes of each archive, by its path."""
+    return {
+        artifact.path: hashlib.sha256(artifact.source).hexdigest()[:10]
+        for artifact in archives
+        if isinstance(artifact.source, bytes)
+    }
 
 
 def cache_folder() -> Path:
@@ -179,6 +206,10 @@ def summarize(made: Made, report: Report) -> None:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)
             script = node.ros2wasm.script.relative_to(site.root).as_posix()
             report.say(f"  {script}: ROS2WASM {size(total)}")
+            continue
+        if made.bundles and site.setup_of(node):
+            total = len(made.bundles.common) + len(made.bundles.packages[node.package])
+            report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
         forms = made.builds[node.package, node.executable]
         sizes = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)

@@ -168,6 +168,25 @@ def describe(
     return arguments
 
 
+def write_classes(prefix: Path, arguments: dict[str, Any]) -> None:
+    """Generate the Python classes of a package to `prefix/python`; takes what `describe` returns.
+
+    Its C sources, which connect them to a middleware, are left out.
+    """
+    generator = rosidl("rosidl_generator_py")
+    package = arguments["package_name"]
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = Path(folder) / package
+        templates = ROS / "share" / "rosidl_generator_py" / "resource"
+        own = {"output_dir": str(fresh), "template_dir": str(templates)}
+        _run(lambda file: generator.generate_py(file, []), arguments | own)
+        (fresh / "__init__.py").touch()
+        for file in sorted(fresh.rglob("*.py")):
+            target = prefix / "python" / package / file.relative_to(fresh)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, target)
+
+
 def _update(fresh: Path, folder: Path) -> None:
     """Make `folder` hold what `fresh` holds.
 

@@ -165,10 +165,29 @@ class Site:
     branch: str = "main"
     feed: bool = False
 
+    def setup_of(self, node: Node) -> Setup | None:
+        """Return the setup of the package of a Python node, None for all others."""
+        package = self.packages.get(node.package)
+        return package.setup if package else None
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What an `ament_python` package installs.
+
+    `scripts` are its entry points ("module:function") by the names of the executables; `files` its
+    files by their place below the prefix, where modules are in `python/`. `fault` says where its
+    setup cannot be read, and why.
+    """
+
+    scripts: Mapping[str, str]
+    files: Mapping[str, Path]
+    fault: tuple[Place, str] | None = None
+
 
 @dataclass(frozen=True)
 class Package:
-    """A ROS package of the workspace, as its `package.xml` and `CMakeLists.txt` describe it.
+    """A ROS package of the workspace, as its `package.xml` and its build files describe it.
 
     `executables` is None where only CMake itself can tell their names; `sources` has the files of
     those that it names, as far as they stand there.
@@ -182,6 +201,7 @@ class Package:
     interfaces: tuple[str, ...]
     version: str = ""
     sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    setup: Setup | None = None
 
 
 @dataclass(frozen=True)

@@ -9,9 +9,9 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.parsers.expat import ErrorString
 
-from sitegen import cmakelists
+from sitegen import cmakelists, setupfiles
 from sitegen.errors import Place, Problems, SiteError, relative
-from sitegen.model import Package
+from sitegen.model import Package, Setup
 
 NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
 IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
@@ -19,6 +19,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 # The interface packages that come with sitegen, and the kinds of interfaces that messages are of.
 SHARES = [Path(__file__).parent / "ros" / "share", Path(__file__).parent / "share"]
 KINDS = ("msg", "srv")
+PYTHON = "ament_python"
 DEPENDS = {
     "depend",
     "build_depend",
@@ -130,16 +131,39 @@ def _package(path: Path, problems: Problems) -> Package | None:
     cmake = path / "CMakeLists.txt"
     listing = cmakelists.read(cmake, name)
     depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
+    build_type = _build_type(xml, cmake.is_file())
+    setup = _setup(path) if build_type == PYTHON else None
+    executables = listing.executables if setup is None else setup.scripts
+    sources = listing.sources if setup is None else _modules(path, setup)
     return Package(
         name=name,
         path=path,
-        build_type=_build_type(xml, cmake.is_file()),
+        build_type=build_type,
         depends=tuple(dict.fromkeys(filter(None, depends))),
-        executables=None if listing.executables is None else tuple(listing.executables),
+        executables=None if executables is None else tuple(executables),
         interfaces=tuple(dict.fromkeys(listing.interfaces)),
         version=(xml.findtext("version") or "").strip(),
-        sources={name: tuple(files) for name, files in listing.sources.items()},
+        sources={name: tuple(files) for name, files in sources.items()},
+        setup=setup,
     )
+
+
+def _setup(path: Path) -> Setup:
+    listing = setupfiles.read(path)
+    fault = listing.fault and (Place(*listing.fault[:2]), listing.fault[2])
+    files = {place: path / file for place, file in listing.files.items()}
+    return Setup(listing.scripts, files, fault)
+
+
+def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
+    """Return the file of each entry point."""
+    found: dict[str, list[str]] = {}
+    for name, target in setup.scripts.items():
+        module = target.partition(":")[0].replace(".", "/")
+        places = (f"python/{module}.py", f"python/{module}/__init__.py")
+        files = (setup.files[place] for place in places if place in setup.files)
+        found[name] = [file.relative_to(path).as_posix() for file in files]
+    return found
 
 
 def _build_type(xml: ElementTree.Element, has_cmake: bool) -> str:

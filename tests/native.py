@@ -43,6 +43,17 @@ class Native:
         subprocess.run([*pip, "--requirement", REQUIREMENTS], check=True)
         (self._folder / "complete").touch()
 
+    def call(self, function: str, prefix: Path) -> subprocess.CompletedProcess[str]:
+        """Call "module:function" of a package that is installed in `prefix`, as a script does."""
+        module, _, name = function.partition(":")
+        env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
+        env["AMENT_PREFIX_PATH"] = f"{prefix}:{self._folder}"
+        env["PYTHONPATH"] = f"{prefix / 'python'}"
+        env["ROS_DOMAIN_ID"] = str(os.getpid() % 100 + 1)
+        program = f"import sys; from {module} import {name}; sys.exit({name}())"
+        command: list[str | Path] = [self._python, "-c", program, "a", "b c"]
+        return subprocess.run(command, env=env, text=True, capture_output=True)
+
     @property
     def share(self) -> Path:
         """Where its packages keep their interface definitions."""
@@ -67,3 +78,24 @@ def test_cache() -> Path:
     """Return the folder for what tests keep between runs."""
     own = os.environ.get("SITEGEN_TEST_CACHE")
     return Path(own) if own else Path.home() / ".cache" / "sitegen-tests"
+
+
+def copy_test_msgs(native: Native, package: Path) -> None:
+    """Copy the definitions of the native test_msgs to a package of the workspace."""
+    for kind in ("msg", "srv", "action"):
+        definitions = [
+            file
+            for file in (native.share / "test_msgs" / kind).iterdir()
+            if file.suffix == f".{kind}" or not file.with_suffix(f".{kind}").exists()
+        ]
+        (package / kind).mkdir()
+        for file in definitions:
+            shutil.copy(file, package / kind)
+
+
+def differences(native: Native, messages: list[str], answers: list[str]) -> list[str]:
+    """Return what native ROS 2 finds wrong with our bytes for its own messages."""
+    lines = [f"{line} {answer}\n" for line, answer in zip(messages, answers, strict=True)]
+    found = native.run("messages.py", "compare", stdin="".join(lines))
+    assert len(found) == len(lines)
+    return [f"{line}: {what}" for line, what in zip(lines, found, strict=True) if what]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from browser import serving
-from native import Native
+from native import Native, copy_test_msgs, differences
 from playwright.sync_api import Browser
 
 from sitegen.build import build
@@ -64,15 +64,7 @@ def ask(
     """Ask the compiled program: a line of answer for each line of input."""
     folder = tmp_path_factory.mktemp("cdr")
     shutil.copytree(SITE, folder, dirs_exist_ok=True)
-    for kind in ("msg", "srv", "action"):
-        definitions = [
-            file
-            for file in (native.share / "test_msgs" / kind).iterdir()
-            if file.suffix == f".{kind}" or not file.with_suffix(f".{kind}").exists()
-        ]
-        (folder / "src" / "test_msgs" / kind).mkdir()
-        for file in definitions:
-            shutil.copy(file, folder / "src" / "test_msgs" / kind)
+    copy_test_msgs(native, folder / "src" / "test_msgs")
     build(folder, output=folder / "dist", report=Report())
     (folder / "dist" / "host.js").write_text(HOST)
     (folder / "dist" / "empty.html").write_text("<!DOCTYPE html><link rel=icon href=data:,>")
@@ -121,14 +113,6 @@ def test_new_messages_hold_the_defaults_of_their_type(
     expected = native.run("messages.py", "default", *types)
     answers = ask([f"default {name}" for name in types])
     assert differences(native, expected, answers) == []
-
-
-def differences(native: Native, messages: list[str], answers: list[str]) -> list[str]:
-    """Return what native ROS 2 finds wrong with our bytes for its own messages."""
-    lines = [f"{line} {answer}\n" for line, answer in zip(messages, answers, strict=True)]
-    found = native.run("messages.py", "compare", stdin="".join(lines))
-    assert len(found) == len(lines)
-    return [f"{line}: {what}" for line, what in zip(lines, found, strict=True) if what]
 
 
 def test_an_empty_message_is_one_byte(ask: Ask) -> None:

@@ -23,7 +23,7 @@ FILES = {
     "themes/default/page.html": "",
     "src/cpp_pubsub/package.xml": PACKAGE.format(name="cpp_pubsub", build_type="ament_cmake"),
     "src/cpp_pubsub/CMakeLists.txt": "add_executable(talker a.cpp)\nadd_executable(listener b.cpp)",
-    "src/py_pubsub/package.xml": PACKAGE.format(name="py_pubsub", build_type="ament_python"),
+    "src/py_pubsub/package.xml": PACKAGE.format(name="py_pubsub", build_type="catkin"),
     "src/generated/package.xml": PACKAGE.format(name="generated", build_type="ament_cmake"),
     "src/generated/CMakeLists.txt": "add_executable(${NAME} a.cpp)",
 }
@@ -326,7 +326,7 @@ WRONG = [
             "site.yaml:10: nodes.three.executable: package 'cpp_pubsub' has no executable 'taker'; "
             "did you mean 'talker'?",
             "site.yaml:11: nodes.four.package: package 'py_pubsub' is of build type "
-            "'ament_python'; this release runs 'ament_cmake' packages",
+            "'catkin'; this release runs packages of ament_cmake and ament_python",
         ],
     ),
     Wrong(

@@ -23,7 +23,7 @@ ENDS = {
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
     "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
-    "recursion": (["recursion: RangeError: Maximum call stack size exceeded"], "failed"),
+    "recursion": (["recursion: stack overflow: functions call each other too deep"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (
         [
@@ -123,4 +123,14 @@ def test_a_node_that_is_terminated_in_the_middle_of_large_messages_spoils_nothin
         assert "pour: did not end within a second and was terminated" in pour.lines()[turn:]
     assert {message for message in drink.messages()} == {"a large message, whole"}
     drink.stop()
+    expect_nothing_left(page)
+
+
+def test_what_a_program_published_before_it_ended_arrives(page: Page) -> None:
+    speaker, listener = Panel(page, "last_words"), Panel(page, "listen")
+    listener.start()
+    speaker.start()
+    speaker.expect_state("stopped")
+    listener.wait_for("heard 300 words")
+    listener.stop()
     expect_nothing_left(page)

@@ -62,6 +62,7 @@ def test_a_page_is_reloaded_while_its_nodes_start(tab: Page, serve: Serve, built
     moment = random.Random(1)
     tab.add_init_script("""
       addEventListener("DOMContentLoaded", async () => {
+        if (!document.getElementById("ros-page")) return;
         const { ros } = await import(document.querySelector("script[type=module]").src);
         for (const node of ros.nodes.values()) node.start();
       });

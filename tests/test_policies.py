@@ -63,6 +63,7 @@ def test_what_does_not_suit_is_told_in_the_words_of_ros(page: Page) -> None:
     assert "requesting incompatible QoS. No messages will be sent to it." in (
         offers.console.inner_text()
     )
+    page.locator(".ros-topics").scroll_into_view_if_needed()
     warnings = page.locator(".ros-topics tbody p")
     expect(warnings.get_by_text("/strict does not hear /offers. Durability: ")).to_be_visible()
     expect(warnings.get_by_text("/strict does not hear /offers. Type: ")).to_be_visible()

@@ -13,7 +13,7 @@ from sitegen.config.section import Section, check
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Package
 
-BUILD_TYPE = "ament_cmake"
+BUILD_TYPES = ("ament_cmake", "ament_python")
 TOKEN = r"[A-Za-z_][A-Za-z0-9_]*"
 NAME = re.compile(TOKEN)
 NAMESPACE = re.compile(rf"/|(/{TOKEN})+")
@@ -61,12 +61,18 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     if package is None:
         message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
         problems.add(section.place("package"), section.label("package"), message)
-    elif package.build_type != BUILD_TYPE:
+    elif package.build_type not in BUILD_TYPES:
         message = (
             f"package '{package.name}' is of build type '{package.build_type}'; "
-            f"this release runs '{BUILD_TYPE}' packages"
+            f"this release runs packages of {' and '.join(BUILD_TYPES)}"
         )
         problems.add(section.place("package"), section.label("package"), message)
+    elif package.setup and package.setup.fault:
+        problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
+    elif package.setup and not package.setup.scripts:
+        message = f"package '{package.name}' has no entry points; name them in its setup.py"
+        advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
+        problems.add(section.place("package"), section.label("package"), f"{message}: {advice}")
     elif not _has_executable(package, node.executable):
         hint = nearest(node.executable, package.executables or ())
         message = f"package '{package.name}' has no executable '{node.executable}'; {hint}"

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from sitegen.model import Node, Page, Site
+from sitegen.model import Node, Page, Setup, Site
 from sitegen.pages.blocks import slots_of
 from sitegen.prose import address
 
@@ -20,13 +20,15 @@ class Programs:
     `modules` names, by page path, the modules inside `dist/` that the page loads beside rosMain.js;
     `types` has, by page path, the message types of pages that take part in the graph; `foreign`
     has, by page path and node, those of nodes that the ROS2WASM project compiled; `versions` has a
-    digest of each program, by package, executable and engine.
+    digest of each program, by package, executable and engine; `archives` has one of each archive of
+    Python nodes, by its path inside `dist/`.
     """
 
     modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
     types: Mapping[str, Types] = field(default_factory=dict)
     foreign: Mapping[str, Mapping[str, Types]] = field(default_factory=dict)
     versions: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
+    archives: Mapping[str, str] = field(default_factory=dict)
 
 
 def page_json(site: Site, page: Page, programs: Programs) -> bytes:
@@ -62,17 +64,31 @@ def page_json(site: Site, page: Page, programs: Programs) -> bytes:
 
 def _program(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, object]:
     if node.ros2wasm is None:
+        setup = site.setup_of(node)
+        how = (
+            {"python": _python(page, node, setup, programs)}
+            if setup
+            else {"builds": _builds(site, page, node, programs)}
+        )
         return {
             "package": node.package,
             "executable": node.executable,
             "arguments": node.command_line(),
-            "builds": _builds(site, page, node, programs),
+            **how,
         }
     script = node.ros2wasm.script
     path = f"ros2wasm/{script.relative_to(site.root).as_posix()}"
     types = programs.foreign.get(page.path, {}).get(node.name, {})
     worker = {"script": address(page, path), "topics": dict(node.ros2wasm.types), "types": types}
     return {"package": "ros2wasm", "executable": script.name, "arguments": [], "ros2wasm": worker}
+
+
+def _python(page: Page, node: Node, setup: Setup, programs: Programs) -> dict[str, object]:
+    module, _, attribute = setup.scripts[node.executable].partition(":")
+    paths = ("nodes/ros.zip", f"nodes/{node.package}/python.zip")
+    # Other files have another address, so that browsers may keep these for good.
+    bundles = [f"{address(page, path)}?v={programs.archives.get(path, '')}" for path in paths]
+    return {"bundles": bundles, "module": module, "attribute": attribute}
 
 
 def _builds(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, dict[str, str]]:

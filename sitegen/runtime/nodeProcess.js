@@ -1,7 +1,7 @@
 // @ts-check
 // A node of the page and the worker that runs it, from Start to Stop and again.
 
-/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, Severity, ToWorker } from "./protocol.js" */
+/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
 
 // A node that Stop did not end after this time (ms) is terminated.
@@ -64,19 +64,21 @@ export class NodeProcess extends EventTarget {
     if (this.#state === "stopping") this.#startAgain = true;
     if (this.#run) return;
     this.#setState("starting");
-    const { builds = {}, ros2wasm } = this.#entry;
+    const { builds = {}, python, ros2wasm } = this.#entry;
     if (ros2wasm) {
       const program = { ...ros2wasm, script: new URL(ros2wasm.script, this.#base).href };
       this.#launch("ros2wasmNode", async (id) => ({ op: "adopt", id, name: this.name, program }));
       return;
     }
     const wanted = engineOfBrowser();
+    if (python) {
+      this.#interpret(python, wanted);
+      return;
+    }
     const engine = builds[wanted] ? wanted : "asyncify";
     const build = builds[engine];
     if (!build) {
-      const lacks = "this browser lacks JavaScript Promise Integration, which the node needs";
-      this.#print("fatal", `${this.name}: ${lacks}`);
-      this.#setState("failed");
+      this.#lack("the node needs");
       return;
     }
     const script = new URL(build.script, this.#base).href;
@@ -87,6 +89,25 @@ export class NodeProcess extends EventTarget {
       const { executable: name, arguments: args } = this.#entry;
       return { op: "start", id, engine, module, name, arguments: args };
     });
+  }
+
+  /** Start a Python node. @param {PythonEntry} entry @param {Engine} engine of this browser */
+  #interpret(entry, engine) {
+    if (engine !== "jspi") {
+      this.#lack("Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it");
+      return;
+    }
+    const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
+    const { executable: name, arguments: args } = this.#entry;
+    const program = { ...entry, bundles };
+    this.#launch("pythonNode", async (id) => ({ op: "interpret", id, name, program, arguments: args }));
+  }
+
+  /** Say that this browser cannot run it. @param {string} who needs what it lacks */
+  #lack(who) {
+    const lacks = "this browser lacks JavaScript Promise Integration, which";
+    this.#print("fatal", `${this.name}: ${lacks} ${who}`);
+    this.#setState("failed");
   }
 
   /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */

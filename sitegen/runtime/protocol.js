@@ -6,8 +6,11 @@
  *   types?: Record<string, MessageType>}} PageEntry with types where a widget takes part in the graph
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
- *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, ros2wasm?: Ros2wasmEntry,
- * }} NodeEntry with one of the last two
+ *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, python?: PythonEntry,
+ *   ros2wasm?: Ros2wasmEntry,
+ * }} NodeEntry with one of the last three
+ * @typedef {{bundles: string[], module: string, attribute: string}} PythonEntry a Python node: archives to
+ *   unpack in its interpreter, and what it calls
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
  *   and the definitions of these
@@ -107,6 +110,7 @@ export const DEFAULT_QOS = Object.freeze({
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[]}
+ *   | {op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[]}
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}

@@ -94,6 +94,8 @@ function end(code, error) {
 /** @param {unknown} error */
 function describe(error) {
   if (!(error instanceof Error)) return String(error);
+  // Each browser has words of its own for it.
+  if (/call stack|recursion/.test(error.message)) return "stack overflow: functions call each other too deep";
   // Emscripten adds advice for those who built the program.
   if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
   return `${error.name}: ${error.message}`;

@@ -88,6 +88,24 @@ static const std::map<std::string, void (*)(NodePtr)> kFaults = {
         });
       rclcpp::spin(node);
     }},
+  {"last-words", [](NodePtr node) {
+      auto publisher = node->create_publisher<std_msgs::msg::String>("/words", rclcpp::QoS(300));
+      while (publisher->get_subscription_count() == 0) {std::this_thread::sleep_for(10ms);}
+      for (int i = 1; i <= 300; ++i) {
+        std_msgs::msg::String message;
+        message.data = std::to_string(i);
+        publisher->publish(message);
+      }
+    }},
+  {"listen", [](NodePtr node) {
+      int count = 0;
+      auto subscription = node->create_subscription<std_msgs::msg::String>(
+        "/words", rclcpp::QoS(300), [&](const std_msgs::msg::String & message) {
+          count += 1;
+          if (message.data == "300") {RCLCPP_INFO(node->get_logger(), "heard %d words", count);}
+        });
+      rclcpp::spin(node);
+    }},
   {"sleep", [](NodePtr node) {
       const auto begin = node->now();
       std::this_thread::sleep_for(300ms);

@@ -1,0 +1,91 @@
+"""Arrays of a fixed number of numbers, as far as message classes need numpy for them.
+
+The generated classes import this module by the name of numpy, which is megabytes to load.
+"""
+
+from __future__ import annotations
+
+import array as numbers
+from collections.abc import Iterable
+from typing import Any
+
+
+class dtype:
+    """A type of numbers."""
+
+    def __init__(self, name: str, code: str) -> None:
+        self.name = name
+        self.code = code
+
+    def __repr__(self) -> str:
+        return f"dtype('{self.name}')"
+
+
+float32, float64 = dtype("float32", "f"), dtype("float64", "d")
+int8, int16, int32, int64 = (
+    *(dtype("int8", "b"), dtype("int16", "h"), dtype("int32", "i"), dtype("int64", "q")),
+)
+uint8, uint16, uint32, uint64 = (
+    *(dtype("uint8", "B"), dtype("uint16", "H"), dtype("uint32", "I"), dtype("uint64", "Q")),
+)
+_NAMED = {
+    **{"float": float32, "double": float64},
+    **{t.name: t for t in (int8, int16, int32, int64, uint8, uint16, uint32, uint64)},
+}
+
+
+def named(name: str) -> dtype:
+    """Return the type that IDL calls so."""
+    return _NAMED[name]
+
+
+class ndarray(numbers.array[Any]):
+    """Numbers of one type, in one row."""
+
+    dtype: dtype
+
+    @property
+    def size(self) -> int:
+        """How many they are."""
+        return len(self)
+
+    @property
+    def shape(self) -> tuple[int]:
+        """How many they are, as numpy says it."""
+        return (len(self),)
+
+    def __eq__(self, other: object) -> Any:
+        return self._compare(other, equal=True)
+
+    def __ne__(self, other: object) -> Any:
+        return self._compare(other, equal=False)
+
+    __hash__ = None
+
+    def _compare(self, other: Any, *, equal: bool) -> list[bool]:
+        return [(a == b) is equal for a, b in zip(self, other, strict=True)]
+
+    def __repr__(self) -> str:
+        usual = self.dtype in (float64, int64)
+        kind = "" if usual else f", dtype={self.dtype.name}"
+        return f"array([{', '.join(map(_written, self))}]{kind})"
+
+    def __str__(self) -> str:
+        return f"[{' '.join(map(_written, self))}]"
+
+
+def _written(number: float) -> str:
+    text = repr(number)
+    return text.removesuffix("0") if text.endswith(".0") else text
+
+
+def array(values: Iterable[Any], dtype: dtype = float64) -> ndarray:
+    """Return an array of `values`."""
+    made = ndarray(dtype.code, values)
+    made.dtype = dtype
+    return made
+
+
+def zeros(size: int, dtype: dtype = float64) -> ndarray:
+    """Return an array of zeros."""
+    return array([0] * size, dtype)

@@ -1,0 +1,153 @@
+"""Logging: levels of loggers, lines for the console, and messages on /rosout."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+import ros_host
+
+from rclpy_backend.arguments import severities
+from rclpy_backend.clock import system_time
+from rclpy_backend.enums import RCUTILS_LOG_SEVERITY
+from rclpy_backend.handles import Context
+from rclpy_backend.qos import rmw_qos_profile_t
+
+if TYPE_CHECKING:
+    from rclpy_backend.node import Node
+
+# What this middleware is called.
+IDENTIFIER = "rmw_sitegen"
+
+SEPARATOR = "."
+_INFO = int(RCUTILS_LOG_SEVERITY.RCUTILS_LOG_SEVERITY_INFO)
+_ERROR = int(RCUTILS_LOG_SEVERITY.RCUTILS_LOG_SEVERITY_ERROR)
+# Of loggers, by name; that of "" is the level of all that have none.
+_levels: dict[str, int] = {"": _INFO}
+# Who publishes the lines of a logger, by its name.
+_rosouts: dict[str, Rosout] = {}
+
+
+class Rosout:
+    """The publisher of a node for what it logs."""
+
+    def __init__(self, node: Node, profile: rmw_qos_profile_t) -> None:
+        from rcl_interfaces.msg import Log
+
+        from rclpy_backend.publisher import Publisher
+
+        self._publisher = Publisher(node, Log, "/rosout", profile)
+        _rosouts.setdefault(node.logger_name(), self)
+
+    def close(self) -> None:
+        """Publish no more."""
+        for name in [name for name, rosout in _rosouts.items() if rosout is self]:
+            del _rosouts[name]
+        self._publisher.destroy_when_not_in_use()
+
+    def publish(self, severity: int, name: str, text: str, where: tuple[str, str, int]) -> None:
+        """Publish a line; `where` is its function, its file and its line."""
+        from builtin_interfaces.msg import Time
+        from rcl_interfaces.msg import Log
+
+        seconds, nanoseconds = divmod(system_time(), 10**9)
+        function, file, line = where
+        message: Any = Log(level=severity, name=name, msg=text, file=file, function=function)
+        message.stamp = Time(sec=seconds, nanosec=nanoseconds)
+        message.line = line
+        self._publisher.publish(message)
+
+
+def rclpy_logging_rcutils_log(
+    severity: int, name: str, message: str, function_name: str, file_name: str, line_number: int
+) -> None:
+    """Log a line if its logger takes it."""
+    if not rclpy_logging_logger_is_enabled_for(name, severity):
+        return
+    sys.stdout.flush()
+    ros_host.log(int(severity), name, message)
+    if rosout := _rosouts.get(name):
+        rosout.publish(int(severity), name, message, (function_name, file_name, line_number))
+
+
+def report(text: str) -> None:
+    """Log an error of this layer."""
+    rclpy_logging_rcutils_log(_ERROR, "rclpy", text, "", "", 0)
+
+
+def rclpy_logging_rosout_add_sublogger(logger_name: str, sublogger_name: str) -> bool:
+    """Publish what a logger below that of a node logs; returns whether there is such a node."""
+    rosout = _rosouts.get(logger_name)
+    if rosout is None:
+        return False
+    _rosouts.setdefault(f"{logger_name}{SEPARATOR}{sublogger_name}", rosout)
+    return True
+
+
+def rclpy_logging_rosout_remove_sublogger(logger_name: str, sublogger_name: str) -> None:
+    """Publish it no more."""
+    _rosouts.pop(f"{logger_name}{SEPARATOR}{sublogger_name}", None)
+
+
+def rclpy_logging_configure(context: Context) -> None:
+    """Take the levels of the command line."""
+    _levels.update(context.arguments.log_levels)
+
+
+def rclpy_logging_fini() -> None:
+    """End what rclpy_logging_configure began: nothing, lines go to the page at once."""
+
+
+def rclpy_logging_initialize() -> None:
+    """Begin to log: the page always takes lines."""
+
+
+def rclpy_logging_shutdown() -> None:
+    """Forget all levels."""
+    _levels.clear()
+    _levels[""] = _INFO
+
+
+def rclpy_logging_get_separator_string() -> str:
+    """Return what stands between the parts of a logger's name."""
+    return SEPARATOR
+
+
+def rclpy_logging_set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
+    """Set from which level on a logger takes lines."""
+    _levels[name] = int(level)
+
+
+def rclpy_logging_get_logger_level(name: str) -> int:
+    """Return the level of a logger, 0 if it has none of its own."""
+    return _levels.get(name, 0)
+
+
+def rclpy_logging_get_logger_effective_level(name: str) -> int:
+    """Return its level, or that of the nearest logger above."""
+    while name and not _levels.get(name):
+        name = name.rpartition(SEPARATOR)[0]
+    return _levels.get(name) or _INFO
+
+
+def rclpy_logging_logger_is_enabled_for(name: str, severity: int) -> bool:
+    """Return whether a logger takes lines of this level."""
+    return int(severity) >= rclpy_logging_get_logger_effective_level(name)
+
+
+def rclpy_logging_severity_level_from_string(log_level: str) -> int:
+    """Return the number of a level."""
+    level = severities().get(log_level.upper())
+    if level is None:
+        raise RuntimeError(f"Failed to get log severity from name: {log_level}")
+    return level
+
+
+def rclpy_logging_get_logging_directory() -> str:
+    """Return where files of the log would be: the page writes none."""
+    return "/root/.ros/log"
+
+
+def rclpy_get_rmw_implementation_identifier() -> str:
+    """Return the name of this middleware."""
+    return IDENTIFIER

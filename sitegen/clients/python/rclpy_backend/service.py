@@ -1,0 +1,147 @@
+"""Servers and clients of services."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import ros_host
+from pyodide.ffi import to_js
+
+from rclpy_backend import cdr, log
+from rclpy_backend.clock import Clock
+from rclpy_backend.endpoint import Endpoint
+from rclpy_backend.enums import ServiceIntrospectionState
+from rclpy_backend.handles import Destroyable
+from rclpy_backend.missing import refuse
+from rclpy_backend.qos import rmw_qos_profile_t
+from rclpy_backend.received import Received, take
+
+if TYPE_CHECKING:
+    from rclpy_backend.node import Node
+
+
+class rmw_request_id_t:
+    """Which request: the number that its client gave it, and the name of that client."""
+
+    def __init__(self, sequence_number: int, writer: int) -> None:
+        self.sequence_number = sequence_number
+        self.writer = writer
+
+
+class rmw_service_info_t:
+    """When a request or a response was sent and received, and which it is."""
+
+    def __init__(self, sample: Received) -> None:
+        self.request_id = rmw_request_id_t(sample.sequence, sample.writer)
+        self.source_timestamp = sample.source_timestamp
+        self.received_timestamp = sample.received_timestamp
+
+
+class _ServiceEndpoint(Endpoint):
+    def __init__(
+        self, kind: str, node: Node, service_type: Any, name: str, profile: rmw_qos_profile_t
+    ) -> None:
+        super().__init__(kind, node, service_type, name, profile)
+        self._type = service_type
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        pyqos_service_event_pub: rmw_qos_profile_t,
+        introspection_state: int,
+    ) -> None:
+        """Refuse to tell who listens in what the service is asked."""
+        if introspection_state != ServiceIntrospectionState.OFF:
+            refuse("the introspection of services")
+
+    def _take(self, message_type: type) -> tuple[rmw_service_info_t, Any] | None:
+        sample = take(self.id)
+        if sample is None:
+            return None
+        try:
+            return rmw_service_info_t(sample), cdr.deserialize(sample.data, message_type)
+        except cdr.CdrError as error:
+            log.report(f"{len(sample.data)} bytes for '{self._full_name}': {error}")
+            return None
+
+
+class Client(_ServiceEndpoint):
+    """Asks a service."""
+
+    def __init__(
+        self, node: Node, service_type: Any, service_name: str, profile: rmw_qos_profile_t
+    ) -> None:
+        super().__init__("client", node, service_type, service_name, profile)
+
+    @property
+    def service_name(self) -> str:
+        """Its whole name."""
+        return self._full_name
+
+    def service_server_is_available(self) -> bool:
+        """Return whether a server is there."""
+        return self.matched() > 0
+
+    def send_request(self, request: Any) -> int:
+        """Send a request and return its number."""
+        data = cdr.serialize(request, self._type.Request)
+        return int(ros_host.request(self.id, to_js(data)))
+
+    def take_response(
+        self, response_type: type
+    ) -> tuple[rmw_service_info_t, Any] | tuple[None, None]:
+        """Return the oldest response and which request it is for."""
+        return self._take(response_type) or (None, None)
+
+
+class Service(_ServiceEndpoint):
+    """Answers requests."""
+
+    def __init__(
+        self, node: Node, service_type: Any, name: str, profile: rmw_qos_profile_t
+    ) -> None:
+        super().__init__("service", node, service_type, name, profile)
+
+    @property
+    def name(self) -> str:
+        """Its whole name."""
+        return self._full_name
+
+    @property
+    def qos(self) -> dict[str, Any]:
+        """Its quality of service."""
+        return self.profile.to_dict()
+
+    def service_take_request(
+        self, request_type: type
+    ) -> tuple[Any, rmw_service_info_t] | tuple[None, None]:
+        """Return the oldest request and who asks."""
+        taken = self._take(request_type)
+        return (taken[1], taken[0]) if taken else (None, None)
+
+    def service_send_response(
+        self, response: Any, header: rmw_service_info_t | rmw_request_id_t
+    ) -> None:
+        """Answer a request."""
+        request = header.request_id if isinstance(header, rmw_service_info_t) else header
+        data = cdr.serialize(response, self._type.Response)
+        ros_host.respond(self.id, request.writer, request.sequence_number, to_js(data))
+
+
+class TypeDescriptionService(Destroyable):
+    """The service of a node that describes its types; here it says that it cannot."""
+
+    def __init__(self, node: Node) -> None:
+        super().__init__()
+        from type_description_interfaces.srv import GetTypeDescription
+
+        profile = rmw_qos_profile_t.predefined("qos_profile_services_default")
+        self.impl = Service(node, GetTypeDescription, "~/get_type_description", profile)
+
+    def _destroy(self) -> None:
+        self.impl.destroy_when_not_in_use()
+
+    def handle_request(self, request: Any, response_type: Any, node: Node) -> Any:
+        """Return a response without a description."""
+        reason = "the page has no type descriptions"
+        return response_type(successful=False, failure_reason=reason)

@@ -1,0 +1,136 @@
+"""Threads: each is a stack that is set aside while it waits, and only then another one runs.
+
+The classes of Python's own `threading` stay; what they are made of is replaced.
+"""
+
+from __future__ import annotations
+
+import _threading_local
+import itertools
+import multiprocessing
+import queue
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any
+
+import ros_host
+from pyodide.ffi import create_proxy
+
+from rclpy_backend.blocking import current_thread, enter_thread, sleep, wait, wake
+
+_numbers = itertools.count(1)
+
+
+class Lock:
+    """Stands in for the lock of a real thread."""
+
+    def __init__(self) -> None:
+        self._locked = False
+
+    def acquire(self, blocking: bool = True, timeout: float | None = -1) -> bool:
+        """Take it; return False if that was not possible in `timeout` seconds."""
+        end = None if timeout is None or timeout < 0 else time.monotonic() + timeout
+        while self._locked:
+            left = None if end is None else end - time.monotonic()
+            if not blocking or (left is not None and left <= 0):
+                return False
+            wait(left)
+        self._locked = True
+        return True
+
+    def release(self) -> None:
+        """Let another one take it."""
+        if not self._locked:
+            raise RuntimeError("release unlocked lock")
+        self._locked = False
+        wake()
+
+    def locked(self) -> bool:
+        """Return whether somebody has it."""
+        return self._locked
+
+    def __enter__(self) -> bool:
+        return self.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+    def _at_fork_reinit(self) -> None:
+        self._locked = False
+
+
+class Handle:
+    """Stands in for the handle of a real thread."""
+
+    def __init__(self) -> None:
+        self.ident: int | None = None
+        self._done = False
+
+    def is_done(self) -> bool:
+        """Return whether it has ended."""
+        return self._done
+
+    def _set_done(self) -> None:
+        self._done = True
+        wake()
+
+    def join(self, timeout: float | None = None) -> None:
+        """Wait for its end."""
+        end = None if timeout is None or timeout < 0 else time.monotonic() + timeout
+        while not self._done:
+            left = None if end is None else end - time.monotonic()
+            if left is not None and left <= 0:
+                return
+            wait(left)
+
+
+def _start(
+    function: Callable[[], object], handle: Handle | None = None, daemon: bool = True
+) -> Handle:
+    handle = handle or Handle()
+    handle.ident = next(_numbers)
+
+    def body() -> None:
+        enter_thread(handle.ident or 0)
+        try:
+            function()
+        finally:
+            handle._set_done()
+
+    ros_host.spawn(create_proxy(body))
+    return handle
+
+
+def install() -> None:
+    """Let `threading`, and what is made of it, work with such threads."""
+    main = threading.main_thread()
+    replaced: dict[str, Any] = {
+        "_start_joinable_thread": _start,
+        "_ThreadHandle": Handle,
+        "_allocate_lock": Lock,
+        "Lock": Lock,
+        "RLock": threading._PyRLock,  # type: ignore[attr-defined]
+        "get_ident": current_thread,
+        "get_native_id": current_thread,
+        "local": _threading_local.local,
+    }
+    for name, replacement in replaced.items():
+        setattr(threading, name, replacement)
+    # Made before: the program itself, and the lock of the list of threads.
+    active: dict[int, threading.Thread] = threading._active  # type: ignore[attr-defined]
+    active.clear()
+    active[current_thread()] = main
+    main._ident = current_thread()  # type: ignore[attr-defined]
+    queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined, misc]
+    multiprocessing.Lock = Lock  # type: ignore[assignment]
+    time.sleep = sleep  # type: ignore[assignment]
+
+
+def join_all() -> None:
+    """Wait for the threads that a program must not end before."""
+    for thread in threading.enumerate():
+        if thread is not threading.main_thread() and not thread.daemon:
+            thread.join()
+    sys.stdout.flush()

@@ -1,0 +1,66 @@
+// @ts-check
+// What the Python module ros_host offers: the worker's participant, with values that Python takes as they
+// are. See clients/python/rclpy_backend.
+
+import { now } from "../protocol.js";
+
+/** @import { EndpointKind, Qos, Severity } from "../protocol.js" */
+/** @import { EventKind } from "../participant/status.js" */
+/** @import { Participant } from "../participant/participant.js" */
+/** @import { Printer } from "./printer.js" */
+
+/** @type {Record<number, Severity>} */
+const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal" };
+
+/**
+ * @param {Participant} participant
+ * @param {Printer} printer
+ * @param {(error: unknown) => void} failed called with what a thread ended by
+ */
+export function pythonHost(participant, printer, failed) {
+  return {
+    object: Object.fromEntries,
+    now,
+    /**
+     * @param {EndpointKind} kind @param {string} node @param {string} name @param {string} type
+     * @param {Qos} qos
+     */
+    create: (kind, node, name, type, qos) => participant.create(kind, node, name, type, qos),
+    /** @param {number} id */
+    destroy: (id) => participant.destroy(id),
+    /** @param {number} id @param {Uint8Array} message */
+    publish: (id, message) => participant.publish(id, message),
+    /** @param {number} id */
+    behind: (id) => participant.behind(id),
+    /** @param {number} id */
+    assertLiveliness: (id) => participant.assertLiveliness(id),
+    /** @param {number} id @param {Uint8Array} message */
+    request: (id, message) => participant.request(id, message),
+    /** @param {number} id @param {number} client @param {number} sequence @param {Uint8Array} message */
+    respond: (id, client, sequence, message) => participant.respond(id, client, sequence, message),
+    /** @param {number} id */
+    matched: (id) => participant.matched(id),
+    /** @param {number} id */
+    has: (id) => participant.next(id) !== undefined,
+    /** @param {number} id */
+    take: (id) => participant.take(id),
+    events: () => participant.events,
+    /** @param {number} id @param {EventKind} kind */
+    takeEvent: (id, kind) => participant.takeEvent(id, kind),
+    /** @param {number} milliseconds */
+    wait(milliseconds) {
+      printer.flush();
+      return participant.wait(milliseconds);
+    },
+    wake: () => participant.wake(),
+    /**
+     * Run a Python function on a stack of its own, after the present one has come to wait.
+     * @param {{callPromising(): Promise<unknown>, destroy(): void}} body
+     */
+    spawn(body) {
+      setTimeout(() => body.callPromising().catch(failed).finally(() => body.destroy()));
+    },
+    /** @param {number} severity @param {string} logger @param {string} text */
+    log: (severity, logger, text) => printer.log(SEVERITIES[severity] ?? "info", logger, text),
+  };
+}

@@ -1,0 +1,74 @@
+// @ts-check
+// The worker of a Python node: load Python and the files of its packages, call its entry point, report how
+// it ended.
+
+import { Participant } from "../participant/participant.js";
+import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
+import { Printer } from "./printer.js";
+import { pythonHost } from "./pythonHost.js";
+
+/** @import { FromWorker, ToWorker } from "../protocol.js" */
+
+// As rclpy_backend/program.py has it.
+const PREFIX = "/ros";
+
+/** @param {FromWorker} message */
+const post = (message) => postMessage(message);
+const printer = new Printer(post);
+/** @type {Participant | undefined} */
+let participant;
+
+/** @param {MessageEvent<ToWorker>} event */
+onmessage = (event) => {
+  if (event.data.op === "interpret") {
+    participant = new Participant(event.data.id, post);
+    run(event.data, participant).catch((error) => end(1, describe(error)));
+  } else {
+    participant?.receive(event.data);
+  }
+};
+
+// Python comes while the page is still busy with its widgets.
+const loading = loadPyodide({ indexURL: new URL("../vendor/pyodide/", import.meta.url).href });
+loading.catch(() => {}); // told when the node starts
+
+/**
+ * @param {Extract<ToWorker, {op: "interpret"}>} node
+ * @param {Participant} graph
+ */
+async function run({ name, program, arguments: args }, graph) {
+  printer.print("debug", "starting Python…");
+  printer.flush();
+  const files = Promise.all(program.bundles.map(download));
+  const python = await loading;
+  python.setStdout({ batched: (/** @type {string} */ line) => printer.print("stdout", line) });
+  python.setStderr({ batched: (/** @type {string} */ line) => printer.print("stderr", line) });
+  for (const bundle of await files) python.unpackArchive(bundle, "zip", { extractDir: PREFIX });
+  const failed = (/** @type {unknown} */ error) => end(1, describe(error));
+  python.registerJsModule("ros_host", pythonHost(graph, printer, failed));
+  python.pyimport("sys").path.insert(0, `${PREFIX}/python`);
+  post({ op: "memory", bytes: python._module.HEAPU8.length });
+  const { run: call } = python.pyimport("rclpy_backend.program");
+  post({ op: "running" });
+  const words = python.toPy([`${PREFIX}/lib/${name}`, ...args]);
+  end(await call.callPromising(program.module, program.attribute, words), "");
+}
+
+/** @param {string} url */
+async function download(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
+  return response.arrayBuffer();
+}
+
+/** @param {number} code @param {string} error */
+function end(code, error) {
+  printer.flush();
+  participant?.flush();
+  post({ op: "exit", code, error });
+}
+
+/** @param {unknown} error */
+function describe(error) {
+  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+}

@@ -1,0 +1,31 @@
+import os
+from glob import glob
+
+from setuptools import find_packages, setup
+
+package_name = "tutorials"
+
+setup(
+    name=package_name,
+    version="0.1.0",
+    packages=find_packages(exclude=["test"]),
+    package_data={package_name: ["words.txt"]},
+    data_files=[
+        ("share/ament_index/resource_index/packages", [f"resource/{package_name}"]),
+        (os.path.join("share", package_name), ["package.xml"]),
+        (os.path.join("share", package_name, "config"), glob("config/*.yaml")),
+    ],
+    entry_points={
+        "console_scripts": [
+            "pubsub = tutorials.pubsub:main",
+            "services = tutorials.services:main",
+            "parameters = tutorials.parameters:main",
+            "policies = tutorials.policies:main",
+            "threads = tutorials.threads:main",
+            "errors = tutorials.errors:main",
+            "stopping = tutorials.stopping:main",
+            "data = tutorials.data:main",
+            "entries = tutorials.entries:main",
+        ],
+    },
+)

@@ -1,0 +1,230 @@
+"""Python nodes in the page, against native rclpy where there is something to compare."""
+
+from __future__ import annotations
+
+import ast
+import json
+import shutil
+import zipfile
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from native import Native, copy_test_msgs, differences
+from panel import Panel, expect_nothing_left
+from playwright.sync_api import Browser, Page, expect
+
+from sitegen.build import build
+from sitegen.report import Report
+
+HERE = Path(__file__).parent
+ROOT = HERE.parent
+SITE = HERE / "sites" / "python"
+BACKEND = ROOT / "sitegen" / "clients" / "python" / "rclpy_backend"
+SEED = "20240607"
+# Programs that end by themselves and print the same everywhere.
+PROGRAMS = ["pubsub", "services", "parameters", "policies", "threads", "errors", "data"]
+
+# What rclpy's extension has and ours refuses, and why.
+GRAPH = "the page does not tell its workers who is in the graph"
+MISSING = {
+    "ActionClient": "the next step",
+    "ActionServer": "the next step",
+    "ActionGoalHandle": "the next step",
+    "LifecycleStateMachine": "a step of its own, beside the one for C++",
+    "EventsExecutor": "experimental, and in C++ only",
+    "rclpy_get_topic_names_and_types": GRAPH,
+    "rclpy_get_publisher_names_and_types_by_node": GRAPH,
+    "rclpy_get_subscriber_names_and_types_by_node": GRAPH,
+    "rclpy_get_publishers_info_by_topic": GRAPH,
+    "rclpy_get_subscriptions_info_by_topic": GRAPH,
+    "rclpy_get_service_names_and_types": GRAPH,
+    "rclpy_get_service_names_and_types_by_node": GRAPH,
+    "rclpy_get_client_names_and_types_by_node": GRAPH,
+    "Node.get_count_publishers": GRAPH,
+    "Node.get_count_subscribers": GRAPH,
+    "Node.get_count_clients": GRAPH,
+    "Node.get_count_services": GRAPH,
+    "Node.get_node_names_and_namespaces": GRAPH,
+    "Node.get_node_names_and_namespaces_with_enclaves": GRAPH,
+    "Node.get_action_client_names_and_types_by_node": GRAPH,
+    "Node.get_action_server_names_and_types_by_node": GRAPH,
+    "Node.get_action_names_and_types": GRAPH,
+}
+
+# Run a node to its end, and return its lines: a console would keep only the last.
+RUN = """async (name) => {
+  const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  const node = ros.nodes.get(name);
+  const lines = [];
+  node.addEventListener("lines", (event) => lines.push(...event.detail));
+  await new Promise((resolve) => {
+    node.addEventListener("state", () => {
+      if (node.state === "stopped" || node.state === "failed") resolve();
+    });
+    node.start();
+  });
+  return [node.state, lines.map(({ severity, text }) => [severity, text])];
+}"""
+
+Lines = list[tuple[str, str]]
+
+
+def run(page: Page, name: str) -> tuple[str, Lines]:
+    """Run a node to its end; return its last state and its lines."""
+    state, lines = page.evaluate(RUN, name)
+    return state, [(severity, text) for severity, text in lines]
+
+
+def printed(lines: Lines, stream: str = "stdout") -> list[str]:
+    return [row for severity, text in lines if severity == stream for row in text.split("\n")]
+
+
+@pytest.fixture
+def page(browser: Browser, serve: Serve, built: Built) -> Page:
+    page = browser.new_page()
+    page.goto(serve(built(SITE)))
+    return page
+
+
+@pytest.fixture(scope="module")
+def native() -> Native:
+    return Native()
+
+
+@pytest.fixture(scope="module")
+def installed(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the page unpacks for the package is what a robot would have installed."""
+    folder = tmp_path_factory.mktemp("installed")
+    with zipfile.ZipFile(built(SITE) / "nodes" / "tutorials" / "python.zip") as archive:
+        archive.extractall(folder)
+    return folder
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_programs_print_what_native_rclpy_prints(
+    page: Page, native: Native, installed: Path, program: str
+) -> None:
+    state, lines = run(page, program)
+    expected = native.call(f"tutorials.{program}:main", installed)
+    assert printed(lines) == expected.stdout.splitlines(), expected.stderr
+    assert (state == "failed") is (expected.returncode != 0)
+    if expected.returncode:
+        assert lines[-1] == ("fatal", f"{program}: exited with code {expected.returncode}")
+
+
+def test_an_exception_is_told_as_python_tells_it(page: Page) -> None:
+    state, lines = run(page, "errors")
+    assert state == "failed"
+    assert printed(lines, "stderr") == [
+        "Traceback (most recent call last):",
+        '  File "/ros/python/tutorials/errors.py", line 38, in main',
+        '    raise ValueError("at the end")',
+        "ValueError: at the end",
+    ]
+
+
+def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
+    node = Panel(page, "stopping")
+    for _ in range(2):
+        node.start()
+        node.wait_for("spinning")
+        node.stop()
+        node.wait_for("finally")
+        assert node.lines()[-2:] == ["interrupted, ok: False", "finally"]
+        node.button("Clear").click()
+    expect_nothing_left(page)
+
+
+def test_a_browser_without_jspi_is_told_which_have_it(
+    browser: Browser, serve: Serve, built: Built
+) -> None:
+    page = browser.new_page()
+    page.add_init_script("delete WebAssembly.Suspending; delete WebAssembly.promising;")
+    page.goto(serve(built(SITE)))
+    node = Panel(page, "pubsub")
+    node.start()
+    node.expect_state("failed")
+    expect(node.console).to_contain_text("Chrome 137, Edge 137, Firefox 153 and newer")
+
+
+def test_the_extension_has_every_name_of_upstreams(
+    page: Page, native: Native, installed: Path
+) -> None:
+    ours = entries("\n".join(printed(run(page, "entries")[1])))
+    theirs = entries(native.call("tutorials.entries:main", installed).stdout)
+    assert len(theirs) > 90
+    lacking = []
+    for name, (inside, number, members) in theirs.items():
+        if name not in ours:
+            lacking.append(name)
+        elif name not in MISSING:
+            lacking += [f"{name}.{one}" for one in inside if one not in ours[name][0]]
+            assert (number, members) == ours[name][1:], name
+    assert lacking == []
+
+
+def test_what_is_missing_is_on_the_list() -> None:
+    tree = ast.parse((BACKEND / "missing.py").read_text())
+    found = set()
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef) and node.name == "GraphQueries":
+            found |= {f"Node.{one.name}" for one in node.body if isinstance(one, ast.FunctionDef)}
+        elif isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name != "refuse":
+            found.add(node.name)
+    assert found == set(MISSING)
+
+
+Entries = dict[str, tuple[list[str], object, object]]
+
+
+def entries(text: str) -> Entries:
+    """Read what the program `entries` prints, without what only Python or pybind11 adds."""
+    found: Entries = {}
+    for line in text.splitlines():
+        if not line.startswith("["):
+            continue
+        name, inside, number, members = json.loads(line)
+        if name.startswith("__"):
+            continue
+        # Enumerations of pybind11 are no classes of Python's enum: their members are compared.
+        public = [] if members else [one for one in inside if not one.startswith("_")]
+        public = [one for one in public if one not in dir(RuntimeError)]
+        found[name] = (public, number, members)
+    return found
+
+
+@pytest.fixture(scope="module")
+def vectors(native: Native, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[str]]:
+    """A site whose node reads and writes again what native ROS 2 made, and those lines."""
+    folder = tmp_path_factory.mktemp("vectors")
+    shutil.copytree(SITE.parent / "cdr" / "src" / "test_msgs", folder / "src" / "test_msgs")
+    copy_test_msgs(native, folder / "src" / "test_msgs")
+    shutil.copytree(HERE / "sites" / "python_cdr", folder, dirs_exist_ok=True)
+    kinds = {"msg": ("",), "srv": ("_Request", "_Response")}
+    types = [
+        f"test_msgs/{kind}/{file.stem}{part}"
+        for kind, parts in kinds.items()
+        for file in sorted((folder / "src" / "test_msgs" / kind).glob("*.*"))
+        for part in parts
+    ]
+    lines = native.run("messages.py", "make", SEED, *types)
+    data = folder / "src" / "py_cdr" / "py_cdr" / "vectors.txt"
+    data.write_text("".join(f"{line}\n" for line in lines))
+    build(folder, output=folder / "dist", report=Report())
+    return folder / "dist", lines
+
+
+def test_messages_are_read_and_written_as_native_ros_2_does(
+    browser: Browser, serve: Serve, native: Native, vectors: tuple[Path, list[str]]
+) -> None:
+    folder, lines = vectors
+    page = browser.new_page()
+    page.goto(serve(folder))
+    state, output = run(page, "again")
+    answers = printed(output)
+    assert state == "stopped", output[-5:]
+    assert len(answers) == len(lines) > 200
+    assert differences(native, lines, answers) == []
+    # Bytes that end too early, or claim to be longer than they are, are no message.
+    assert run(page, "refuse")[1][-1] == ("stdout", "all refused")
