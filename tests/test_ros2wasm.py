@@ -323,7 +323,7 @@ def test_what_is_wrong_is_told_once_and_breaks_nothing(page: Page, url: str) -> 
 
 
 def test_a_script_that_dies_or_is_not_there_fails(
-    page: Page, url: str, dist: Path, serve: Serve, tmp_path: Path
+    page: Page, url: str, ros2wasm: Path, serve: Serve, tmp_path: Path
 ) -> None:
     page.goto(f"{url}faults/")
     crash = Panel(page, "crash")
@@ -331,7 +331,7 @@ def test_a_script_that_dies_or_is_not_there_fails(
     crash.expect_state("failed")
     assert crash.lines() == ["crash: Uncaught RangeError: no such wheel"]
 
-    shutil.copytree(dist, tmp_path / "dist")
+    shutil.copytree(ros2wasm, tmp_path / "dist")
     (tmp_path / "dist/ros2wasm/nodes/crash.js").unlink()
     page.goto(f"{serve(tmp_path / 'dist')}faults/")
     crash.start()
