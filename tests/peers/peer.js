@@ -107,7 +107,9 @@ async function live() {
   for (;;) {
     for (const [id, publisher] of publishers) send(id, publisher);
     for (const [id, subscription] of subscriptions) hear(id, subscription);
-    await participant.wait(appetite === Infinity ? -1 : 5);
+    // A slow one sleeps on, whatever arrives.
+    if (appetite < Infinity) await new Promise((resolve) => setTimeout(resolve, 5));
+    await participant.wait(appetite < Infinity ? 0 : -1);
   }
 }
 
