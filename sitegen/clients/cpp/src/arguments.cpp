@@ -67,6 +67,11 @@ bool parse_log_level(const std::string & text, Arguments & arguments)
 
 }  // namespace
 
+void Arguments::append(const Arguments & later)
+{
+  remaps.insert(remaps.end(), later.remaps.begin(), later.remaps.end());
+}
+
 Arguments parse_arguments(int argc, char const * const * argv)
 {
   Arguments arguments;

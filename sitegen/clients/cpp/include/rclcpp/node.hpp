@@ -45,6 +45,18 @@ public:
   Time now() const {return clock_->now();}
   node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() {return base_;}
 
+  CallbackGroup::SharedPtr create_callback_group(
+    CallbackGroupType group_type, bool automatically_add_to_executor_with_node = true)
+  {
+    return base_->create_callback_group(group_type, automatically_add_to_executor_with_node);
+  }
+  void for_each_callback_group(
+    const node_interfaces::NodeBaseInterface::CallbackGroupFunction & function)
+  {
+    base_->for_each_callback_group(function);
+  }
+  const NodeOptions & get_node_options() const {return options_;}
+
   template<class MessageT, class AllocatorT = std::allocator<void>>
   std::shared_ptr<Publisher<MessageT, AllocatorT>> create_publisher(
     const std::string & topic, const QoS & qos,
@@ -52,7 +64,8 @@ public:
   {
     auto publisher = std::make_shared<Publisher<MessageT, AllocatorT>>(
       *base_, topic, qos, options);
-    base_->publishers.push_back(publisher);
+    base_->add(
+      detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
     return publisher;
   }
 
@@ -63,59 +76,58 @@ public:
   {
     auto subscription = std::make_shared<Subscription<MessageT>>(
       *base_, topic, qos, std::forward<CallbackT>(callback), options);
-    base_->subscriptions.push_back(subscription);
+    base_->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);
+    base_->add(
+      detail::ExecutableKind::kWaitable, subscription->events(), options.callback_group);
     return subscription;
   }
 
   template<class ServiceT, class CallbackT>
   std::shared_ptr<Service<ServiceT>> create_service(
-    const std::string & name, CallbackT && callback, const QoS & qos = ServicesQoS())
+    const std::string & name, CallbackT && callback, const QoS & qos = ServicesQoS(),
+    CallbackGroup::SharedPtr group = nullptr)
   {
     auto service = std::make_shared<Service<ServiceT>>(
       *base_, name, qos, std::forward<CallbackT>(callback));
-    base_->services.push_back(service);
+    base_->add(detail::ExecutableKind::kService, service, group);
     return service;
   }
 
   template<class ServiceT>
   std::shared_ptr<Client<ServiceT>> create_client(
-    const std::string & name, const QoS & qos = ServicesQoS())
+    const std::string & name, const QoS & qos = ServicesQoS(),
+    CallbackGroup::SharedPtr group = nullptr)
   {
     auto client = std::make_shared<Client<ServiceT>>(*base_, name, qos);
-    base_->clients.push_back(client);
+    base_->add(detail::ExecutableKind::kClient, client, group);
     return client;
   }
 
   template<class Rep, class Period, class CallbackT>
-  TimerBase::SharedPtr create_wall_timer(
-    std::chrono::duration<Rep, Period> period, CallbackT callback)
+  typename WallTimer<CallbackT>::SharedPtr create_wall_timer(
+    std::chrono::duration<Rep, Period> period, CallbackT callback,
+    CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
   {
-    return add_timer(
-      std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback));
-  }
-
-  template<class Rep, class Period, class CallbackT>
-  TimerBase::SharedPtr create_timer(
-    std::chrono::duration<Rep, Period> period, CallbackT callback)
-  {
-    return create_wall_timer(period, std::move(callback));
-  }
-
-private:
-  template<class CallbackT>
-  TimerBase::SharedPtr add_timer(std::chrono::nanoseconds period, CallbackT callback)
-  {
-    std::function<void(TimerBase &)> call;
-    if constexpr (std::is_invocable_v<CallbackT &, TimerBase &>) {
-      call = std::move(callback);
-    } else {
-      call = [callback = std::move(callback)](TimerBase &) mutable {callback();};
-    }
-    auto timer = std::make_shared<TimerBase>(period, std::move(call));
-    base_->timers.push_back(timer);
+    auto timer = std::make_shared<WallTimer<CallbackT>>(
+      detail::timer_period(period), detail::timer_callback(std::move(callback)), autostart);
+    base_->add(detail::ExecutableKind::kTimer, timer, group);
     return timer;
   }
 
+  /// A timer on the node's clock, which may be that of /clock.
+  template<class Rep, class Period, class CallbackT>
+  typename GenericTimer<CallbackT>::SharedPtr create_timer(
+    std::chrono::duration<Rep, Period> period, CallbackT callback,
+    CallbackGroup::SharedPtr group = nullptr, bool autostart = true)
+  {
+    auto timer = std::make_shared<GenericTimer<CallbackT>>(
+      clock_, detail::timer_period(period), detail::timer_callback(std::move(callback)), autostart);
+    base_->add(detail::ExecutableKind::kTimer, timer, group);
+    return timer;
+  }
+
+private:
+  NodeOptions options_;
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   Logger logger_;
   detail::Rosout rosout_;

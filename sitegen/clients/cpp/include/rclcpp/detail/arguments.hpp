@@ -25,6 +25,9 @@ struct Arguments
   std::vector<RemapRule> remaps;
   std::map<std::string, int> log_levels;  // by logger, "" for all others
   std::vector<std::string> others;        // what is not for ROS
+
+  /// Let the rules of `later` count after these.
+  void append(const Arguments & later);
 };
 
 /// Read a command line; throws UnknownROSArgsError for what this release does not know.
@@ -39,9 +42,6 @@ std::string remap_node(
 std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
   const std::string & name, NameKind kind);
-
-/// Those of the running program, since rclcpp::init.
-const Arguments & arguments();
 
 }  // namespace detail
 }  // namespace rclcpp

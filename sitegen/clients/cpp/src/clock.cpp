@@ -1,0 +1,114 @@
+#include "rclcpp/clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rclcpp/detail/platform.hpp"
+#include "rclcpp/detail/stacks.hpp"
+#include "rclcpp/exceptions.hpp"
+#include "rclcpp/logging.hpp"
+
+namespace rclcpp
+{
+
+Time Clock::now() const
+{
+  if (active_) {return Time(ros_time_, clock_);}
+  return Time(static_cast<std::int64_t>(std::llround(detail::now() * 1e6)), clock_);
+}
+
+bool Clock::ros_time_is_active() const
+{
+  if (clock_ != RCL_ROS_TIME) {
+    throw exceptions::RCLError("failed to check ros_time_override_status: clock is not of ROS time");
+  }
+  return active_;
+}
+
+bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
+{
+  return sleep_until(now() + duration, std::move(context));
+}
+
+bool Clock::sleep_until(Time until, Context::SharedPtr context)
+{
+  if (!context || !context->is_valid()) {
+    throw std::runtime_error("context cannot be slept with because it's invalid");
+  }
+  if (until.get_clock_type() != clock_) {
+    RCLCPP_ERROR(get_logger("rclcpp"), "until's clock type does not match this clock's type");
+    return false;
+  }
+  const bool active = active_;
+  do {
+    const double left = static_cast<double>((until - now()).nanoseconds()) / 1e6;
+    // ROS time goes on when a message comes, which ends all waits.
+    detail::wait(active ? -1 : std::max(0.0, left));
+  } while (context->is_valid() && active == active_ && now() < until);
+  return context->is_valid() && active == active_;
+}
+
+bool Clock::wait_until_started(Context::SharedPtr context)
+{
+  while (context->is_valid() && !started()) {detail::wait(-1);}
+  return started();
+}
+
+JumpHandler::SharedPtr Clock::create_jump_callback(
+  JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,
+  const rcl_jump_threshold_t & threshold)
+{
+  auto handler = std::make_shared<JumpHandler>(
+    std::move(pre_callback), std::move(post_callback), threshold);
+  handlers_.push_back(handler);
+  return handler;
+}
+
+void Clock::jump(
+  std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act)
+{
+  const bool changed = change != RCL_ROS_TIME_NO_CHANGE;
+  std::vector<JumpHandler::SharedPtr> told;
+  for (const auto & handler : handlers_) {
+    auto living = handler.lock();
+    if (!living) {continue;}
+    const auto & threshold = living->notice_threshold;
+    const bool far =
+      (threshold.min_forward.nanoseconds > 0 && delta >= threshold.min_forward.nanoseconds) ||
+      (threshold.min_backward.nanoseconds < 0 && delta <= threshold.min_backward.nanoseconds);
+    if (far || (changed && threshold.on_clock_change)) {told.push_back(std::move(living));}
+  }
+  for (const auto & handler : told) {
+    if (handler->pre_callback) {handler->pre_callback();}
+  }
+  act();
+  for (const auto & handler : told) {
+    if (handler->post_callback) {handler->post_callback({change, {delta}});}
+  }
+  detail::wake();
+}
+
+void Clock::set_ros_time_active(bool active)
+{
+  if (active == active_) {return;}
+  const auto before = now();
+  active_ = active;
+  const auto after = now();
+  active_ = !active;
+  jump(
+    (after - before).nanoseconds(), active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED,
+    [this, active] {active_ = active;});
+}
+
+void Clock::set_ros_time(std::int64_t nanoseconds)
+{
+  if (!active_) {
+    ros_time_ = nanoseconds;
+    return;
+  }
+  jump(
+    nanoseconds - ros_time_, RCL_ROS_TIME_NO_CHANGE, [this, nanoseconds] {ros_time_ = nanoseconds;});
+}
+
+}  // namespace rclcpp
