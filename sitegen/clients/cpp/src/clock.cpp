@@ -14,7 +14,10 @@ namespace rclcpp
 
 Time Clock::now() const
 {
-  if (active_) {return Time(ros_time_, clock_);}
+  if (source_) {
+    source_();
+    return Time(ros_time_, clock_);
+  }
   return Time(static_cast<std::int64_t>(std::llround(detail::now() * 1e6)), clock_);
 }
 
@@ -23,7 +26,7 @@ bool Clock::ros_time_is_active() const
   if (clock_ != RCL_ROS_TIME) {
     throw exceptions::RCLError("failed to check ros_time_override_status: clock is not of ROS time");
   }
-  return active_;
+  return static_cast<bool>(source_);
 }
 
 bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
@@ -40,13 +43,13 @@ bool Clock::sleep_until(Time until, Context::SharedPtr context)
     RCLCPP_ERROR(get_logger("rclcpp"), "until's clock type does not match this clock's type");
     return false;
   }
-  const bool active = active_;
+  const bool active = static_cast<bool>(source_);
   do {
     const double left = static_cast<double>((until - now()).nanoseconds()) / 1e6;
     // ROS time goes on when a message comes, which ends all waits.
     detail::wait(active ? -1 : std::max(0.0, left));
-  } while (context->is_valid() && active == active_ && now() < until);
-  return context->is_valid() && active == active_;
+  } while (context->is_valid() && active == static_cast<bool>(source_) && now() < until);
+  return context->is_valid() && active == static_cast<bool>(source_);
 }
 
 bool Clock::wait_until_started(Context::SharedPtr context)
@@ -89,24 +92,22 @@ void Clock::jump(
   detail::wake();
 }
 
-void Clock::set_ros_time_active(bool active)
+void Clock::set_source(std::function<void()> source, std::int64_t nanoseconds)
 {
-  if (active == active_) {return;}
-  const auto before = now();
-  active_ = active;
-  const auto after = now();
-  active_ = !active;
+  const bool active = static_cast<bool>(source);
+  if (active == static_cast<bool>(source_)) {return;}
+  const auto system = Clock(RCL_ROS_TIME).now().nanoseconds();
+  const std::int64_t delta = active ? nanoseconds - system : system - ros_time_;
   jump(
-    (after - before).nanoseconds(), active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED,
-    [this, active] {active_ = active;});
+    delta, active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, [&] {
+      source_ = std::move(source);
+      ros_time_ = nanoseconds;
+    });
 }
 
 void Clock::set_ros_time(std::int64_t nanoseconds)
 {
-  if (!active_) {
-    ros_time_ = nanoseconds;
-    return;
-  }
+  if (!source_) {return;}
   jump(
     nanoseconds - ros_time_, RCL_ROS_TIME_NO_CHANGE, [this, nanoseconds] {ros_time_ = nanoseconds;});
 }

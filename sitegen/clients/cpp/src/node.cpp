@@ -1,7 +1,8 @@
 #include "rclcpp/node.hpp"
 
 #include "rclcpp/detail/arguments.hpp"
-#include "rclcpp/detail/host.h"
+#include "rclcpp/detail/node_parameters.hpp"
+#include "rclcpp/logging.hpp"
 
 namespace rclcpp
 {
@@ -34,8 +35,15 @@ Node::Node(
       name, name_space, options.context(), arguments_of(options))),
   logger_(detail::logger_name(base_->get_fully_qualified_name())),
   rosout_(*base_, logger_.get_name()),
-  clock_(std::make_shared<Clock>(RCL_ROS_TIME))
+  clock_(std::make_shared<Clock>(options.clock_type()))
 {
+  if (detail::make_node_parameters) {
+    parameters_ = detail::make_node_parameters(base_, options, clock_, time_source_);
+  } else if (!base_->arguments().parameters.empty()) {
+    RCLCPP_WARN(
+      logger_, "parameter '%s' has no effect: this program does not use parameters",
+      base_->arguments().parameters[0].name.c_str());
+  }
 }
 
 }  // namespace rclcpp

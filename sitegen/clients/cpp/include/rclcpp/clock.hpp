@@ -91,13 +91,13 @@ public:
 private:
   friend class TimeSource;
 
-  /// Take ROS time from /clock, or from the system again.
-  void set_ros_time_active(bool active);
+  /// Take ROS time from what `source` sets when it is called; null is the system.
+  void set_source(std::function<void()> source, std::int64_t nanoseconds);
   void set_ros_time(std::int64_t nanoseconds);
   void jump(std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act);
 
   rcl_clock_type_t clock_;
-  bool active_ = false;
+  std::function<void()> source_;
   std::int64_t ros_time_ = 0;
   std::vector<JumpHandler::WeakPtr> handlers_;
   std::mutex mutex_;

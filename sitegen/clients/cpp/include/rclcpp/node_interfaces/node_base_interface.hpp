@@ -36,6 +36,8 @@ public:
   const char * get_namespace() const {return namespace_.c_str();}
   const char * get_fully_qualified_name() const {return full_name_.c_str();}
   Context::SharedPtr get_context() const {return context_;}
+  /// Itself, so that what takes a node takes this, too.
+  SharedPtr get_node_base_interface() {return shared_from_this();}
 
   CallbackGroup::SharedPtr create_callback_group(
     CallbackGroupType type, bool automatically_add_to_executor_with_node = true);
