@@ -25,6 +25,9 @@ namespace
 // with all the other tabs.
 constexpr double kMaxBlocking = 1000;
 
+// ok() may let the event loop turn, and what then happens would not end the wait after it.
+bool is_valid() {return contexts::get_global_default_context()->is_valid();}
+
 }  // namespace
 
 namespace detail
@@ -210,7 +213,7 @@ bool PublisherBase::wait_until_sent(double milliseconds) const
   const double end = detail::now() + milliseconds;
   while (ros_behind(endpoint_.id())) {
     const double left = end - detail::now();
-    if (!ok() || (milliseconds >= 0 && left <= 0)) {return false;}
+    if (!is_valid() || (milliseconds >= 0 && left <= 0)) {return false;}
     detail::wait(milliseconds < 0 ? -1 : left);
   }
   return true;
@@ -264,7 +267,7 @@ bool ClientBase::wait(double milliseconds)
   const double end = detail::now() + milliseconds;
   while (!service_is_ready()) {
     const double left = end - detail::now();
-    if (!ok() || (milliseconds >= 0 && left <= 0)) {return false;}
+    if (!is_valid() || (milliseconds >= 0 && left <= 0)) {return false;}
     detail::wait(milliseconds < 0 ? -1 : left);
   }
   return true;
