@@ -168,16 +168,17 @@ class Site:
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""
         package = self.packages.get(node.package)
-        return package.setup if package else None
+        setup = package.setup if package else None
+        return setup if setup and node.executable in setup.scripts else None
 
 
 @dataclass(frozen=True)
 class Setup:
-    """What an `ament_python` package installs.
+    """What a package with Python installs.
 
-    `scripts` are its entry points ("module:function") by the names of the executables; `files` its
-    files by their place below the prefix, where modules are in `python/`. `fault` says where its
-    setup cannot be read, and why.
+    `scripts` are its entry points ("module:function"), or the places of its programs, by the names
+    of the executables; `files` its files by their place below the prefix, where modules are in
+    `python/`. `fault` says where its setup cannot be read, and why.
     """
 
     scripts: Mapping[str, str]

@@ -97,6 +97,14 @@ def test_an_exception_is_told_as_python_tells_it(page: Page) -> None:
     ]
 
 
+def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> None:
+    state, lines = run(page, "greeter")
+    assert (state, printed(lines)) == ("stopped", ["Good morning, World greeter.py True"])
+    state, lines = run(page, "plain")
+    assert (state, printed(lines)) == ("failed", ["plain"])
+    assert lines[-1] == ("fatal", "plain: exited with code 3")
+
+
 def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
     node = Panel(page, "stopping")
     for _ in range(2):

@@ -10,7 +10,7 @@
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
  * @typedef {{bundles: string[], module: string, attribute: string}} PythonEntry a Python node: archives to
- *   unpack in its interpreter, and what it calls
+ *   unpack in its interpreter, and what it calls; without `attribute` the place of a program
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
  *   and the definitions of these
