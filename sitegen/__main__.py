@@ -12,7 +12,13 @@ from sitegen.errors import SiteError
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
 # What a command that fails has not done.
-DONE = {"build": "built", "init": "written", "serve": "served", "theme": "copied"}
+DONE = {
+    "build": "built",
+    "init": "written",
+    "new": "written",
+    "serve": "served",
+    "theme": "copied",
+}
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -49,6 +55,13 @@ def _build(arguments: argparse.Namespace) -> None:
     from sitegen.report import Report
 
     build(arguments.folder, output=arguments.output, report=Report())
+
+
+def _new(arguments: argparse.Namespace) -> None:
+    from sitegen.new import new
+
+    print(*(f"  {file}" for file in new(arguments.name)), sep="\n")
+    print(f"wrote {arguments.name}; now: cd {arguments.name} && sitegen serve")
 
 
 def _init(arguments: argparse.Namespace) -> None:
@@ -100,6 +113,13 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="FOLDER",
         help="the folder that holds site.yaml (default: this one)",
     )
+    new = commands.add_parser(
+        "new", help="make a small workspace with nodes and a site", parents=[debug]
+    )
+    new.add_argument(
+        "name", type=Path, metavar="NAME", help="the new folder, named as packages are"
+    )
+    new.set_defaults(run=_new)
     beginning = commands.add_parser(
         "init", help="write a site.yaml for the workspace of a folder", parents=[debug]
     )

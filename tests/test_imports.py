@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
+    "__main__": {"build", "config", "errors", "init", "new", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
         "workspace",
@@ -37,6 +37,7 @@ ALLOWED = {
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
+    "new": {"errors"},
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
