@@ -30,8 +30,9 @@ def main(argv: list[str] | None = None) -> int:
         if arguments.debug:
             traceback.print_exc()
         count = len(error.lines)
-        done = DONE.get(arguments.command, "done")
-        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was {done}"]
+        done = DONE.get(arguments.command)
+        end = f", nothing was {done}" if done else ""
+        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}{end}"]
         print(*lines, sep="\n", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
@@ -69,6 +70,17 @@ def _init(arguments: argparse.Namespace) -> None:
     from sitegen.report import Report
 
     init(arguments.folder, Report(sys.stdout))
+
+
+def _check(arguments: argparse.Namespace) -> None:
+    from sitegen.build import count
+    from sitegen.check import check
+    from sitegen.report import Report
+
+    site, warnings = check(arguments.folder, Report(sys.stderr), strict=arguments.strict)
+    print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)
+    found = count(len(warnings), "warning") if warnings else "nothing to say"
+    print(f"checked {count(len(site.pages), 'page')}: {found}")
 
 
 def _serve(arguments: argparse.Namespace) -> None:
@@ -140,6 +152,11 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
     build.set_defaults(run=_build)
+    check = commands.add_parser(
+        "check", help="say what is wrong and what could be better", parents=[folder, debug]
+    )
+    check.add_argument("--strict", action="store_true", help="fail where there is a warning")
+    check.set_defaults(run=_check)
     serve = commands.add_parser(
         "serve", help="show the site in a browser while you edit it", parents=[folder, debug]
     )

@@ -45,8 +45,13 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
 
-def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
-    """Make all files of the site of `folder`; refuse early an `output` not to be replaced."""
+def make(
+    folder: Path, report: Report, *, output: Path | None = None, compiling: bool = True
+) -> Made:
+    """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
+
+    Without `compiling`, all is checked as always, and only the programs in C++ are missing.
+    """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
     if output:
@@ -58,7 +63,7 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
     builds = cpp.compile_nodes(
-        jobs_of(site, nodes_of(site)),
+        jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
         cache=cache_folder(),
@@ -127,8 +132,8 @@ def types_of(
             types |= foreign[page.path][name]
         elif bundles and site.setup_of(node):
             types |= bundles.types[node.package]
-        else:
-            types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+        elif forms := builds.get((node.package, node.executable)):
+            types |= json.loads(forms[0].types.read_text())
     return types
 
 

@@ -14,13 +14,16 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "config", "errors", "init", "new", "report", "serve", "theme"},
+    "__main__": {
+        *{"build", "check", "config", "errors", "init", "new", "report", "serve", "theme"},
+    },
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
         "workspace",
     },
     "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
+    "check": {"build", "descriptions", "errors", "model", "prose", "report", "wiring"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
@@ -48,6 +51,7 @@ ALLOWED = {
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
+    "wiring": {"errors", "model"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 
@@ -70,7 +74,7 @@ RUNTIME_ALLOWED = {
         *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
     },
 }
-FOLDERS = ("config", "pages", "prose")
+FOLDERS = ("config", "pages", "prose", "wiring")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 
