@@ -14,6 +14,7 @@ BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
 # What a command that fails has not done.
 DONE = {
     "build": "built",
+    "deploy": "published",
     "init": "written",
     "new": "written",
     "serve": "served",
@@ -81,6 +82,13 @@ def _check(arguments: argparse.Namespace) -> None:
     print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)
     found = count(len(warnings), "warning") if warnings else "nothing to say"
     print(f"checked {count(len(site.pages), 'page')}: {found}")
+
+
+def _deploy(arguments: argparse.Namespace) -> None:
+    from sitegen.deploy import deploy
+    from sitegen.report import Report
+
+    deploy(arguments.folder, Report(sys.stdout), dry_run=arguments.dry_run)
 
 
 def _serve(arguments: argparse.Namespace) -> None:
@@ -164,6 +172,13 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         "--port", type=int, default=8000, help="the first port to try (default: 8000)"
     )
     serve.set_defaults(run=_serve)
+    deploy = commands.add_parser(
+        "deploy", help="build the site and publish it on a branch of git", parents=[folder, debug]
+    )
+    deploy.add_argument(
+        "--dry-run", action="store_true", help="say what would happen, and do nothing"
+    )
+    deploy.set_defaults(run=_deploy)
     schema = commands.add_parser(
         "schema", help="print the JSON Schema of site.yaml, for editors", parents=[debug]
     )

@@ -91,6 +91,8 @@ def make(
     artifacts += archives
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    if site.deploy.cname:
+        artifacts.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
     check_paths(artifacts)
     return Made(site, builds, bundles, artifacts)
 

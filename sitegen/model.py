@@ -139,6 +139,15 @@ class Look:
 
 
 @dataclass(frozen=True)
+class Deploy:
+    """Where a site is published: a branch of a remote of git, and its own domain if it has one."""
+
+    branch: str = "gh-pages"
+    remote: str = "origin"
+    cname: str = ""
+
+
+@dataclass(frozen=True)
 class Site:
     """What the author wrote, checked: everything below `root`.
 
@@ -164,6 +173,7 @@ class Site:
     repository: str = ""
     branch: str = "main"
     feed: bool = False
+    deploy: Deploy = field(default_factory=lambda: Deploy())
 
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""

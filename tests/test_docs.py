@@ -11,6 +11,7 @@ from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
+    DEPLOY,
     FILE,
     FRONT_MATTER,
     NODE,
@@ -29,6 +30,7 @@ SITE_YAML = Path(__file__).parents[1].joinpath("docs/site-yaml.md").read_text(en
 SECTIONS = {
     "The file": FILE,
     "site": SITE,
+    "deploy": DEPLOY,
     "A node": NODE,
     "A node of ROS2WASM": ROS2WASM,
     "A page": PAGE,

@@ -15,7 +15,8 @@ RUNTIME = PACKAGE / "runtime"
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
     "__main__": {
-        *{"build", "check", "config", "errors", "init", "new", "report", "serve", "theme"},
+        *("build", "check", "config", "deploy", "errors", "init", "new", "report", "serve"),
+        "theme",
     },
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
@@ -31,10 +32,12 @@ ALLOWED = {
         "toolchain",
     },
     "definitions": {"errors"},
+    "deploy": {"build", "config", "errors", "git", "model", "report"},
     "descriptions": {"digest", "errors", "interfaces", "model", "workspace"},
     "diagnosis": {"errors", "interfaces", "model"},
     "digest": set(),
     "errors": set(),
+    "git": {"errors"},
     "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "literals": set(),

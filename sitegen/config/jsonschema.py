@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitegen.config.schema import (
+    DEPLOY,
     FILE,
     FORMS,
     MARKDOWN,
@@ -34,6 +35,7 @@ TYPES: dict[str, Json] = {
     "pages": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/page"}},
     "content": {"type": "array", "items": {"$ref": "#/$defs/item"}},
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
+    "deploy": {"$ref": "#/$defs/deploy"},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
@@ -64,6 +66,7 @@ def json_schema() -> Json:
             "node": {"anyOf": [_mapping(NODE), _mapping(ROS2WASM)]},
             "page": _mapping(PAGE),
             "nav": NAV,
+            "deploy": _mapping(DEPLOY),
             "item": _item(),
         },
     }

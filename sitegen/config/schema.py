@@ -41,6 +41,7 @@ TYPES = {
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+    "deploy": ("mapping", "keys and values"),
 }
 
 # What text of some types looks like.
@@ -75,6 +76,7 @@ FILE = (
         "the navigation, where the paths of the pages are not it",
         "nav: [/, {Demos: [demo01/, demo02/]}]",
     ),
+    Key("deploy", "deploy", "where `sitegen deploy` puts it", "deploy: {branch: gh-pages}"),
 )
 
 SITE = (
@@ -115,6 +117,12 @@ SITE = (
         "asyncify: true",
         default=True,
     ),
+)
+
+DEPLOY = (
+    Key("branch", "text", "the branch that is served", "branch: gh-pages", default="gh-pages"),
+    Key("remote", "text", "the remote of git to push to", "remote: origin", default="origin"),
+    Key("cname", "text", "a domain of your own", "cname: robot.example.org"),
 )
 
 NODE = (
