@@ -14,6 +14,7 @@ BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
 # What a command that fails has not done.
 DONE = {
     "build": "built",
+    "compile": "written",
     "deploy": "published",
     "init": "written",
     "new": "written",
@@ -82,6 +83,14 @@ def _check(arguments: argparse.Namespace) -> None:
     print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)
     found = count(len(warnings), "warning") if warnings else "nothing to say"
     print(f"checked {count(len(site.pages), 'page')}: {found}")
+
+
+def _compile(arguments: argparse.Namespace) -> None:
+    from sitegen.compile import compile_to
+    from sitegen.report import Report
+
+    report = Report(sys.stdout)
+    compile_to(arguments.output, arguments.packages, arguments.workspace, report)
 
 
 def _deploy(arguments: argparse.Namespace) -> None:
@@ -172,6 +181,27 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         "--port", type=int, default=8000, help="the first port to try (default: 8000)"
     )
     serve.set_defaults(run=_serve)
+    compiling = commands.add_parser(
+        "compile", help="compile nodes into an archive, for a site elsewhere", parents=[debug]
+    )
+    compiling.add_argument(
+        "packages", nargs="+", metavar="PACKAGE", help="a package, or PACKAGE/EXECUTABLE"
+    )
+    compiling.add_argument(
+        *("-o", "--output"),
+        type=Path,
+        default=Path("nodes.zip"),
+        metavar="FILE",
+        help="the archive to write (default: nodes.zip)",
+    )
+    compiling.add_argument(
+        "--workspace",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="the folder of the workspace (default: this one)",
+    )
+    compiling.set_defaults(run=_compile)
     deploy = commands.add_parser(
         "deploy", help="build the site and publish it on a branch of git", parents=[folder, debug]
     )

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, python, ros2wasm, workspace
+from sitegen import assets, compiled, config, cpp, pages, python, ros2wasm, workspace
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -60,15 +60,19 @@ def make(
     # Of nodes that the ROS2WASM project compiled, the types are looked up.
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
+    # Nodes that were compiled elsewhere are fetched.
+    site, given = compiled.resolve(site, cache=cache_folder(), report=report)
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    builds = cpp.compile_nodes(
+    own = cpp.compile_nodes(
         jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
         cache=cache_folder(),
         report=report,
     )
+    builds = {**own, **given}
 
     # Python nodes become one archive for all and one for each package.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
@@ -111,7 +115,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        if not node.ros2wasm and not site.setup_of(node):
+        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():

@@ -11,6 +11,7 @@ from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
+    COMPILED,
     DEPLOY,
     FILE,
     FRONT_MATTER,
@@ -32,6 +33,7 @@ SECTIONS = {
     "site": SITE,
     "deploy": DEPLOY,
     "A node": NODE,
+    "A node compiled elsewhere": COMPILED,
     "A node of ROS2WASM": ROS2WASM,
     "A page": PAGE,
     "A page in Markdown": FRONT_MATTER,

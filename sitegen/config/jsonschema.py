@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitegen.config.schema import (
+    COMPILED,
     DEPLOY,
     FILE,
     FORMS,
@@ -63,7 +64,7 @@ def json_schema() -> Json:
         **_mapping(FILE),
         "$defs": {
             "site": _mapping(SITE),
-            "node": {"anyOf": [_mapping(NODE), _mapping(ROS2WASM)]},
+            "node": {"anyOf": [_mapping(NODE), _mapping(COMPILED), _mapping(ROS2WASM)]},
             "page": _mapping(PAGE),
             "nav": NAV,
             "deploy": _mapping(DEPLOY),

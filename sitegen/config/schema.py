@@ -35,6 +35,7 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
+    "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
     "site": ("mapping", "keys and values"),
@@ -51,6 +52,7 @@ FORMS = {
     "date": re.compile(r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])"),
     "colour": re.compile(r"#[0-9a-fA-F]{6}"),
     "range": re.compile(r"[1-9]\d*-[1-9]\d*"),
+    "digest": re.compile(r"[0-9a-f]{64}"),
     "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }
 
@@ -136,6 +138,25 @@ NODE = (
         "remap: {chatter: /demo/chatter}",
     ),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+COMPILED = (
+    Key(
+        "compiled",
+        "text",
+        "an archive of compiled nodes: an address, or a file",
+        "compiled: nodes.zip",
+        True,
+    ),
+    Key(
+        "sha256",
+        "digest",
+        "its SHA-256, needed for an address",
+        "sha256: 72a66436beb4c95047286bc22bc7295cd1168bc8b3309ef35897a6802a22a2fb",
+    ),
+    Key("package", "text", "which node of it: its package", "package: cpp_pubsub"),
+    Key("executable", "text", "which node of it: its executable", "executable: talker"),
+    *NODE[2:],
 )
 
 ROS2WASM = (

@@ -65,7 +65,7 @@ def _look_at(
 
 def _program(site: Site, node: Node) -> Program:
     package = site.packages.get(node.package)
-    if node.ros2wasm or package is None:
+    if node.ros2wasm or node.compiled or package is None:
         return Program(open=True)
     if package.setup:
         return python.read(package.setup, node.executable)
