@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, python, ros2wasm, workspace
+from sitegen import assets, compiled, config, cpp, pages, python, ros2wasm, workspace
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -45,8 +45,13 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
 
-def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
-    """Make all files of the site of `folder`; refuse early an `output` not to be replaced."""
+def make(
+    folder: Path, report: Report, *, output: Path | None = None, compiling: bool = True
+) -> Made:
+    """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
+
+    Without `compiling`, all is checked as always, and only the programs in C++ are missing.
+    """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
     if output:
@@ -55,15 +60,19 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
     # Of nodes that the ROS2WASM project compiled, the types are looked up.
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
+    # Nodes that were compiled elsewhere are fetched.
+    site, given = compiled.resolve(site, cache=cache_folder(), report=report)
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    builds = cpp.compile_nodes(
-        jobs_of(site, nodes_of(site)),
+    own = cpp.compile_nodes(
+        jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
         cache=cache_folder(),
         report=report,
     )
+    builds = {**own, **given}
 
     # Python nodes become one archive for all and one for each package.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
@@ -86,6 +95,8 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
     artifacts += archives
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    if site.deploy.cname:
+        artifacts.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
     check_paths(artifacts)
     return Made(site, builds, bundles, artifacts)
 
@@ -104,7 +115,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        if not node.ros2wasm and not site.setup_of(node):
+        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():
@@ -127,8 +138,8 @@ def types_of(
             types |= foreign[page.path][name]
         elif bundles and site.setup_of(node):
             types |= bundles.types[node.package]
-        else:
-            types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+        elif forms := builds.get((node.package, node.executable)):
+            types |= json.loads(forms[0].types.read_text())
     return types
 
 

@@ -14,13 +14,31 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
+    "__main__": {
+        *("build", "check", "compile", "config", "deploy", "errors", "init", "new", "report"),
+        *("serve", "theme"),
+    },
+    "archive": {"model"},
     "build": {
-        *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
+        *(
+            "assets",
+            "compiled",
+            "config",
+            "cpp",
+            "errors",
+            "model",
+            "pages",
+            "python",
+            "report",
+            "ros2wasm",
+        ),
         "workspace",
     },
     "assets": {"digest", "model"},
-    "config": {"errors", "model", "theme", "workspace"},
+    "compile": {"archive", "build", "cpp", "errors", "model", "report", "workspace"},
+    "compiled": {"archive", "errors", "fetch", "model", "report"},
+    "config": {"errors", "fetch", "model", "theme", "workspace"},
+    "check": {"build", "descriptions", "errors", "model", "prose", "report", "wiring"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
@@ -28,15 +46,19 @@ ALLOWED = {
         "toolchain",
     },
     "definitions": {"errors"},
+    "deploy": {"build", "config", "errors", "git", "model", "report"},
     "descriptions": {"digest", "errors", "interfaces", "model", "workspace"},
     "diagnosis": {"errors", "interfaces", "model"},
     "digest": set(),
     "errors": set(),
+    "fetch": set(),
+    "git": {"errors"},
     "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
+    "new": {"errors"},
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
@@ -47,6 +69,7 @@ ALLOWED = {
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
+    "wiring": {"errors", "model"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 
@@ -69,7 +92,7 @@ RUNTIME_ALLOWED = {
         *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
     },
 }
-FOLDERS = ("config", "pages", "prose")
+FOLDERS = ("config", "pages", "prose", "wiring")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from sitegen import workspace
+from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
 from sitegen.config.look import look
@@ -71,6 +72,7 @@ def _site(file: Section, problems: Problems) -> Site:
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
         feed=_feed(site, problems),
+        deploy=deploy(file.get("deploy"), problems),
     )
 
 
