@@ -96,6 +96,7 @@ class Page:
 
     `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
     `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
+    `base` is where addresses in it begin; without it they are relative to the page.
     """
 
     path: str
@@ -111,6 +112,17 @@ class Page:
     date: str = ""
     language: str = ""
     original: str | None = None
+    base: str = ""
+
+    @property
+    def folder(self) -> str:
+        """The folder of the page in `dist/`: its path, unless that is a file."""
+        return "".join(self.path.rpartition("/")[:2])
+
+    @property
+    def html(self) -> str:
+        """The file of the page in `dist/`."""
+        return self.path if self.path != self.folder else f"{self.path}index.html"
 
 
 @dataclass(frozen=True)

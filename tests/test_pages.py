@@ -200,7 +200,7 @@ def test_the_policy_allows_the_one_inline_script(author: Author) -> None:
 def test_a_page_without_nodes_loads_nothing_of_the_runtime(author: Author) -> None:
     author.page("", "Hello")
     built = author.built()
-    assert list(built) == ["index.html"]
+    assert list(built) == ["index.html", "404.html"]
     scripts = re.findall('<script.*?src="(.*?)"', built["index.html"])
     assert scripts == ["theme/colours.js", "theme/page.js"], "only those of the theme"
     assert "wasm" not in built["index.html"]

@@ -17,6 +17,7 @@ from sitegen.pages import discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
 from sitegen.pages.entry import Programs, page_json
 from sitegen.pages.history import changed_days, edit_link
+from sitegen.pages.missing import missing
 from sitegen.pages.nav import Link, Navigation
 from sitegen.pages.policy import FILE_NOTE, policy
 from sitegen.pages.theme import Theme, look_files
@@ -100,12 +101,12 @@ class Renderer:
         prose = Prose(library, page, problems, theme.texts(language).admonitions)
         parts = list(blocks(self.site, page, prose, problems))
         html = self._html(page, parts, prose)
-        artifacts = [Artifact(f"{page.path}index.html", html.encode())]
+        artifacts = [Artifact(page.html, html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
             entry = page_json(self.site, page, self._programs)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
-        if self.site.url:
+        if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
         slots = {slot.id for _, slot in slots_of(page)}
         return Rendered(
@@ -125,6 +126,8 @@ class Renderer:
             problems.found += each.found
         _check_anchors(rendered, problems)
         problems.raise_if_any()
+        texts = self._themes[self.site.theme].texts(self.site.language)
+        rendered.append(self.page(missing(self.site, texts)))
         artifacts = [artifact for each in rendered for artifact in each.artifacts]
         # Pages share images and previews.
         artifacts = list({artifact.path: artifact for artifact in artifacts}.values())
@@ -146,6 +149,8 @@ class Renderer:
         home = navigation.home(page)
         previous, following = navigation.around(page)
         fonts = (site.look.font, site.look.code_font)
+        # Nobody links to one that is shown in place of others.
+        public = site.url and not page.base
         return theme.html(
             site=site,
             page=page,
@@ -171,8 +176,8 @@ class Renderer:
             modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
             search=address(page, search.path(language)) if search.wanted(site) else "",
             feed=address(page, discovery.FEED) if site.feed else "",
-            url=f"{site.url}{page.path}" if site.url else "",
-            image=f"{site.url}{preview.path(site, page)}" if site.url else "",
+            url=f"{site.url}{page.path}" if public else "",
+            image=f"{site.url}{preview.path(site, page)}" if public else "",
             edit=edit_link(site, page),
             changed=self._changed.get(page.file, "") if page.file else "",
             policy=policy(text, live=live, fonts=any(isinstance(f, Path) for f in fonts)),

@@ -9,7 +9,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Self
-from urllib.parse import unquote, urlsplit
+from urllib.parse import quote, unquote, urlsplit
 
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
@@ -83,7 +83,11 @@ class _Handler(BaseHTTPRequestHandler):
         super().__init__(*args)  # type: ignore[arg-type]
 
     def do_GET(self) -> None:
-        path = unquote(urlsplit(self.path).path).removeprefix("/")
+        path = unquote(urlsplit(self.path).path)
+        if self._live.base != "/" and path.startswith(self._live.base):
+            self._redirect("/" + path.removeprefix(self._live.base))
+            return
+        path = path.removeprefix("/")
         if path == NEWS:
             self._send_news()
         elif path.startswith(OWN) and path.removeprefix(OWN) in ("follow.js", "follow.css"):
@@ -98,14 +102,17 @@ class _Handler(BaseHTTPRequestHandler):
         if file:
             self._send(path, _bytes(file))
         elif self._live.file(f"{path}/index.html"):
-            self.send_response(HTTPStatus.MOVED_PERMANENTLY)
-            self.send_header("Location", f"/{path}/")
-            self.send_header("Content-Length", "0")
-            self.end_headers()
+            self._redirect(f"/{path}/")
         else:
             missing = self._live.file("404.html")
             content = _bytes(missing) if missing else NOTHING_YET.encode()
             self._send("404.html", content, HTTPStatus.NOT_FOUND)
+
+    def _redirect(self, path: str) -> None:
+        self.send_response(HTTPStatus.FOUND)
+        self.send_header("Location", quote(f"/{path.lstrip('/')}"))
+        self.send_header("Content-Length", "0")
+        self.end_headers()
 
     def _send(self, path: str, content: bytes, status: HTTPStatus = HTTPStatus.OK) -> None:
         suffix = Path(path).suffix
