@@ -52,7 +52,12 @@ ALLOWED = {
 
 # The same for the browser's modules; a folder stands for all that is in it.
 RUNTIME_ALLOWED = {
-    "rosMain.js": {"graph.js", "nodeProcess.js", "pageClient.js", "protocol.js"},
+    "rosMain.js": {
+        *{"graph.js", "nodeProcess.js", "pageClient.js", "protocol.js", "sharing.js"},
+    },
+    "sharing.js": {"elements.js", "protocol.js", "words.js"},
+    "words.js": set(),
+    "words": set(),
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor"},
     "participant": {"participant", "protocol.js"},

@@ -4,6 +4,7 @@
 
 import { Graph } from "./graph.js";
 import { NodeProcess } from "./nodeProcess.js";
+import { Sharing } from "./sharing.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
@@ -18,13 +19,16 @@ const mounted = new Promise((resolve) => {
   showTime = resolve;
 });
 
+// A shared link says what ran and what panels showed.
+const sharing = new Sharing(page, location.hash);
+
 const graph = new Graph();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
   const node = new NodeProcess(name, entry, link.href, graph, mounted);
   nodes.set(name, node);
-  if (entry.autostart) node.start();
+  if (sharing.starts(name)) node.start();
 }
 
 // Only pages with panels take part in the graph themselves; the others do not load what that needs.
@@ -39,6 +43,8 @@ export const ros = {
   subscribeBytes: client?.subscribeBytes.bind(client),
   advertise: client?.advertise.bind(client),
   call: client?.call.bind(client),
+  keep: sharing.keep.bind(sharing),
+  link: () => sharing.fragment(nodes.values()),
 };
 
 await Promise.all(
@@ -49,3 +55,4 @@ await Promise.all(
 );
 
 showTime();
+sharing.tell();
