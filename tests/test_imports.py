@@ -17,7 +17,7 @@ ALLOWED = {
     "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
-        "workspace",
+        *("single", "workspace"),
     },
     "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
@@ -44,6 +44,7 @@ ALLOWED = {
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "errors", "model", "report"},
     "setupfiles": {"literals"},
+    "single": {"model"},
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
@@ -53,28 +54,38 @@ ALLOWED = {
 # The same for the browser's modules; a folder stands for all that is in it.
 RUNTIME_ALLOWED = {
     "rosMain.js": {
-        *{"graph.js", "nodeProcess.js", "pageClient.js", "protocol.js", "sharing.js"},
+        *{"graph.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js", "sharing.js"},
     },
+    "place.js": set(),
     "sharing.js": {"elements.js", "protocol.js", "words.js"},
-    "words.js": set(),
+    "words.js": {"place.js"},
     "words": set(),
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor"},
     "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {"graph.js", "protocol.js"},
+    "nodeProcess.js": {"graph.js", "place.js", "protocol.js", "words.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
-    "workers": {"messages", "participant", "protocol.js", "vendor", "workers"},
+    "workers": {"messages", "participant", "place.js", "protocol.js", "vendor", "workers"},
     "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),
     "searchIndex.js": {"vendor"},
     "robots": {"drawing.js", "elements.js", "protocol.js", "robots"},
     "widgets": {
-        *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
+        *{
+            "drawing.js",
+            "elements.js",
+            "looking.js",
+            "messages",
+            "place.js",
+            "protocol.js",
+            "robots",
+        },
+        *{"vendor", "words.js"},
     },
 }
-FOLDERS = ("config", "pages", "prose")
+FOLDERS = ("config", "pages", "prose", "single")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

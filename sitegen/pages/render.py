@@ -90,8 +90,11 @@ class Renderer:
         with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
             return [page for chunk in pool.map(_chunk, chunks) for page in chunk]
 
-    def page(self, page: Page) -> Rendered:
-        """Return one page; it may be newer than that of the site, with the same path."""
+    def page(self, page: Page, *, alone: bool = False) -> Rendered:
+        """Return one page; it may be newer than that of the site, with the same path.
+
+        One that is `alone` has no menu and no search.
+        """
         problems = Problems(self.site.root)
         library = self._library
         if library.pages.get(page.path) is not page:
@@ -100,7 +103,7 @@ class Renderer:
         language = page.language or self.site.language
         prose = Prose(library, page, problems, theme.texts(language).admonitions)
         parts = list(blocks(self.site, page, prose, problems))
-        html = self._html(page, parts, prose)
+        html = self._html(page, parts, prose, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
             entry = page_json(self.site, page, self._programs)
@@ -117,6 +120,17 @@ class Renderer:
             tuple(search.sections(page, (block.html for block in parts))),
             tuple(problems.found),
         )
+
+    def alone(self, page: Page) -> tuple[str, list[Artifact]]:
+        """Return the HTML of one page without the site around it, and what it and themes load."""
+        rendered = self.page(page, alone=True)
+        first, *rest = rendered.artifacts
+        assert isinstance(first.source, bytes)
+        problems = Problems(self.site.root)
+        problems.found += rendered.found
+        problems.raise_if_any()
+        theme = self._themes[page.theme or self.site.theme]
+        return first.source.decode(), [*rest, *theme.artifacts(), *self._files]
 
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return the artifacts of pages and those of the whole site, or raise a SiteError."""
@@ -138,8 +152,10 @@ class Renderer:
         artifacts += discovery.artifacts(self.site, self._changed)
         return artifacts
 
-    def _html(self, page: Page, parts: Sequence[Block], prose: Prose) -> str:
+    def _html(self, page: Page, parts: Sequence[Block], prose: Prose, *, alone: bool) -> str:
         site, navigation = self.site, self._navigation
+        if alone:
+            navigation = Navigation(replace(site, pages=(), nav=()))
         theme = self._themes[page.theme or site.theme]
         language = page.language or site.language
         text = "".join(block.html for block in parts)
@@ -149,6 +165,7 @@ class Renderer:
         home = navigation.home(page)
         previous, following = navigation.around(page)
         fonts = (site.look.font, site.look.code_font)
+        searched = search.wanted(site) and not alone
         # Nobody links to one that is shown in place of others.
         public = site.url and not page.base
         return theme.html(
@@ -174,14 +191,15 @@ class Renderer:
             footer=Markup(footer),
             runtime=address(page, "runtime/"),
             modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
-            search=address(page, search.path(language)) if search.wanted(site) else "",
+            search=address(page, search.path(language)) if searched else "",
+            share=live and not alone,
             feed=address(page, discovery.FEED) if site.feed else "",
             url=f"{site.url}{page.path}" if public else "",
             image=f"{site.url}{preview.path(site, page)}" if public else "",
             edit=edit_link(site, page),
             changed=self._changed.get(page.file, "") if page.file else "",
             policy=policy(text, live=live, fonts=any(isinstance(f, Path) for f in fonts)),
-            file_note=Markup(FILE_NOTE),
+            file_note=Markup("" if alone else FILE_NOTE),
         )
 
 

@@ -4,6 +4,7 @@
 
 import { Graph } from "./graph.js";
 import { NodeProcess } from "./nodeProcess.js";
+import { place } from "./place.js";
 import { Sharing } from "./sharing.js";
 
 /** @import { PageEntry } from "./protocol.js" */
@@ -32,7 +33,7 @@ for (const [name, entry] of Object.entries(page.nodes)) {
 }
 
 // Only pages with panels take part in the graph themselves; the others do not load what that needs.
-const client = page.types && new (await import("./pageClient.js")).PageClient(graph, page.types);
+const client = page.types && new (await import(place("pageClient.js"))).PageClient(graph, page.types);
 
 /** The page's ROS, for widgets and for scripts of the page. */
 export const ros = {
@@ -49,7 +50,7 @@ export const ros = {
 
 await Promise.all(
   page.widgets.map(async ({ kind, element, target, options }) => {
-    const { mount } = await import(`./widgets/${kind}.js`);
+    const { mount } = await import(place(`widgets/${kind}.js`));
     mount(document.getElementById(element), ros, { node: target, ...options });
   }),
 );
