@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, python, ros2wasm, single, workspace
+from sitegen import assets, config, cpp, offline, pages, python, ros2wasm, single, workspace
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -97,10 +97,15 @@ def check_single(site: Site, path: str) -> Page:
     return page
 
 
-def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
-    """Make all files of the site of `folder`; refuse early an `output` not to be replaced."""
+def make(folder: Path, report: Report, *, output: Path | None = None, edited: bool = False) -> Made:
+    """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
+
+    A site that is being `edited` is kept by no browser.
+    """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
+    if edited:
+        site = replace(site, offline=None)
     if output:
         check_output(output)
 
@@ -138,6 +143,7 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
     artifacts += archives
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    artifacts += offline.artifacts(site, artifacts)
     check_paths(artifacts)
     return Made(site, builds, bundles, programs, artifacts)
 

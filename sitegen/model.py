@@ -156,7 +156,8 @@ class Site:
 
     `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
     `notes` is what the author may want to know about a site that is right. `nav` is empty where the
-    paths of the pages are the navigation; `languages` are those beside `language`.
+    paths of the pages are the navigation; `languages` are those beside `language`. `offline` is
+    None where nobody said anything, False where the site is to work without a network no more.
     """
 
     root: Path
@@ -176,6 +177,7 @@ class Site:
     repository: str = ""
     branch: str = "main"
     feed: bool = False
+    offline: bool | None = None
 
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""

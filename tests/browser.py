@@ -57,10 +57,10 @@ def running(name: str) -> Iterator[Browser]:
 
 
 @contextmanager
-def serving(folder: Path, prefix: str = "/") -> Iterator[str]:
+def serving(folder: Path, prefix: str = "/", port: int = 0) -> Iterator[str]:
     """Serve `folder` below `prefix` as GitHub Pages would, without special headers."""
     handler = partial(_Handler, prefix=prefix, directory=str(folder))
-    server = _Server(("127.0.0.1", 0), handler)
+    server = _Server(("127.0.0.1", port), handler)
     thread = threading.Thread(target=server.serve_forever, args=(0.05,))
     thread.start()
     try:

@@ -17,7 +17,7 @@ ALLOWED = {
     "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
-        *("single", "workspace"),
+        *("offline", "single", "workspace"),
     },
     "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
@@ -37,12 +37,13 @@ ALLOWED = {
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
+    "offline": {"model"},
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
     "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
     "ros2wasm": {"descriptions", "messages", "model"},
-    "serve": {"build", "errors", "model", "report"},
+    "serve": {"build", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
     "single": {"model"},
     "theme": {"errors"},
@@ -85,7 +86,7 @@ RUNTIME_ALLOWED = {
         *{"vendor", "words.js"},
     },
 }
-FOLDERS = ("config", "pages", "prose", "single")
+FOLDERS = ("config", "offline", "pages", "prose", "single")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

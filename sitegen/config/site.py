@@ -71,6 +71,7 @@ def _site(file: Section, problems: Problems) -> Site:
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
         feed=_feed(site, problems),
+        offline=bool(site.option("offline")) if site.get("offline") else None,
     )
 
 

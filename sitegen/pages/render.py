@@ -13,7 +13,7 @@ from markupsafe import Markup
 
 from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Page, Site
-from sitegen.pages import discovery, preview, search, tags
+from sitegen.pages import app, discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
 from sitegen.pages.entry import Programs, page_json
 from sitegen.pages.history import changed_days, edit_link
@@ -150,6 +150,7 @@ class Renderer:
         artifacts += self._files
         artifacts += search.artifacts(self.site, {r.page.path: r.sections for r in rendered})
         artifacts += discovery.artifacts(self.site, self._changed)
+        artifacts += app.artifacts(self.site)
         return artifacts
 
     def _html(self, page: Page, parts: Sequence[Block], prose: Prose, *, alone: bool) -> str:
@@ -166,6 +167,7 @@ class Renderer:
         previous, following = navigation.around(page)
         fonts = (site.look.font, site.look.code_font)
         searched = search.wanted(site) and not alone
+        offline = bool(site.offline) and not alone and not page.base
         # Nobody links to one that is shown in place of others.
         public = site.url and not page.base
         return theme.html(
@@ -198,7 +200,13 @@ class Renderer:
             image=f"{site.url}{preview.path(site, page)}" if public else "",
             edit=edit_link(site, page),
             changed=self._changed.get(page.file, "") if page.file else "",
-            policy=policy(text, live=live, fonts=any(isinstance(f, Path) for f in fonts)),
+            offline=offline,
+            policy=policy(
+                text,
+                live=live,
+                fonts=any(isinstance(f, Path) for f in fonts),
+                offline=offline,
+            ),
             file_note=Markup("" if alone else FILE_NOTE),
         )
 

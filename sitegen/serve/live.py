@@ -36,7 +36,7 @@ class LiveSite:
         """Build the site; if anything is wrong it stays as it is, and its pages say so."""
         begun = time.monotonic()
         try:
-            made = make(self._folder, self._report)
+            made = make(self._folder, self._report, edited=True)
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)

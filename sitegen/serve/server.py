@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Self
 from urllib.parse import quote, unquote, urlsplit
 
+from sitegen import offline
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.serve.live import LiveSite
@@ -20,6 +21,7 @@ OWN = "_sitegen/"
 HERE = Path(__file__).parent
 NEWS = f"{OWN}news"
 FOLLOW = f'<script type="module" src="/{OWN}follow.js"></script>\n</head>'
+WORKER = "sw.js"
 # How many ports are tried after the one that was wanted.
 TRIES = 20
 TYPES = {
@@ -101,6 +103,9 @@ class _Handler(BaseHTTPRequestHandler):
         file = self._live.file(path)
         if file:
             self._send(path, _bytes(file))
+        elif path == WORKER:
+            # Of a site that this port showed before: it would go on showing that.
+            self._send(path, offline.RETIRED)
         elif self._live.file(f"{path}/index.html"):
             self._redirect(f"/{path}/")
         else:
