@@ -30,7 +30,13 @@
  *     callback: (message: Uint8Array, info: MessageInfo) => void, qos?: Partial<Qos>): () => void,
  *   advertise(topic: string, type: string, qos?: Partial<Qos>): Publisher,
  *   call(service: string, type: string, request: any, timeout?: number): Promise<any>,
- * }} Ros
+ *   keep(element: {id: string}, shape: Record<string, "string" | "boolean" | "object">,
+ *     read: () => Shared, restore: (state: Shared, odd: () => void) => void): void,
+ *   link(): string,
+ * }} Ros where `keep` lets links carry what a widget shows: `read` gives it, what is empty stays out;
+ *   `restore` is called at once with what the link of this visit says, of it only what has the `shape`,
+ *   and calls `odd` for values that mean nothing; `link` is the fragment of a link to the page as it is
+ * @typedef {Record<string, any>} Shared plain values by names of the widget
  *
  * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, sequences of
  * numbers are typed arrays, all else is what JSON has.
