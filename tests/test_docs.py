@@ -13,6 +13,7 @@ from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
     COMPILED,
     DEPLOY,
+    PYODIDE,
     FILE,
     FRONT_MATTER,
     NODE,
@@ -31,6 +32,7 @@ SITE_YAML = Path(__file__).parents[1].joinpath("docs/site-yaml.md").read_text(en
 SECTIONS = {
     "The file": FILE,
     "site": SITE,
+    "pyodide": PYODIDE,
     "deploy": DEPLOY,
     "A node": NODE,
     "A node compiled elsewhere": COMPILED,

@@ -44,6 +44,7 @@ ALLOWED = {
     "git": {"errors"},
     "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
+    "imports": {"errors"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
@@ -52,7 +53,10 @@ ALLOWED = {
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
-    "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
+    "python": {
+        *("descriptions", "errors", "imports", "interfaces", "messages", "model", "wheels"),
+        "workspace",
+    },
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
@@ -61,6 +65,7 @@ ALLOWED = {
     "toolchain": set(),
     "typesupport": set(),
     "wiring": {"errors", "model"},
+    "wheels": {"digest", "errors", "fetch", "model"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 
