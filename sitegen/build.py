@@ -9,11 +9,22 @@ import shutil
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import assets, config, cpp, pages, python, ros2wasm, workspace
-from sitegen.errors import SiteError
+from sitegen import (
+    assets,
+    compiled,
+    config,
+    cpp,
+    offline,
+    pages,
+    python,
+    ros2wasm,
+    single,
+    workspace,
+)
+from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
 
@@ -29,6 +40,7 @@ class Made:
     site: Site
     builds: cpp.Builds
     bundles: python.Bundles | None
+    programs: pages.Programs
     artifacts: Sequence[Artifact]
 
 
@@ -45,25 +57,93 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
 
-def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
-    """Make all files of the site of `folder`; refuse early an `output` not to be replaced."""
+def build_single(folder: Path, path: str, *, output: Path | None, report: Report) -> None:
+    """Build one page of the site of `folder` as one HTML file, which works without a server."""
+    site = config.load(folder / "site.yaml")
+    page = check_single(site, path)
+    name = page.path.strip("/").replace("/", "-") or "index"
+    output = output or folder / f"{name}.html"
+    if output.is_dir() or (
+        output.exists() and single.HELD not in output.read_text("utf-8", "replace")
+    ):
+        raise SiteError([f"{output} is there and not of sitegen; choose another --output"])
+    made = make(folder, report)
+    text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
+    if "<iframe" in text:
+        line = Problems(site.root).where(page.place)
+        raise SiteError(
+            [f"{line}: a single file shows no frame of another page; link to it instead"]
+        )
+    artifacts += assets.runtime(replace(made.site, pages=(page,)))
+    artifacts += assets.programs(made.builds.items())
+    known = {artifact.path: artifact for artifact in artifacts}
+    content = single.single_file(made.site, page, text, known).encode()
+    with tempfile.TemporaryDirectory(dir=output.resolve().parent, prefix=".sitegen-") as temporary:
+        fresh = Path(temporary) / output.name
+        fresh.write_bytes(content)
+        fresh.replace(output)
+    if not site.url:
+        report.say("site.yaml has no url: links to other pages lead nowhere in the file")
+    report.say(f"built /{page.path} → {shown(output)}, {size(len(content))}")
+
+
+def check_single(site: Site, path: str) -> Page:
+    """Return the page of that path, if it can be a single file."""
+    wanted = f"{path.strip('/')}/".removeprefix("/")
+    known = {page.path: page for page in site.pages}
+    if wanted not in known:
+        names = [page.path or "/" for page in site.pages]
+        raise SiteError([f"no page '{path}' in site.yaml; {nearest(path, names)}"])
+    page = known[wanted]
+    problems = Problems(site.root)
+    for name, node in page.nodes.items():
+        if site.setup_of(node):
+            message = "Python comes as files that look for each other on a server; leave it out"
+        elif node.ros2wasm:
+            message = "programs of ROS2WASM look for their files on a server; leave it out"
+        else:
+            continue
+        problems.add(node.place, f"nodes.{name}", f"no node for a single file: {message}")
+    problems.raise_if_any()
+    return page
+
+
+def make(
+    folder: Path,
+    report: Report,
+    *,
+    output: Path | None = None,
+    compiling: bool = True,
+    edited: bool = False,
+) -> Made:
+    """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
+
+    Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
+    that is being `edited` is kept by no browser.
+    """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
+    if edited:
+        site = replace(site, offline=None)
     if output:
         check_output(output)
 
     # Of nodes that the ROS2WASM project compiled, the types are looked up.
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
+    # Nodes that were compiled elsewhere are fetched.
+    site, given = compiled.resolve(site, cache=cache_folder(), report=report)
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    builds = cpp.compile_nodes(
-        jobs_of(site, nodes_of(site)),
+    own = cpp.compile_nodes(
+        jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
         cache=cache_folder(),
         report=report,
     )
+    builds = {**own, **given}
 
     # Python nodes become one archive for all and one for each package.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
@@ -75,8 +155,10 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
         if assets.takes_part(page)
     }
     versions = assets.versions(builds.items())
-    archives = assets.archives(bundles.common, bundles.packages) if bundles else []
-    programs = pages.Programs(assets.preloads(site), types, foreign, versions, digests(archives))
+    archives = assets.archives(bundles.archives) if bundles else []
+    needed = bundles.needed if bundles else {}
+    loaded = assets.preloads(site)
+    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
     artifacts = pages.render(site, programs)
 
     # These, and what they use, are the site.
@@ -86,8 +168,11 @@ def make(folder: Path, report: Report, *, output: Path | None = None) -> Made:
     artifacts += archives
     artifacts += assets.scripts(site)
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    if site.deploy.cname:
+        artifacts.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
+    artifacts += offline.artifacts(site, artifacts)
     check_paths(artifacts)
-    return Made(site, builds, bundles, artifacts)
+    return Made(site, builds, bundles, programs, artifacts)
 
 
 def nodes_of(site: Site) -> list[Node]:
@@ -104,7 +189,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        if not node.ros2wasm and not site.setup_of(node):
+        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():
@@ -127,8 +212,8 @@ def types_of(
             types |= foreign[page.path][name]
         elif bundles and site.setup_of(node):
             types |= bundles.types[node.package]
-        else:
-            types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+        elif forms := builds.get((node.package, node.executable)):
+            types |= json.loads(forms[0].types.read_text())
     return types
 
 
@@ -208,7 +293,8 @@ def summarize(made: Made, report: Report) -> None:
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
         if made.bundles and site.setup_of(node):
-            total = len(made.bundles.common) + len(made.bundles.packages[node.package])
+            needed = made.bundles.needed[node.package, node.executable]
+            total = sum(len(made.bundles.archives[path]) for path in needed)
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
         forms = made.builds[node.package, node.executable]

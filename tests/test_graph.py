@@ -294,7 +294,8 @@ def test_who_could_not_look_for_a_while_counts_each_period(play: Any) -> None:
 def test_who_looks_is_told_who_is_there_and_who_comes_and_goes(play: Any) -> None:
     assert play("""
       const [a, b, c] = [join(), join(), join()];
-      const names = () => a.participant.look().map(({ name, endpoint }) => [name % 2 ** 32, endpoint.name]);
+      const names = () =>
+        a.participant.look().map(({ name, endpoint }) => [name % 2 ** 32, endpoint.name]);
       const own = publisher(a, {}, "/own");
       const first = publisher(b, {}, "/first");
       const before = names();
