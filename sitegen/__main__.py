@@ -54,8 +54,15 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> None:
-    from sitegen.build import build
     from sitegen.report import Report
+
+    if arguments.single_file:
+        from sitegen.build import build_single
+
+        page, output = arguments.single_file, arguments.output
+        build_single(arguments.folder, page, output=output, report=Report())
+        return
+    from sitegen.build import build
 
     build(arguments.folder, output=arguments.output, report=Report())
 
@@ -171,6 +178,11 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="DIR",
         help="the folder to write, replaced as a whole (default: FOLDER/dist)",
     )
+    build.add_argument(
+        "--single-file",
+        metavar="PAGE",
+        help="write one page as one HTML file, which needs no server (--output: its name)",
+    )
     build.set_defaults(run=_build)
     check = commands.add_parser(
         "check", help="say what is wrong and what could be better", parents=[folder, debug]
@@ -226,7 +238,7 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
     copying.set_defaults(run=_copy_theme)
     arguments = parser.parse_args(argv)
     arguments.debug = "debug" in arguments
-    if arguments.command != "build":
+    if arguments.command != "build" or arguments.single_file:
         return arguments
     arguments.output = arguments.output or arguments.folder / "dist"
     if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):

@@ -31,7 +31,7 @@ def runtime(site: Site) -> list[Artifact]:
 
     A site without nodes needs none of them.
     """
-    files = {file for page in site.pages for file in _modules(page)}
+    files = {file for page in site.pages for file in _modules(site, page)}
     if not files:
         return []
     workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
@@ -58,12 +58,14 @@ def preloads(site: Site) -> dict[str, list[str]]:
     Named in the page's head they come at once; otherwise each would be asked for by the one before.
     """
     return {
-        page.path: [f"runtime/{f.relative_to(RUNTIME).as_posix()}" for f in _modules(page)[1:]]
+        page.path: [
+            f"runtime/{f.relative_to(RUNTIME).as_posix()}" for f in _modules(site, page)[1:]
+        ]
         for page in site.pages
     }
 
 
-def _modules(page: Page) -> list[Path]:
+def _modules(site: Site, page: Page) -> list[Path]:
     """Return the modules that `page` runs, rosMain.js first; none if it shows no widget."""
     widgets = list(_widgets([page]))
     if not widgets:
@@ -74,7 +76,10 @@ def _modules(page: Page) -> list[Path]:
     files += (RUNTIME / "widgets" / f"{widget.kind}.js" for widget in widgets)
     robots = (widget for widget in widgets if widget.kind == "robot")
     files += (RUNTIME / "robots" / f"{robot.options['kind']}.js" for robot in robots)
-    return _with_imports(files)
+    # What widgets say in the language of the page; English stands in the code.
+    language = (page.language or site.language).partition("-")[0].lower()
+    words = RUNTIME / "words" / f"{language}.js"
+    return _with_imports([*files, words] if words.is_file() else files)
 
 
 def _with_imports(files: Iterable[Path]) -> list[Path]:

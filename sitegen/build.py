@@ -9,11 +9,22 @@ import shutil
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import assets, compiled, config, cpp, pages, python, ros2wasm, workspace
-from sitegen.errors import SiteError
+from sitegen import (
+    assets,
+    compiled,
+    config,
+    cpp,
+    offline,
+    pages,
+    python,
+    ros2wasm,
+    single,
+    workspace,
+)
+from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
 
@@ -29,6 +40,7 @@ class Made:
     site: Site
     builds: cpp.Builds
     bundles: python.Bundles | None
+    programs: pages.Programs
     artifacts: Sequence[Artifact]
 
 
@@ -45,15 +57,74 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     )
 
 
+def build_single(folder: Path, path: str, *, output: Path | None, report: Report) -> None:
+    """Build one page of the site of `folder` as one HTML file, which works without a server."""
+    site = config.load(folder / "site.yaml")
+    page = check_single(site, path)
+    name = page.path.strip("/").replace("/", "-") or "index"
+    output = output or folder / f"{name}.html"
+    if output.is_dir() or (
+        output.exists() and single.HELD not in output.read_text("utf-8", "replace")
+    ):
+        raise SiteError([f"{output} is there and not of sitegen; choose another --output"])
+    made = make(folder, report)
+    text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
+    if "<iframe" in text:
+        line = Problems(site.root).where(page.place)
+        raise SiteError(
+            [f"{line}: a single file shows no frame of another page; link to it instead"]
+        )
+    artifacts += assets.runtime(replace(made.site, pages=(page,)))
+    artifacts += assets.programs(made.builds.items())
+    known = {artifact.path: artifact for artifact in artifacts}
+    content = single.single_file(made.site, page, text, known).encode()
+    with tempfile.TemporaryDirectory(dir=output.resolve().parent, prefix=".sitegen-") as temporary:
+        fresh = Path(temporary) / output.name
+        fresh.write_bytes(content)
+        fresh.replace(output)
+    if not site.url:
+        report.say("site.yaml has no url: links to other pages lead nowhere in the file")
+    report.say(f"built /{page.path} → {shown(output)}, {size(len(content))}")
+
+
+def check_single(site: Site, path: str) -> Page:
+    """Return the page of that path, if it can be a single file."""
+    wanted = f"{path.strip('/')}/".removeprefix("/")
+    known = {page.path: page for page in site.pages}
+    if wanted not in known:
+        names = [page.path or "/" for page in site.pages]
+        raise SiteError([f"no page '{path}' in site.yaml; {nearest(path, names)}"])
+    page = known[wanted]
+    problems = Problems(site.root)
+    for name, node in page.nodes.items():
+        if site.setup_of(node):
+            message = "Python comes as files that look for each other on a server; leave it out"
+        elif node.ros2wasm:
+            message = "programs of ROS2WASM look for their files on a server; leave it out"
+        else:
+            continue
+        problems.add(node.place, f"nodes.{name}", f"no node for a single file: {message}")
+    problems.raise_if_any()
+    return page
+
+
 def make(
-    folder: Path, report: Report, *, output: Path | None = None, compiling: bool = True
+    folder: Path,
+    report: Report,
+    *,
+    output: Path | None = None,
+    compiling: bool = True,
+    edited: bool = False,
 ) -> Made:
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
-    Without `compiling`, all is checked as always, and only the programs in C++ are missing.
+    Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
+    that is being `edited` is kept by no browser.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
+    if edited:
+        site = replace(site, offline=None)
     if output:
         check_output(output)
 
@@ -97,8 +168,9 @@ def make(
     artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
     if site.deploy.cname:
         artifacts.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
+    artifacts += offline.artifacts(site, artifacts)
     check_paths(artifacts)
-    return Made(site, builds, bundles, artifacts)
+    return Made(site, builds, bundles, programs, artifacts)
 
 
 def nodes_of(site: Site) -> list[Node]:

@@ -114,6 +114,7 @@ class Page:
 
     `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
     `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
+    `base` is where addresses in it begin; without it they are relative to the page.
     """
 
     path: str
@@ -129,6 +130,17 @@ class Page:
     date: str = ""
     language: str = ""
     original: str | None = None
+    base: str = ""
+
+    @property
+    def folder(self) -> str:
+        """The folder of the page in `dist/`: its path, unless that is a file."""
+        return "".join(self.path.rpartition("/")[:2])
+
+    @property
+    def html(self) -> str:
+        """The file of the page in `dist/`."""
+        return self.path if self.path != self.folder else f"{self.path}index.html"
 
 
 @dataclass(frozen=True)
@@ -171,7 +183,8 @@ class Site:
 
     `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
     `notes` is what the author may want to know about a site that is right. `nav` is empty where the
-    paths of the pages are the navigation; `languages` are those beside `language`.
+    paths of the pages are the navigation; `languages` are those beside `language`. `offline` is
+    None where nobody said anything, False where the site is to work without a network no more.
     """
 
     root: Path
@@ -192,20 +205,22 @@ class Site:
     branch: str = "main"
     feed: bool = False
     deploy: Deploy = field(default_factory=lambda: Deploy())
+    offline: bool | None = None
 
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""
         package = None if node.compiled else self.packages.get(node.package)
-        return package.setup if package else None
+        setup = package.setup if package else None
+        return setup if setup and node.executable in setup.scripts else None
 
 
 @dataclass(frozen=True)
 class Setup:
-    """What an `ament_python` package installs.
+    """What a package with Python installs.
 
-    `scripts` are its entry points ("module:function") by the names of the executables; `files` its
-    files by their place below the prefix, where modules are in `python/`. `fault` says where its
-    setup cannot be read, and why.
+    `scripts` are its entry points ("module:function"), or the places of its programs, by the names
+    of the executables; `files` its files by their place below the prefix, where modules are in
+    `python/`. `fault` says where its setup cannot be read, and why.
     """
 
     scripts: Mapping[str, str]

@@ -122,8 +122,9 @@ def _named_by_rclpy() -> Iterator[str]:
 
 
 def _sources(package: Package) -> Iterator[str]:
-    for file in package.setup.files.values() if package.setup else ():
-        if file.suffix == ".py":
+    scripts = package.setup.scripts.values() if package.setup else ()
+    for place, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or place in scripts:
             yield file.read_text(encoding="utf-8", errors="replace")
 
 

@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
+from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, Protocol
@@ -56,10 +57,10 @@ def running(name: str) -> Iterator[Browser]:
 
 
 @contextmanager
-def serving(folder: Path, prefix: str = "/") -> Iterator[str]:
+def serving(folder: Path, prefix: str = "/", port: int = 0) -> Iterator[str]:
     """Serve `folder` below `prefix` as GitHub Pages would, without special headers."""
     handler = partial(_Handler, prefix=prefix, directory=str(folder))
-    server = _Server(("127.0.0.1", 0), handler)
+    server = _Server(("127.0.0.1", port), handler)
     thread = threading.Thread(target=server.serve_forever, args=(0.05,))
     thread.start()
     try:
@@ -92,6 +93,16 @@ class _Handler(SimpleHTTPRequestHandler):
         # Nothing lies outside the prefix, so links that leave it are found.
         inside = path.startswith(self._prefix)
         return super().translate_path(path[len(self._prefix) :] if inside else "/outside/prefix")
+
+    def send_error(self, code: int, *rest: str | None) -> None:
+        missing = Path(self.directory, "404.html")
+        if code != HTTPStatus.NOT_FOUND or not missing.is_file():
+            super().send_error(code, *rest)
+            return
+        self.send_response(code)
+        self.send_header("Content-Type", "text/html; charset=utf-8")
+        self.end_headers()
+        self.wfile.write(missing.read_bytes())
 
     def log_message(self, format: str, *args: object) -> None:
         pass

@@ -20,19 +20,8 @@ ALLOWED = {
     },
     "archive": {"model"},
     "build": {
-        *(
-            "assets",
-            "compiled",
-            "config",
-            "cpp",
-            "errors",
-            "model",
-            "pages",
-            "python",
-            "report",
-            "ros2wasm",
-        ),
-        "workspace",
+        *("assets", "compiled", "config", "cpp", "errors", "model", "offline", "pages", "python"),
+        *("report", "ros2wasm", "single", "workspace"),
     },
     "assets": {"digest", "model"},
     "compile": {"archive", "build", "cpp", "errors", "model", "report", "workspace"},
@@ -60,13 +49,15 @@ ALLOWED = {
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
     "new": {"errors"},
+    "offline": {"model"},
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
     "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
     "ros2wasm": {"descriptions", "messages", "model"},
-    "serve": {"build", "errors", "model", "report"},
+    "serve": {"build", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
+    "single": {"model"},
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
@@ -76,24 +67,39 @@ ALLOWED = {
 
 # The same for the browser's modules; a folder stands for all that is in it.
 RUNTIME_ALLOWED = {
-    "rosMain.js": {"graph.js", "nodeProcess.js", "pageClient.js", "protocol.js"},
+    "rosMain.js": {
+        *{"graph.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js", "sharing.js"},
+    },
+    "place.js": set(),
+    "sharing.js": {"elements.js", "protocol.js", "words.js"},
+    "words.js": {"place.js"},
+    "words": set(),
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor"},
     "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {"graph.js", "protocol.js"},
+    "nodeProcess.js": {"graph.js", "place.js", "protocol.js", "words.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
-    "workers": {"messages", "participant", "protocol.js", "vendor", "workers"},
+    "workers": {"messages", "participant", "place.js", "protocol.js", "vendor", "workers"},
     "drawing.js": {"elements.js"},
     "elements.js": set(),
     "looking.js": set(),
     "searchIndex.js": {"vendor"},
     "robots": {"drawing.js", "elements.js", "protocol.js", "robots"},
     "widgets": {
-        *{"drawing.js", "elements.js", "looking.js", "messages", "protocol.js", "robots", "vendor"},
+        *{
+            "drawing.js",
+            "elements.js",
+            "looking.js",
+            "messages",
+            "place.js",
+            "protocol.js",
+            "robots",
+        },
+        *{"vendor", "words.js"},
     },
 }
-FOLDERS = ("config", "pages", "prose", "wiring")
+FOLDERS = ("config", "offline", "pages", "prose", "single", "wiring")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

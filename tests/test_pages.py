@@ -200,7 +200,7 @@ def test_the_policy_allows_the_one_inline_script(author: Author) -> None:
 def test_a_page_without_nodes_loads_nothing_of_the_runtime(author: Author) -> None:
     author.page("", "Hello")
     built = author.built()
-    assert list(built) == ["index.html"]
+    assert list(built) == ["index.html", "404.html"]
     scripts = re.findall('<script.*?src="(.*?)"', built["index.html"])
     assert scripts == ["theme/colours.js", "theme/page.js"], "only those of the theme"
     assert "wasm" not in built["index.html"]
@@ -380,7 +380,7 @@ def test_a_page_from_a_subfolder_of_a_server(
     tab.on("response", lambda response: answers.update({response.url: response.status}))
     url = serve(dist, "/me/robots/")
     tab.goto(url)
-    assert tab.evaluate("document.querySelector('main img').complete")
+    tab.wait_for_function("document.querySelector('main img').complete")
     tab.get_by_role("link", name="Next").click()
     tab.wait_for_selector("body[data-nodes=talker]")
     assert tab.is_hidden("#file-note")

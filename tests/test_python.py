@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import config, python, setupfiles
+from sitegen import config, python, setupfiles, workspace
 from sitegen.build import build, nodes_of
 from sitegen.errors import SiteError
 from sitegen.report import Report
 
+HERE = Path(__file__).parent
 PACKAGE = """<package format="3"><name>{name}</name><version>1.0.0</version>
   <exec_depend>rclpy</exec_depend>{more}
   <export><build_type>ament_python</build_type></export>
@@ -194,3 +195,23 @@ def test_a_site_of_python_nodes_needs_no_compiler(
     assert not (dist / "runtime" / "workers" / "cppNode.js").exists()
     for name in ("nodes/ros.zip", "nodes/py_pubsub/python.zip", "page.json"):
         assert (dist / name).read_bytes() == (tmp_path / "dist2" / name).read_bytes()
+
+
+def test_a_cmake_package_may_have_programs_and_modules_of_python() -> None:
+    packages = workspace.scan(HERE / "sites" / "python" / "src")
+    package = packages["mixed"]
+    assert package.executables == ("greeter.py", "plain")
+    assert package.sources["greeter.py"] == ("scripts/greeter.py",)
+    assert package.setup
+    files = {p: f.relative_to(package.path).as_posix() for p, f in package.setup.files.items()}
+    assert files == {
+        "python/mixed/__init__.py": "mixed/__init__.py",
+        "python/mixed/words.py": "mixed/words.py",
+        "lib/mixed/greeter.py": "scripts/greeter.py",
+        "lib/mixed/plain": "scripts/plain",
+        "lib/mixed/helper": "scripts/helper.sh",
+        "share/mixed/config/name.txt": "config/name.txt",
+        "share/mixed/copy/package.xml": "package.xml",
+        "share/mixed/package.xml": "package.xml",
+        "share/ament_index/resource_index/packages/mixed": "package.xml",
+    }

@@ -79,7 +79,7 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         problems.add(section.place("package"), section.label("package"), message)
     elif package.setup and package.setup.fault:
         problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
-    elif package.setup and not package.setup.scripts:
+    elif package.build_type == "ament_python" and not package.executables:
         message = f"package '{package.name}' has no entry points; name them in its setup.py"
         advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
         problems.add(section.place("package"), section.label("package"), f"{message}: {advice}")

@@ -113,6 +113,13 @@ SITE = (
     Key("branch", "text", "the branch to edit", "branch: main", default="main"),
     Key("feed", "flag", "write a feed of the pages with a date", "feed: true", default=False),
     Key(
+        "offline",
+        "flag",
+        "work without a network after the first visit, and be installed",
+        "offline: true",
+        default=False,
+    ),
+    Key(
         "asyncify",
         "flag",
         "build every node a second time, for browsers without JSPI",

@@ -73,6 +73,7 @@ def _site(file: Section, problems: Problems) -> Site:
         branch=site.text("branch"),
         feed=_feed(site, problems),
         deploy=deploy(file.get("deploy"), problems),
+        offline=bool(site.option("offline")) if site.get("offline") else None,
     )
 
 

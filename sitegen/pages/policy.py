@@ -11,8 +11,11 @@ FILE_NOTE = (
 )
 
 
-def policy(text: str, *, live: bool, fonts: bool) -> str:
-    """Return the policy of a page with `text`, HTML, that is `live` when it runs nodes."""
+def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
+    """Return the policy of a page with `text`, HTML.
+
+    It is `live` when it runs nodes, and `offline` when it works without a network.
+    """
     rules = ["default-src 'none'", "style-src 'self'", "img-src 'self' data:"]
     if live:
         digest = base64.b64encode(hashlib.sha256(FILE_NOTE.encode()).digest()).decode()
@@ -21,6 +24,10 @@ def policy(text: str, *, live: bool, fonts: bool) -> str:
     else:
         # The theme's own: the switch of colours, the search and its index.
         rules += ["script-src 'self'", "connect-src 'self'"]
+        if offline:
+            rules.append("worker-src 'self'")
+    if offline:
+        rules.append("manifest-src 'self'")
     if fonts:
         rules.append("font-src 'self'")
     if "<video" in text or "<audio" in text:

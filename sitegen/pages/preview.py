@@ -51,14 +51,14 @@ def _drawn(title: str, name: str, description: str, accent: str) -> bytes:
     draw.rectangle((0, 0, WIDTH, 14), fill=colour)
     _graph(draw, colour)
     if name:
-        draw.text((MARGIN, 78), _known(name), font=_font(40, "Semibold"), fill=colour)
-    size, rows = _fitting(_known(title))
+        draw.text((MARGIN, 78), known(name), font=font(40, "Semibold"), fill=colour)
+    size, rows = _fitting(known(title))
     y = 158
     for row in rows:
-        draw.text((MARGIN, y), row, font=_font(size, "Bold"), fill=INK)
+        draw.text((MARGIN, y), row, font=font(size, "Bold"), fill=INK)
         y += round(1.12 * size)
-    for row in list(_wrapped(_known(description), _font(38), WIDTH - 2 * MARGIN))[:2]:
-        draw.text((MARGIN, y + 26), row, font=_font(38), fill=QUIET)
+    for row in list(_wrapped(known(description), font(38), WIDTH - 2 * MARGIN))[:2]:
+        draw.text((MARGIN, y + 26), row, font=font(38), fill=QUIET)
         y += 48
     file = io.BytesIO()
     image.quantize(64, dither=Image.Dither.NONE).save(file, "PNG", optimize=False)
@@ -78,7 +78,7 @@ def _graph(draw: object, colour: str) -> None:
 def _fitting(title: str) -> tuple[int, list[str]]:
     """Return the largest size at which a title fits, and its rows."""
     for size in TITLE_SIZES:
-        rows = list(_wrapped(title, _font(size, "Bold"), WIDTH - 2 * MARGIN))
+        rows = list(_wrapped(title, font(size, "Bold"), WIDTH - 2 * MARGIN))
         if len(rows) <= ROWS:
             return size, rows
     return size, [*rows[: ROWS - 1], rows[ROWS - 1] + " …"]
@@ -97,7 +97,7 @@ def _wrapped(text: str, font: FreeTypeFont, width: int) -> Iterator[str]:
         yield row
 
 
-def _known(text: str) -> str:
+def known(text: str) -> str:
     """Return the text without letters that the font lacks."""
     missing = _glyph("\uffff")
     return "".join(c for c in text if c.isspace() or _glyph(c) != missing)
@@ -105,11 +105,12 @@ def _known(text: str) -> str:
 
 @functools.cache
 def _glyph(letter: str) -> bytes:
-    return bytes(_font(40).getmask(letter))
+    return bytes(font(40).getmask(letter))
 
 
 @functools.cache
-def _font(size: int, weight: str = "Regular") -> FreeTypeFont:
+def font(size: int, weight: str = "Regular") -> FreeTypeFont:
+    """Return the letters of pictures."""
     from PIL import ImageFont
 
     # A package from PyPI, so the same on every machine.

@@ -13,10 +13,11 @@ from markupsafe import Markup
 
 from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Page, Site
-from sitegen.pages import discovery, preview, search, tags
+from sitegen.pages import app, discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
 from sitegen.pages.entry import Programs, page_json
 from sitegen.pages.history import changed_days, edit_link
+from sitegen.pages.missing import missing
 from sitegen.pages.nav import Link, Navigation
 from sitegen.pages.policy import FILE_NOTE, policy
 from sitegen.pages.theme import Theme, look_files
@@ -89,8 +90,11 @@ class Renderer:
         with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
             return [page for chunk in pool.map(_chunk, chunks) for page in chunk]
 
-    def page(self, page: Page) -> Rendered:
-        """Return one page; it may be newer than that of the site, with the same path."""
+    def page(self, page: Page, *, alone: bool = False) -> Rendered:
+        """Return one page; it may be newer than that of the site, with the same path.
+
+        One that is `alone` has no menu and no search.
+        """
         problems = Problems(self.site.root)
         library = self._library
         if library.pages.get(page.path) is not page:
@@ -99,13 +103,13 @@ class Renderer:
         language = page.language or self.site.language
         prose = Prose(library, page, problems, theme.texts(language).admonitions)
         parts = list(blocks(self.site, page, prose, problems))
-        html = self._html(page, parts, prose)
-        artifacts = [Artifact(f"{page.path}index.html", html.encode())]
+        html = self._html(page, parts, prose, alone=alone)
+        artifacts = [Artifact(page.html, html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
             entry = page_json(self.site, page, self._programs)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
-        if self.site.url:
+        if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
         slots = {slot.id for _, slot in slots_of(page)}
         return Rendered(
@@ -117,6 +121,17 @@ class Renderer:
             tuple(problems.found),
         )
 
+    def alone(self, page: Page) -> tuple[str, list[Artifact]]:
+        """Return the HTML of one page without the site around it, and what it and themes load."""
+        rendered = self.page(page, alone=True)
+        first, *rest = rendered.artifacts
+        assert isinstance(first.source, bytes)
+        problems = Problems(self.site.root)
+        problems.found += rendered.found
+        problems.raise_if_any()
+        theme = self._themes[page.theme or self.site.theme]
+        return first.source.decode(), [*rest, *theme.artifacts(), *self._files]
+
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return the artifacts of pages and those of the whole site, or raise a SiteError."""
         rendered = list(rendered)
@@ -125,6 +140,8 @@ class Renderer:
             problems.found += each.found
         _check_anchors(rendered, problems)
         problems.raise_if_any()
+        texts = self._themes[self.site.theme].texts(self.site.language)
+        rendered.append(self.page(missing(self.site, texts)))
         artifacts = [artifact for each in rendered for artifact in each.artifacts]
         # Pages share images and previews.
         artifacts = list({artifact.path: artifact for artifact in artifacts}.values())
@@ -133,10 +150,13 @@ class Renderer:
         artifacts += self._files
         artifacts += search.artifacts(self.site, {r.page.path: r.sections for r in rendered})
         artifacts += discovery.artifacts(self.site, self._changed)
+        artifacts += app.artifacts(self.site)
         return artifacts
 
-    def _html(self, page: Page, parts: Sequence[Block], prose: Prose) -> str:
+    def _html(self, page: Page, parts: Sequence[Block], prose: Prose, *, alone: bool) -> str:
         site, navigation = self.site, self._navigation
+        if alone:
+            navigation = Navigation(replace(site, pages=(), nav=()))
         theme = self._themes[page.theme or site.theme]
         language = page.language or site.language
         text = "".join(block.html for block in parts)
@@ -146,6 +166,10 @@ class Renderer:
         home = navigation.home(page)
         previous, following = navigation.around(page)
         fonts = (site.look.font, site.look.code_font)
+        searched = search.wanted(site) and not alone
+        offline = bool(site.offline) and not alone and not page.base
+        # Nobody links to one that is shown in place of others.
+        public = site.url and not page.base
         return theme.html(
             site=site,
             page=page,
@@ -169,14 +193,21 @@ class Renderer:
             footer=Markup(footer),
             runtime=address(page, "runtime/"),
             modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
-            search=address(page, search.path(language)) if search.wanted(site) else "",
+            search=address(page, search.path(language)) if searched else "",
+            share=live and not alone,
             feed=address(page, discovery.FEED) if site.feed else "",
-            url=f"{site.url}{page.path}" if site.url else "",
-            image=f"{site.url}{preview.path(site, page)}" if site.url else "",
+            url=f"{site.url}{page.path}" if public else "",
+            image=f"{site.url}{preview.path(site, page)}" if public else "",
             edit=edit_link(site, page),
             changed=self._changed.get(page.file, "") if page.file else "",
-            policy=policy(text, live=live, fonts=any(isinstance(f, Path) for f in fonts)),
-            file_note=Markup(FILE_NOTE),
+            offline=offline,
+            policy=policy(
+                text,
+                live=live,
+                fonts=any(isinstance(f, Path) for f in fonts),
+                offline=offline,
+            ),
+            file_note=Markup("" if alone else FILE_NOTE),
         )
 
 

@@ -22,7 +22,9 @@ _quote = functools.cache(quote)
 
 
 def address(page: Page, path: str) -> str:
-    """Return the relative URL of `path`, a path inside `dist/`, seen from `page`."""
+    """Return the URL of `path`, a path inside `dist/`, seen from `page`."""
+    if page.base:
+        return page.base + _quote(path)
     if path.startswith(page.path):
         return _quote(path[len(page.path) :]) or "./"
     return "../" * page.path.count("/") + _quote(path) or "./"
@@ -113,7 +115,7 @@ class Links:
         shown = known.get(written) or (known.get(os.path.realpath(written)) if known else None)
         if shown:
             return self.page.path if written in self._own else shown.path
-        here_on = posixpath.normpath(posixpath.join("/", self.page.path, name))
+        here_on = posixpath.normpath(posixpath.join("/", self.page.folder, name))
         for path in (here_on, posixpath.normpath("/" + name)):
             folder = path.removesuffix("/index.html").strip("/")
             candidate = f"{folder}/" if folder else ""
@@ -136,7 +138,7 @@ class Links:
             # A link keeps the name as written beside the page: a `../` would leave its folder.
             written = re.sub(r"^(\.\./)+", "", posixpath.normpath(name))
             linked = key in ("link", "frame")
-            path = self.page.path + written if linked else lasting_name(file)
+            path = self.page.folder + written if linked else lasting_name(file)
             taken = self.files.setdefault(path, file)
             if not linked or (taken == file and written not in ("index.html", "page.json")):
                 return path, file

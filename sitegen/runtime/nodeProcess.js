@@ -1,6 +1,8 @@
 // @ts-check
 // A node of the page and the worker that runs it, from Start to Stop and again.
 
+import { moduleWorkers, place } from "./place.js";
+
 /** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
 
@@ -82,7 +84,7 @@ export class NodeProcess extends EventTarget {
       return;
     }
     const script = new URL(build.script, this.#base).href;
-    const wasm = new URL(build.wasm, this.#base).href;
+    const wasm = place(new URL(build.wasm, this.#base).href);
     this.#launch("cppNode", async (id, worker) => {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
@@ -146,8 +148,8 @@ export class NodeProcess extends EventTarget {
    * @param {(id: number, worker: Worker) => Promise<ToWorker>} prepare
    */
   async #launch(file, prepare) {
-    const worker = new Worker(new URL(`workers/${file}.js`, import.meta.url), {
-      type: "module",
+    const worker = new Worker(place(`workers/${file}.js`), {
+      type: moduleWorkers ? "module" : "classic",
       name: this.name,
     });
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
@@ -177,18 +179,6 @@ export class NodeProcess extends EventTarget {
       case "running":
         this.#setState("running");
         break;
-      case "create":
-        this.#graph.create(id, message.endpoint);
-        break;
-      case "destroy":
-        this.#graph.destroy(id, message.id);
-        break;
-      case "missed":
-        this.#graph.miss(id, message.id, message.count);
-        break;
-      case "complain":
-        this.#graph.complain(message.peer, message.text);
-        break;
       case "lines":
         this.#emitLines(message.lines);
         break;
@@ -204,6 +194,8 @@ export class NodeProcess extends EventTarget {
           this.#end("stopped");
         }
         break;
+      default:
+        this.#graph.receive(id, message);
     }
   }
 

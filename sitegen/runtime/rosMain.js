@@ -4,6 +4,8 @@
 
 import { Graph } from "./graph.js";
 import { NodeProcess } from "./nodeProcess.js";
+import { place } from "./place.js";
+import { Sharing } from "./sharing.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
@@ -18,17 +20,20 @@ const mounted = new Promise((resolve) => {
   showTime = resolve;
 });
 
+// A shared link says what ran and what panels showed.
+const sharing = new Sharing(page, location.hash);
+
 const graph = new Graph();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
   const node = new NodeProcess(name, entry, link.href, graph, mounted);
   nodes.set(name, node);
-  if (entry.autostart) node.start();
+  if (sharing.starts(name)) node.start();
 }
 
 // Only pages with panels take part in the graph themselves; the others do not load what that needs.
-const client = page.types && new (await import("./pageClient.js")).PageClient(graph, page.types);
+const client = page.types && new (await import(place("pageClient.js"))).PageClient(graph, page.types);
 
 /** The page's ROS, for widgets and for scripts of the page. */
 export const ros = {
@@ -39,13 +44,16 @@ export const ros = {
   subscribeBytes: client?.subscribeBytes.bind(client),
   advertise: client?.advertise.bind(client),
   call: client?.call.bind(client),
+  keep: sharing.keep.bind(sharing),
+  link: () => sharing.fragment(nodes.values()),
 };
 
 await Promise.all(
   page.widgets.map(async ({ kind, element, target, options }) => {
-    const { mount } = await import(`./widgets/${kind}.js`);
+    const { mount } = await import(place(`widgets/${kind}.js`));
     mount(document.getElementById(element), ros, { node: target, ...options });
   }),
 );
 
 showTime();
+sharing.tell();

@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from sitegen.build import count, make
 from sitegen.errors import SiteError
@@ -24,6 +25,8 @@ class LiveSite:
     def __init__(self, folder: Path, report: Report) -> None:
         self._folder = folder
         self._report = report
+        # Where its 404.html takes it to live.
+        self.base = "/"
         self._files: Mapping[str, Artifact] = {}
         self._digests: Mapping[str, str] = {}
         self._news: list[tuple[str, object]] = []
@@ -33,17 +36,18 @@ class LiveSite:
         """Build the site; if anything is wrong it stays as it is, and its pages say so."""
         begun = time.monotonic()
         try:
-            artifacts = make(self._folder, self._report).artifacts
+            made = make(self._folder, self._report, edited=True)
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)
             self._report.say(f"{count(len(error.lines), 'problem')}; the pages stay as they were")
             self._tell("wrong", error.lines)
             return
-        files = {artifact.path: artifact for artifact in artifacts}
+        files = {artifact.path: artifact for artifact in made.artifacts}
         digests = {path: _digest(artifact) for path, artifact in files.items()}
         different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
         self._files, self._digests = files, digests
+        self.base = urlsplit(made.site.url).path or "/"
         names = ", ".join(file.name for file in changed[:3]) + (", …" if len(changed) > 3 else "")
         cause = f"{names}: " if names else ""
         seconds = time.monotonic() - begun

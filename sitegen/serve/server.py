@@ -9,8 +9,9 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Self
-from urllib.parse import unquote, urlsplit
+from urllib.parse import quote, unquote, urlsplit
 
+from sitegen import offline
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.serve.live import LiveSite
@@ -20,6 +21,7 @@ OWN = "_sitegen/"
 HERE = Path(__file__).parent
 NEWS = f"{OWN}news"
 FOLLOW = f'<script type="module" src="/{OWN}follow.js"></script>\n</head>'
+WORKER = "sw.js"
 # How many ports are tried after the one that was wanted.
 TRIES = 20
 TYPES = {
@@ -83,7 +85,11 @@ class _Handler(BaseHTTPRequestHandler):
         super().__init__(*args)  # type: ignore[arg-type]
 
     def do_GET(self) -> None:
-        path = unquote(urlsplit(self.path).path).removeprefix("/")
+        path = unquote(urlsplit(self.path).path)
+        if self._live.base != "/" and path.startswith(self._live.base):
+            self._redirect("/" + path.removeprefix(self._live.base))
+            return
+        path = path.removeprefix("/")
         if path == NEWS:
             self._send_news()
         elif path.startswith(OWN) and path.removeprefix(OWN) in ("follow.js", "follow.css"):
@@ -97,15 +103,21 @@ class _Handler(BaseHTTPRequestHandler):
         file = self._live.file(path)
         if file:
             self._send(path, _bytes(file))
+        elif path == WORKER:
+            # Of a site that this port showed before: it would go on showing that.
+            self._send(path, offline.RETIRED)
         elif self._live.file(f"{path}/index.html"):
-            self.send_response(HTTPStatus.MOVED_PERMANENTLY)
-            self.send_header("Location", f"/{path}/")
-            self.send_header("Content-Length", "0")
-            self.end_headers()
+            self._redirect(f"/{path}/")
         else:
             missing = self._live.file("404.html")
             content = _bytes(missing) if missing else NOTHING_YET.encode()
             self._send("404.html", content, HTTPStatus.NOT_FOUND)
+
+    def _redirect(self, path: str) -> None:
+        self.send_response(HTTPStatus.FOUND)
+        self.send_header("Location", quote(f"/{path.lstrip('/')}"))
+        self.send_header("Content-Length", "0")
+        self.end_headers()
 
     def _send(self, path: str, content: bytes, status: HTTPStatus = HTTPStatus.OK) -> None:
         suffix = Path(path).suffix

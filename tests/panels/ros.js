@@ -114,6 +114,14 @@ export const ros = {
       if (name === topic) callback(bytes ? new Uint8Array(size) : message, info);
     }
   },
+  /** What a link would keep of the panel, and what it is given from one. */
+  kept: () => ({}),
+  given: undefined,
+  odd: 0,
+  keep(element, shape, read, restore) {
+    ros.kept = read;
+    if (ros.given) restore(ros.given, () => ros.odd++);
+  },
   subscribe(topic, type, callback, qos, bytes = false) {
     const entry = { topic, type, callback, qos, bytes };
     ros.subscriptions.push(entry);

@@ -5,3 +5,6 @@ try {
 } catch {
   // Storage may be forbidden; the device decides then.
 }
+
+// What stands in a frame of another page has that page around it: embed.css leaves the content only.
+if (new URLSearchParams(location.search).has("embed")) document.documentElement.dataset.embed = "";

@@ -4,6 +4,8 @@
 offerColours();
 offerCopies();
 offerSearch();
+offerShare();
+leaveFrame();
 followHeadings();
 
 /** Let the button go through: as the device, light, dark; the choice is kept for the site. */
@@ -73,6 +75,29 @@ function offerSearch() {
     open();
   });
   button.hidden = false;
+}
+
+/** Load the dialog to share the page when somebody wants it. */
+function offerShare() {
+  const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog.share"));
+  const button = /** @type {HTMLElement | null} */ (document.querySelector(".share-button"));
+  if (!dialog || !button) return;
+  /** @type {Promise<unknown> | undefined} */
+  let dressed;
+  button.addEventListener("click", async () => {
+    dressed ??= style("share.css");
+    const [{ openShare }] = await Promise.all([import("./share.js"), dressed]);
+    openShare(dialog);
+  });
+  button.hidden = false;
+}
+
+/** In a frame of another page, let links to other pages open beside it. */
+function leaveFrame() {
+  if (!("embed" in document.documentElement.dataset)) return;
+  for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll("a[href]"))) {
+    if (!link.getAttribute("href")?.startsWith("#")) link.target = "_blank";
+  }
 }
 
 /**

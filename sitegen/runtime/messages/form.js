@@ -12,24 +12,31 @@ import { isFloat, isInteger, isMessage, parseFieldType, range, readList, readSca
  * @typedef {{name: string, type: string, default?: any}} Field
  * @typedef {{name: string, value: any}} Choice a constant that a field may have as its value
  * @typedef {{text: string, control: HTMLElement}} Fault what is wrong, and where
- * @typedef {{element: HTMLElement, read(faults: Fault[]): any}} Part
+ * @typedef {{element: HTMLElement, read(faults: Fault[]): any, typed(): any, fill(typed: any): boolean}} Part
+ *   where `typed` is what differs from the beginning, undefined if nothing does, and `fill` takes it
  */
+
+// A link that fills a form does not make it longer than this.
+const MOST = 100;
 
 let lastId = 0;
 
 /**
  * A form for messages of a type. `read` returns what was typed as a message, or null: then the faults
- * stand at their fields and the first of them has the keyboard. Throws an Error where the page does not
- * know a type.
+ * stand at their fields and the first of them has the keyboard. `typed` is what somebody typed, right or
+ * not, as plain values; `fill` types it again, and returns whether all of it has a field. Throws an Error
+ * where the page does not know a type.
  * @param {string} type
  * @param {Types} types
- * @returns {{element: HTMLElement, read(): any}}
+ * @returns {{element: HTMLElement, read(): any, typed(): any, fill(typed: any): boolean}}
  */
 export function createForm(type, types) {
-  const { element, read } = messagePart(type, types);
+  const { element, read, typed, fill } = messagePart(type, types);
   element.classList.add("ros-form");
   return {
     element,
+    typed,
+    fill,
     read() {
       /** @type {Fault[]} */
       const faults = [];
@@ -52,7 +59,16 @@ function messagePart(name, types) {
   if (!parts.length) element.append(create("p", "ros-none", "It has no fields."));
   const read = (/** @type {Fault[]} */ faults) =>
     Object.fromEntries(parts.map(([field, part]) => [field, part.read(faults)]));
-  return { element, read };
+  const typed = () => {
+    const said = parts.map(([field, part]) => [field, part.typed()]).filter(([, value]) => value !== undefined);
+    return said.length ? Object.fromEntries(said) : undefined;
+  };
+  const fill = (/** @type {any} */ values) => {
+    if (typeof values !== "object" || values === null) return false;
+    const known = new Map(parts);
+    return Object.entries(values).map(([field, value]) => known.get(field)?.fill(value) ?? false).every(Boolean);
+  };
+  return { element, read, typed, fill };
 }
 
 /** @param {Field} field @param {MessageType} owner @param {Types} types @returns {Part} */
@@ -103,7 +119,10 @@ function inputPart(field, text, read) {
   if (input instanceof HTMLTextAreaElement) input.rows = 1;
   else if (isFloat(base)) input.inputMode = "decimal";
   else if (isInteger(base)) input.inputMode = range(base).least < 0n ? "text" : "numeric";
-  return labelled(field, input, () => read(input.value));
+  const put = (/** @type {string} */ value) => {
+    input.value = value;
+  };
+  return labelled(field, input, () => read(input.value), () => (input.value === text ? undefined : input.value), put);
 }
 
 /**
@@ -124,7 +143,14 @@ function choicePart(field, text, choices, read) {
   };
   select.addEventListener("change", show);
   show();
-  const part = labelled(field, select, () => read(other.hidden ? select.value : other.value));
+  const value = () => (other.hidden ? select.value : other.value);
+  const put = (/** @type {string} */ now) => {
+    other.value = now;
+    select.value = now;
+    if (select.selectedIndex < 0) select.selectedIndex = options.length;
+    show();
+  };
+  const part = labelled(field, select, () => read(value()), () => (value() === text ? undefined : value()), put);
   select.after(other);
   return part;
 }
@@ -133,17 +159,21 @@ function choicePart(field, text, choices, read) {
 function flagPart(field) {
   const box = create("input", "");
   box.type = "checkbox";
-  box.checked = Boolean(field.default);
-  const part = labelled(field, box, () => box.checked);
+  box.defaultChecked = Boolean(field.default);
+  const typed = () => (box.checked === box.defaultChecked ? undefined : String(box.checked));
+  const part = labelled(field, box, () => box.checked, typed, (value) => {
+    box.checked = value === "true";
+  });
   part.element.classList.add("ros-flag");
   return part;
 }
 
 /**
  * A control with its label and what is wrong with it.
- * @param {Field} field @param {HTMLElement} control @param {() => any} read @returns {Part}
+ * @param {Field} field @param {HTMLElement} control @param {() => any} read
+ * @param {() => string | undefined} typed @param {(text: string) => void} put @returns {Part}
  */
-function labelled(field, control, read) {
+function labelled(field, control, read, typed, put) {
   control.id = `ros-field-${++lastId}`;
   const label = create("label", "", field.name, " ", create("small", "", field.type));
   label.htmlFor = control.id;
@@ -173,14 +203,20 @@ function labelled(field, control, read) {
         faults.push({ text, control });
       }
     },
+    typed,
+    fill(value) {
+      if (typeof value !== "string") return false;
+      put(value);
+      return true;
+    },
   };
 }
 
 /** @param {string} title @param {string} type @param {string} base @param {Types} types @returns {Part} */
 function nestedPart(title, type, base, types) {
-  const { element: inner, read } = messagePart(base, types);
+  const { element: inner, ...part } = messagePart(base, types);
   const legend = create("legend", "", title, " ", create("small", "", type));
-  return { element: create("fieldset", "ros-nested", legend, inner), read };
+  return { element: create("fieldset", "ros-nested", legend, inner), ...part };
 }
 
 /** Messages in an array, each added by a button. @param {Field} field @param {FieldType} type @param {Types} types @returns {Part} */
@@ -217,9 +253,25 @@ function listPart(field, type, types) {
     list.append(part.element);
     changed();
   };
-  for (let count = type.array === "fixed" ? type.size : 0; count > 0; count--) append();
+  const first = type.array === "fixed" ? type.size : 0;
+  const grow = (/** @type {number} */ count) => {
+    while (parts.length < count) append();
+  };
+  grow(first);
   changed();
   const label = create("p", "ros-label", field.name, " ", create("small", "", field.type));
   const element = create("div", "ros-field", label, list, add);
-  return { element, read: (faults) => parts.map((part) => part.read(faults)) };
+  return {
+    element,
+    read: (faults) => parts.map((part) => part.read(faults)),
+    typed() {
+      const items = parts.map((part) => part.typed());
+      return parts.length === first && items.every((item) => item === undefined) ? undefined : items.map((item) => item ?? {});
+    },
+    fill(values) {
+      if (!Array.isArray(values) || values.length > Math.min(type.size, MOST)) return false;
+      grow(values.length);
+      return values.map((value, index) => parts[index]?.fill(value) ?? false).every(Boolean);
+    },
+  };
 }

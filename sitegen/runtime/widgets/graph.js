@@ -29,10 +29,11 @@ export function mount(element, ros) {
   let drawn = "";
   const drawing = createDrawing();
   const hint = create("p", "ros-hint", "No nodes now. The graph shows those that run.");
-  const controls = create("div", "ros-tools", toggle("Show hidden", (on) => {
+  const all = toggle("Show hidden", (on) => {
     hidden = on;
     look();
-  }), drawing.buttons);
+  });
+  const controls = create("div", "ros-tools", all, drawing.buttons);
   element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", "Graph"), controls), drawing.element, hint);
   drawing.svg.setAttribute("aria-label", inWords([], []));
 
@@ -47,6 +48,9 @@ export function mount(element, ros) {
     drawing.resize(width, height);
     drawing.svg.setAttribute("aria-label", inWords(boxes, arrows));
   };
+  ros.keep(element, { hidden: "boolean" }, () => ({ hidden }), (state) => {
+    if (state.hidden) all.querySelector("input")?.click();
+  });
   const resized = new ResizeObserver(look);
   const unlook = whileSeen(element, () => {
     resized.observe(drawing.element);

@@ -105,6 +105,19 @@ export function mount(element, ros, { lines: limit = 1000 }) {
     following = log.scrollHeight - log.scrollTop - log.clientHeight < NEAR;
   });
   draw();
+  const said = () => ({
+    severity: severity.value === "info" ? "" : severity.value, node: node.value, text: search.value.trim(),
+  });
+  ros.keep(element, { severity: "string", node: "string", text: "string" }, said, (state, odd) => {
+    if (LEVELS.some(([, name]) => name === state.severity)) severity.value = state.severity;
+    else if (state.severity) odd();
+    if (state.node) {
+      node.append(new Option(state.node));
+      node.value = state.node;
+    }
+    search.value = state.text ?? "";
+    redraw();
+  });
 
   const unlook = whileSeen(element, () => {
     draw();

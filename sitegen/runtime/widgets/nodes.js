@@ -31,10 +31,11 @@ const MACHINERY = new RegExp(
  */
 export function mount(element, ros) {
   let hidden = false;
-  const bar = create("div", "ros-bar", create("span", "ros-title", "Nodes"), toggle("Show hidden", (on) => {
+  const all = toggle("Show hidden", (on) => {
     hidden = on;
     look();
-  }));
+  });
+  const bar = create("div", "ros-bar", create("span", "ros-title", "Nodes"), all);
   const entries = [...ros.nodes.values()].map((node) => createEntry(ros, node));
   const list = create("ul", "ros-programs", ...entries.map((entry) => entry.element));
   element.replaceChildren(bar, create("div", "ros-list", list));
@@ -42,6 +43,9 @@ export function mount(element, ros) {
   const look = () => {
     for (const entry of entries) entry.show(hidden);
   };
+  ros.keep(element, { hidden: "boolean" }, () => ({ hidden }), (state) => {
+    if (state.hidden) all.querySelector("input")?.click();
+  });
   const unlook = whileSeen(element, () => {
     look();
     ros.graph.addEventListener("change", look);

@@ -19,12 +19,14 @@ const MACHINERY = ["/rosout", "/parameter_events"];
  * @param {{topic?: string | null, type?: string | null}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { topic: fixed, type: given }) {
+export function mount(element, ros, { topic: fixed, type: declared }) {
   let topic = fixed ?? "";
   let built = "";
   let count = 0;
-  /** @type {(() => any) | undefined} */
-  let read;
+  /** @type {ReturnType<typeof createForm> | undefined} */
+  let made;
+  /** What a link says is typed, until there is a form for it. */
+  let given = { message: /** @type {any} */ (undefined), odd: () => {} };
   /** @type {Publisher | undefined} */
   let publisher;
   /** @type {ReturnType<typeof setInterval> | undefined} */
@@ -67,7 +69,7 @@ export function mount(element, ros, { topic: fixed, type: given }) {
 
   /** Publish what the form holds; false where that is no message. */
   const send = () => {
-    const message = read?.();
+    const message = made?.read();
     if (!message) return false;
     try {
       publisher ??= ros.advertise(topic, typeOf());
@@ -108,7 +110,7 @@ export function mount(element, ros, { topic: fixed, type: given }) {
   };
 
   const typeOf = () => {
-    if (given) return given;
+    if (declared) return declared;
     const types = ros.graph.topics().find(({ name }) => name === topic)?.types ?? [];
     return types.find((type) => ros.types[type]) ?? types[0] ?? "";
   };
@@ -125,13 +127,14 @@ export function mount(element, ros, { topic: fixed, type: given }) {
     end();
     count = 0;
     say("");
-    read = undefined;
+    made = undefined;
     place.replaceChildren();
     if (!type) return;
     try {
-      const made = createForm(type, ros.types);
+      made = createForm(type, ros.types);
       place.replaceChildren(made.element);
-      read = made.read;
+      if (given.message && !made.fill(given.message)) given.odd();
+      given.message = undefined;
     } catch (error) {
       say(`Nothing can be published here: ${error instanceof Error ? error.message : error}`, true);
     }
@@ -148,8 +151,8 @@ export function mount(element, ros, { topic: fixed, type: given }) {
     setText(title, topic);
     setText(kind, type);
     form.hidden = !type;
-    once.disabled = !read;
-    repeat.disabled = !read;
+    once.disabled = !made;
+    repeat.disabled = !made;
     hint.hidden = Boolean(type);
     setText(hint, topic
       ? `Nobody uses ${topic} now, so the type of its messages is not known. Start a node that does.`
@@ -161,6 +164,14 @@ export function mount(element, ros, { topic: fixed, type: given }) {
     send();
   });
   show();
+  const read = () => ({
+    topic: fixed ? "" : topic, message: given.message ?? made?.typed(), rate: rate.value === "1" ? "" : rate.value,
+  });
+  ros.keep(element, { topic: "string", message: "object", rate: "string" }, read, (state, odd) => {
+    if (!fixed && state.topic) topic = state.topic;
+    given = { message: state.message, odd };
+    if (state.rate) rate.value = state.rate;
+  });
   const unlook = whileSeen(element, () => {
     look();
     ros.graph.addEventListener("change", look);

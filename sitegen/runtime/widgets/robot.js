@@ -3,6 +3,7 @@
 // What only one kind has is in robots/<kind>.js.
 
 import { arrange, button, create, setText } from "../elements.js";
+import { place } from "../place.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Reading, Robot } from "../robots/parts/robot.js" */
@@ -23,7 +24,7 @@ export function mount(element, ros, { kind, ...options }) {
   let unmounted = false;
   let unmount = () => {};
   // A page brings only the kinds that it shows.
-  import(`../robots/${kind}.js`).then(({ create: make }) => {
+  import(place(`robots/${kind}.js`)).then(({ create: make }) => {
     if (!unmounted) unmount = show(element, ros, make, options);
   });
   return () => {

@@ -35,12 +35,11 @@ export function mount(element, ros, { show }) {
   const rows = new Map();
 
   const bar = create("div", "ros-bar", create("span", "ros-title", "Services"));
-  if (!show) {
-    bar.append(toggle("Show hidden", (on) => {
-      hidden = on;
-      look();
-    }));
-  }
+  const all = toggle("Show hidden", (on) => {
+    hidden = on;
+    look();
+  });
+  if (!show) bar.append(all);
   const body = create("ul", "ros-picks");
   const hint = create("p", "ros-hint", "No services now. They come when nodes that serve start.");
   const list = create("div", "ros-list", body, hint);
@@ -75,7 +74,14 @@ export function mount(element, ros, { show }) {
     call.show(chosen, service?.types[0] ?? "", service?.servers.length ?? 0);
   };
 
-  if (show?.length) choose(show[0] ?? "");
+  const first = show?.[0] ?? "";
+  if (first) choose(first);
+  const read = () => ({ service: chosen === first ? "" : chosen, hidden, request: call.typed() });
+  ros.keep(element, { service: "string", hidden: "boolean", request: "object" }, read, (state, odd) => {
+    call.fill(state.service ?? first, state.request, odd);
+    if (state.service) choose(state.service);
+    if (state.hidden) all.querySelector("input")?.click();
+  });
   const unlook = whileSeen(element, () => {
     look();
     ros.graph.addEventListener("change", look);
@@ -105,9 +111,11 @@ function createRow(name, choose) {
 }
 
 /**
- * The form to call one service, with its answer. It stays as it is typed while servers come and go.
+ * The form to call one service, with its answer. It stays as it is typed while servers come and go. `fill`
+ * types a request as soon as the form of that service is there, and calls `odd` if it does not fit.
  * @param {Ros} ros
- * @returns {{element: HTMLElement, show(service: string, type: string, servers: number): void}}
+ * @returns {{element: HTMLElement, show(service: string, type: string, servers: number): void,
+ *   typed(): any, fill(service: string, request: any, odd: () => void): void}}
  */
 function createCall(ros) {
   const title = create("span", "ros-name");
@@ -129,8 +137,10 @@ function createCall(ros) {
   let service = "";
   let type = "";
   let calling = 0;
-  /** @type {(() => any) | undefined} */
-  let read;
+  /** @type {ReturnType<typeof createForm> | undefined} */
+  let made;
+  /** What a link says is typed, until there is a form for it. */
+  let given = { service: "", request: /** @type {any} */ (undefined), odd: () => {} };
 
   /** @param {string} text @param {boolean} [wrong] */
   const say = (text, wrong = false) => {
@@ -139,16 +149,19 @@ function createCall(ros) {
   };
 
   const build = () => {
-    read = undefined;
+    made = undefined;
     calling = 0;
     answer.textContent = "";
     say("");
     place.replaceChildren();
     if (!type) return;
     try {
-      const made = createForm(`${type}_Request`, ros.types);
+      made = createForm(`${type}_Request`, ros.types);
       place.replaceChildren(made.element);
-      read = made.read;
+      if (given.request && given.service === service) {
+        if (!made.fill(given.request)) given.odd();
+        given.request = undefined;
+      }
     } catch (error) {
       say(`It cannot be called from here: ${error instanceof Error ? error.message : error}`, true);
     }
@@ -156,7 +169,7 @@ function createCall(ros) {
 
   form.addEventListener("submit", async (event) => {
     event.preventDefault();
-    const request = read?.();
+    const request = made?.read();
     if (!request) return;
     const mine = ++calling;
     const [name, its] = [service, type];
@@ -176,6 +189,10 @@ function createCall(ros) {
 
   return {
     element,
+    typed: () => (given.service === service && given.request) || made?.typed(),
+    fill(name, request, odd) {
+      given = { service: name, request, odd };
+    },
     show(name, itsType, servers) {
       service = name;
       // A service that goes leaves its form, so that what was typed is there when it returns.
@@ -188,7 +205,7 @@ function createCall(ros) {
       setText(kind, type);
       bar.hidden = !name;
       form.hidden = !name || !type;
-      send.disabled = !read;
+      send.disabled = !made;
       hint.hidden = !form.hidden;
       setText(hint, name ? `No server on ${name} now. Start the node that serves it.` : "Choose a service to call it");
       send.classList.toggle("ros-idle", servers === 0);

@@ -48,12 +48,11 @@ export function mount(element, ros, { show, echo: first }) {
   const rows = new Map();
 
   const bar = create("div", "ros-bar", create("span", "ros-title", "Topics"));
-  if (!show) {
-    bar.append(toggle("Show hidden", (on) => {
-      hidden = on;
-      look();
-    }));
-  }
+  const all = toggle("Show hidden", (on) => {
+    hidden = on;
+    look();
+  });
+  if (!show) bar.append(all);
   const body = create("tbody", "");
   const headings = HEADINGS.map(([text, meaning]) => {
     const heading = create("th", "", text);
@@ -98,6 +97,12 @@ export function mount(element, ros, { show, echo: first }) {
   };
 
   if (first) choose(first);
+  const read = () => ({ topic: chosen === (first ?? "") ? "" : chosen || "none", hidden });
+  ros.keep(element, { topic: "string", hidden: "boolean" }, read, (state) => {
+    if (state.topic === "none") choose(chosen);
+    else if (state.topic && state.topic !== chosen) choose(state.topic);
+    if (state.hidden) all.querySelector("input")?.click();
+  });
   const unlook = whileSeen(element, () => {
     look();
     ros.graph.addEventListener("change", look);

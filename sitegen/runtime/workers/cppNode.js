@@ -3,6 +3,7 @@
 
 import { cppHost } from "./cppHost.js";
 import { Participant } from "../participant/participant.js";
+import { place } from "../place.js";
 import { Printer } from "./printer.js";
 
 /** @import { FromWorker, ToWorker } from "../protocol.js" */
@@ -19,7 +20,7 @@ let script;
 onmessage = (event) => {
   if (event.data.op === "load") {
     // Its program is still being compiled; a script that cannot be had is told when it starts.
-    script = import(event.data.script);
+    script = import(place(event.data.script));
     script.catch(() => {});
   } else if (event.data.op === "start") {
     participant = new Participant(event.data.id, post);
@@ -47,6 +48,8 @@ async function run(node, graph) {
   const program = await load({
     ros: cppHost(graph, printer, args, fail, ended, grown),
     noInitialRun: true,
+    // Its WebAssembly is here already; a script without an address of its own could not name it.
+    locateFile: (/** @type {string} */ name) => name,
     /** @param {string} line */
     print: (line) => printer.print("stdout", line),
     /** @param {string} line */

@@ -1,0 +1,90 @@
+"""Turn the files of a site into its service worker, which knows each by its hash."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from urllib.parse import unquote, urljoin, urlsplit
+
+from sitegen.model import Artifact, Site
+
+PATH = "sw.js"
+HERE = Path(__file__).parent
+RETIRED = (HERE / "retired.js").read_bytes()
+# A site up to this size (bytes) is kept as a whole; of a larger one, programs and images come with
+# the first page that needs them.
+WHOLE = 8_000_000
+LATER = ("nodes/", "ros2wasm/", "media/", "runtime/vendor/pyodide/")
+# Nobody looks at these in a browser that has no network.
+LEFT_OUT = {".nojekyll", "CNAME", "feed.xml", "robots.txt", "sitemap.xml"}
+SOURCE = re.compile(r'\s(?:src|poster)="([^"]+)"')
+
+
+def artifacts(site: Site, made: Iterable[Artifact]) -> list[Artifact]:
+    """Return the service worker for all files of a site, if it is to have one."""
+    if site.offline is None:
+        return []
+    if not site.offline:
+        # Visitors who have one from before would keep its pages for good.
+        return [Artifact(PATH, RETIRED)]
+    contents = {
+        artifact.path: _bytes(artifact) for artifact in made if artifact.path not in LEFT_OUT
+    }
+    return [Artifact(PATH, _worker(site, contents))]
+
+
+def _worker(site: Site, contents: Mapping[str, bytes]) -> bytes:
+    files = {_name(path): _hash(content) for path, content in sorted(contents.items())}
+    total = sum(len(content) for content in contents.values())
+    later = [name for name in files if name.startswith(LATER)] if total > WHOLE else []
+    pages = {page.path: _needs(page.path, contents, set(later)) for page in site.pages}
+    build = {
+        "version": _hash(json.dumps(files).encode()),
+        "files": files,
+        "later": later,
+        "pages": {path: needs for path, needs in pages.items() if needs},
+    }
+    written = json.dumps(build, separators=(",", ":"), ensure_ascii=False)
+    return f"const BUILD = {written};\n{(HERE / 'worker.js').read_text(encoding='utf-8')}".encode()
+
+
+def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequence[str]:
+    """Return those files that come later which the page at `path` needs."""
+    if not later:
+        return []
+    addresses = SOURCE.findall(contents[f"{path}index.html"].decode())
+    found = set()
+    for node in json.loads(contents.get(f"{path}page.json", b'{"nodes": {}}'))["nodes"].values():
+        for build in node.get("builds", {}).values():
+            addresses += build.values()
+        if "python" in node:
+            addresses += node["python"]["bundles"]
+            found |= {name for name in later if name.startswith("runtime/vendor/pyodide/")}
+        if "ros2wasm" in node:
+            script = _inside(path, node["ros2wasm"]["script"])
+            folder = script.rpartition("/")[0]
+            found |= {name for name in later if name.startswith(f"{folder}/")}
+    found |= {_inside(path, address) for address in addresses}
+    return sorted(found & later)
+
+
+def _inside(path: str, address: str) -> str:
+    """Return the path inside `dist/` that an address of the page at `path` means."""
+    base = "http://site/"
+    return unquote(urlsplit(urljoin(f"{base}{path}", address)).path).removeprefix("/")
+
+
+def _name(path: str) -> str:
+    return path.removesuffix("index.html") if re.search(r"(^|/)index\.html$", path) else path
+
+
+def _hash(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:32]
+
+
+def _bytes(artifact: Artifact) -> bytes:
+    source = artifact.source
+    return source if isinstance(source, bytes) else source.read_bytes()

@@ -1,0 +1,64 @@
+"""Pack the modules, workers and programs of a page for start.js to unpack."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import posixpath
+import re
+from collections.abc import Callable, Mapping, Sequence
+
+IMPORT = re.compile(r'^((?:import|export) [^;]*? from |import )"(\.[^"]+)";', re.MULTILINE)
+TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm"}
+
+# Gives the bytes of a file inside `dist/`.
+Read = Callable[[str], bytes]
+
+
+def bundle(
+    paths: Sequence[str],
+    entries: Sequence[str],
+    workers: Mapping[str, Sequence[str]],
+    page: bytes,
+    read: Read,
+) -> str:
+    """Return the files `paths` and `page`, a page.json, as base64.
+
+    `entries` are the modules that start.js runs, `workers` those that it starts workers with, each
+    with the scripts that it loads.
+    """
+    parts: dict[str, bytes] = {"page.json": page} if page else {}
+    for path in [*paths, *entries]:
+        _add(path, parts, read)
+    loads = {}
+    for worker, scripts in workers.items():
+        own: dict[str, bytes] = {}
+        for path in (*scripts, worker):
+            _add(path, own, read)
+        loads[worker] = list(own)
+        parts |= own
+    files = [
+        {"path": path, "type": TYPES[posixpath.splitext(path)[1]], "size": len(content)}
+        for path, content in parts.items()
+    ]
+    about = {"files": files, "entries": list(entries), "workers": loads}
+    head = json.dumps(about, separators=(",", ":")).encode()
+    content = b"".join([len(head).to_bytes(4, "big"), head, *parts.values()])
+    return base64.b64encode(gzip.compress(content, mtime=0)).decode()
+
+
+def _add(path: str, parts: dict[str, bytes], read: Read) -> None:
+    """Add a file after those that it imports, which it then names by their paths."""
+    if path in parts:
+        return
+    content = read(path)
+    if path.endswith(".js"):
+
+        def named(match: re.Match[str]) -> str:
+            found = posixpath.normpath(posixpath.join(posixpath.dirname(path), match[2]))
+            _add(found, parts, read)
+            return f'{match[1]}"sitegen:{found}";'
+
+        content = IMPORT.sub(named, content.decode()).encode()
+    parts[path] = content
