@@ -190,6 +190,19 @@ def test_no_branch_of_sources_is_replaced(
     assert "branch 'main' of origin holds no web site (no index.html)" in refused(site, capsys)
 
 
+def test_a_server_says_why(
+    site: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As GitHub's does over ssh: git's own last words would be about rights in general."""
+    ssh = tmp_path / "ssh"
+    ssh.write_text("#!/bin/sh\necho 'ERROR: Permission to a/b denied to c.' >&2\nexit 1\n")
+    ssh.chmod(0o755)
+    monkeypatch.setenv("GIT_SSH_COMMAND", str(ssh))
+    git(site, "remote", "set-url", "origin", "git@example.org:a/b.git")
+    where = "cannot read from origin (git@example.org:a/b.git)"
+    assert refused(site, capsys) == f"{where}: Permission to a/b denied to c."
+
+
 def test_a_refused_push_leaves_nothing(
     site: Path, remote: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
