@@ -155,8 +155,10 @@ def make(
         if assets.takes_part(page)
     }
     versions = assets.versions(builds.items())
-    archives = assets.archives(bundles.common, bundles.packages) if bundles else []
-    programs = pages.Programs(assets.preloads(site), types, foreign, versions, digests(archives))
+    archives = assets.archives(bundles.archives) if bundles else []
+    needed = bundles.needed if bundles else {}
+    loaded = assets.preloads(site)
+    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
     artifacts = pages.render(site, programs)
 
     # These, and what they use, are the site.
@@ -291,7 +293,8 @@ def summarize(made: Made, report: Report) -> None:
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
         if made.bundles and site.setup_of(node):
-            total = len(made.bundles.common) + len(made.bundles.packages[node.package])
+            needed = made.bundles.needed[node.package, node.executable]
+            total = sum(len(made.bundles.archives[path]) for path in needed)
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
         forms = made.builds[node.package, node.executable]

@@ -178,6 +178,14 @@ class Deploy:
 
 
 @dataclass(frozen=True)
+class Pyodide:
+    """What Python nodes need beside ROS: where the Pyodide distribution is, and pinned packages."""
+
+    packages: Path | str = ""
+    requirements: Path | None = None
+
+
+@dataclass(frozen=True)
 class Site:
     """What the author wrote, checked: everything below `root`.
 
@@ -206,6 +214,7 @@ class Site:
     feed: bool = False
     deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
+    pyodide: Pyodide = field(default_factory=lambda: Pyodide())
 
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""

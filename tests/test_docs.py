@@ -14,6 +14,7 @@ from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
     COMPILED,
     DEPLOY,
+    PYODIDE,
     FILE,
     FRONT_MATTER,
     NODE,
@@ -33,6 +34,7 @@ SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 SECTIONS = {
     "The file": FILE,
     "site": SITE,
+    "pyodide": PYODIDE,
     "deploy": DEPLOY,
     "A node": NODE,
     "A node compiled elsewhere": COMPILED,

@@ -45,6 +45,7 @@ ALLOWED = {
     "github": {"errors"},
     "init": {"errors", "github", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
+    "imports": {"errors"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
@@ -53,7 +54,10 @@ ALLOWED = {
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
-    "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
+    "python": {
+        *("descriptions", "errors", "imports", "interfaces", "messages", "model", "wheels"),
+        "workspace",
+    },
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
@@ -62,6 +66,7 @@ ALLOWED = {
     "toolchain": set(),
     "typesupport": set(),
     "wiring": {"errors", "model"},
+    "wheels": {"digest", "errors", "fetch", "model"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 

@@ -105,6 +105,11 @@ def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> Non
     assert lines[-1] == ("fatal", "plain: exited with code 3")
 
 
+def test_packages_of_pypi_come_along(page: Page) -> None:
+    state, lines = run(page, "sorting")
+    assert (state, printed(lines)) == ("stopped", ["SortedList([1, 2, 3]) None"])
+
+
 def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
     node = Panel(page, "stopping")
     for _ in range(2):

@@ -12,6 +12,7 @@ from sitegen.config.schema import (
     MARKDOWN,
     NODE,
     PAGE,
+    PYODIDE,
     ROBOTS,
     ROS2WASM,
     SITE,
@@ -37,6 +38,7 @@ TYPES: dict[str, Json] = {
     "content": {"type": "array", "items": {"$ref": "#/$defs/item"}},
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
     "deploy": {"$ref": "#/$defs/deploy"},
+    "pyodide": {"$ref": "#/$defs/pyodide"},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
@@ -68,6 +70,7 @@ def json_schema() -> Json:
             "page": _mapping(PAGE),
             "nav": NAV,
             "deploy": _mapping(DEPLOY),
+            "pyodide": _mapping(PYODIDE),
             "item": _item(),
         },
     }

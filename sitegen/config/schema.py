@@ -43,6 +43,7 @@ TYPES = {
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
     "deploy": ("mapping", "keys and values"),
+    "pyodide": ("mapping", "keys and values"),
 }
 
 # What text of some types looks like.
@@ -77,6 +78,12 @@ FILE = (
         "nav",
         "the navigation, where the paths of the pages are not it",
         "nav: [/, {Demos: [demo01/, demo02/]}]",
+    ),
+    Key(
+        "pyodide",
+        "pyodide",
+        "what Python nodes need beside ROS",
+        "pyodide: {requirements: requirements.txt}",
     ),
     Key("deploy", "deploy", "where `sitegen deploy` puts it", "deploy: {branch: gh-pages}"),
 )
@@ -125,6 +132,21 @@ SITE = (
         "build every node a second time, for browsers without JSPI",
         "asyncify: true",
         default=True,
+    ),
+)
+
+PYODIDE = (
+    Key(
+        "requirements",
+        "path",
+        "packages of pure Python, with their versions and hashes, as pip reads them",
+        "requirements: requirements.txt",
+    ),
+    Key(
+        "packages",
+        "text",
+        "a folder or an address with the Pyodide distribution, for compiled packages",
+        "packages: vendor/pyodide",
     ),
 )
 

@@ -15,6 +15,7 @@ from sitegen.config.look import look
 from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare
 from sitegen.config.page import PageReader
+from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
@@ -72,6 +73,7 @@ def _site(file: Section, problems: Problems) -> Site:
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
         feed=_feed(site, problems),
+        pyodide=pyodide(file.get("pyodide"), problems),
         deploy=deploy(file.get("deploy"), problems),
         offline=bool(site.option("offline")) if site.get("offline") else None,
     )
