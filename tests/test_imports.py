@@ -14,10 +14,14 @@ RUNTIME = PACKAGE / "runtime"
 
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
-    "__main__": {"build", "config", "errors", "init", "report", "serve", "theme"},
+    "__main__": {
+        *("build", "cache", "config", "errors", "init", "report", "serve", "theme", "unchanged"),
+    },
+    "cache": set(),
+    "unchanged": set(),
     "build": {
         *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
-        *("offline", "single", "workspace"),
+        *("cache", "offline", "single", "unchanged", "workspace"),
     },
     "assets": {"digest", "model"},
     "config": {"errors", "model", "theme", "workspace"},
@@ -43,7 +47,7 @@ ALLOWED = {
     "report": set(),
     "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
     "ros2wasm": {"descriptions", "messages", "model"},
-    "serve": {"build", "errors", "model", "offline", "report"},
+    "serve": {"build", "config", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
     "single": {"model"},
     "theme": {"errors"},
