@@ -1,6 +1,8 @@
 // @ts-check
 // What a node prints, as a terminal shows it.
 
+import { say, states } from "../words.js";
+
 /** @import {Line, Ros} from "../protocol.js" */
 
 // A reader this near to the end, in pixels, is taken to read the newest line.
@@ -27,18 +29,18 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   log.setAttribute("aria-label", name);
   log.tabIndex = 0;
   const hint = create("p", "ros-hint");
-  const newest = /** @type {HTMLButtonElement} */ (create("button", "ros-newest", "↓ Newest"));
+  const newest = /** @type {HTMLButtonElement} */ (create("button", "ros-newest", `↓ ${say("Newest")}`));
   newest.type = "button";
   newest.hidden = true;
   element.replaceChildren(bar, log, hint, newest);
 
   const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
   const hints = {
-    stopped: hasButtons ? `Press Start to run ${name}` : "Not running",
-    starting: "Starting…",
-    running: "Running, nothing printed yet",
-    stopping: "Stopping…",
-    failed: "Failed",
+    stopped: hasButtons ? say("Press Start to run {}", name) : say("Not running"),
+    starting: say("Starting…"),
+    running: say("Running, nothing printed yet"),
+    stopping: say("Stopping…"),
+    failed: say("Failed"),
   };
 
   /** @type {Line[]} */
@@ -51,7 +53,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   };
   const showState = () => {
     state.dataset.state = node.state;
-    state.textContent = node.state;
+    state.textContent = states[node.state];
     hint.textContent = hints[node.state];
     hint.hidden = log.hasChildNodes();
   };
