@@ -2,8 +2,8 @@
 // A Python prompt: what is typed runs on the page's graph, what it prints stands above.
 
 import { button, create, setText } from "../elements.js";
-import { say } from "../words.js";
-import { mount as mountConsole } from "./console.js";
+import { showLines } from "../lines.js";
+import { say, states } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -18,7 +18,7 @@ const WORD = /[\w.]*$/;
  * @param {{node: string, lines?: number}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { node: name, lines }) {
+export function mount(element, ros, { node: name, lines = 1000 }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`prompt: no node '${name}' in this page`);
 
@@ -38,7 +38,6 @@ export function mount(element, ros, { node: name, lines }) {
   const controls = create("div", "ros-controls", start, stop, interrupt);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", name);
-  const output = create("div", "ros-console ros-output");
   const sign = create("span", "ros-sign", ">>>");
   sign.ariaHidden = "true";
   const input = create("textarea", "ros-input");
@@ -48,8 +47,9 @@ export function mount(element, ros, { node: name, lines }) {
   input.setAttribute("autocapitalize", "off");
   input.setAttribute("autocomplete", "off");
   const line = create("form", "ros-line", sign, input);
-  element.replaceChildren(create("div", "ros-bar", title, controls), output, line);
-  const unmount = mountConsole(output, ros, { node: name, lines });
+  element.replaceChildren(create("div", "ros-bar", title, controls));
+  const end = showLines(element, node, lines, {});
+  element.append(line);
 
   /** What was typed before Python was ready for it. @type {string[]} */
   let waiting = [];
@@ -81,7 +81,7 @@ export function mount(element, ros, { node: name, lines }) {
     input.disabled = over;
     input.placeholder = over ? say("Press Start for Python") : "";
     state.dataset.state = node.state;
-    setText(state, node.state);
+    setText(state, states[node.state]);
   };
   const feed = () => {
     const next = ready ? waiting.shift() : undefined;
@@ -165,7 +165,7 @@ export function mount(element, ros, { node: name, lines }) {
 
   return () => {
     listening.abort();
-    unmount();
+    end();
     element.replaceChildren();
   };
 }
