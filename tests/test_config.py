@@ -638,8 +638,7 @@ WRONG = [
             "prompt, topics, nodes, services, publish, graph, log, robot, found the text 'talker'; "
             "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
-            "known: buttons, console, graph, log, markdown, nodes, prompt, publish, robot, services, "
-            "source, topics",
+            "did you mean 'prompt'?",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
