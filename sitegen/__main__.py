@@ -54,6 +54,8 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> None:
+    from sitegen import unchanged
+    from sitegen.cache import cache_folder
     from sitegen.report import Report
 
     if arguments.single_file:
@@ -62,6 +64,11 @@ def _build(arguments: argparse.Namespace) -> None:
         page, output = arguments.single_file, arguments.output
         build_single(arguments.folder, page, output=output, report=Report())
         return
+    said = unchanged.recall(arguments.folder, arguments.output, cache_folder())
+    if said is not None:
+        print(*said, f"nothing has changed since → {arguments.output}", sep="\n")
+        return
+    # The rest takes longer to load than a glance at what is there.
     from sitegen.build import build
 
     build(arguments.folder, output=arguments.output, report=Report())
@@ -78,7 +85,7 @@ def _init(arguments: argparse.Namespace) -> None:
     from sitegen.init import init
     from sitegen.report import Report
 
-    init(arguments.folder, Report(sys.stdout))
+    init(arguments.folder, Report(sys.stdout), github=arguments.github)
 
 
 def _check(arguments: argparse.Namespace) -> None:
@@ -166,6 +173,9 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         type=Path,
         metavar="FOLDER",
         help="the folder of the workspace (default: this one)",
+    )
+    beginning.add_argument(
+        "--github", action="store_true", help="write workflows that publish the site on GitHub"
     )
     beginning.set_defaults(run=_init)
     build = commands.add_parser("build", help="write the site to a folder", parents=[folder, debug])
