@@ -45,6 +45,9 @@ for (const file of PYTHON) {
 const lock = JSON.parse(await readFile("node_modules/pyodide/pyodide-lock.json", "utf8"));
 const none = JSON.stringify({ info: lock.info, packages: {} });
 await writeFile(join(TARGET, "pyodide/pyodide-lock.json"), none);
+// The list itself is for the build, which takes from the distribution what nodes import.
+const list = JSON.stringify({ packages: lock.packages });
+await writeFile(join(TARGET, "pyodide-packages.json"), list);
 const loader = join(TARGET, "pyodide/pyodide.mjs");
 const text = await readFile(loader, "utf8");
 await writeFile(loader, text.replace(/\/\/# sourceMappingURL=.*\n?/, ""));

@@ -12,7 +12,15 @@ from sitegen.errors import SiteError
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
 # What a command that fails has not done.
-DONE = {"build": "built", "init": "written", "serve": "served", "theme": "copied"}
+DONE = {
+    "build": "built",
+    "compile": "written",
+    "deploy": "published",
+    "init": "written",
+    "new": "written",
+    "serve": "served",
+    "theme": "copied",
+}
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -24,8 +32,9 @@ def main(argv: list[str] | None = None) -> int:
         if arguments.debug:
             traceback.print_exc()
         count = len(error.lines)
-        done = DONE.get(arguments.command, "done")
-        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}, nothing was {done}"]
+        done = DONE.get(arguments.command)
+        end = f", nothing was {done}" if done else ""
+        lines = [*error.lines, f"{count} problem{'s'[: count != 1]}{end}"]
         print(*lines, sep="\n", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
@@ -65,11 +74,44 @@ def _build(arguments: argparse.Namespace) -> None:
     build(arguments.folder, output=arguments.output, report=Report())
 
 
+def _new(arguments: argparse.Namespace) -> None:
+    from sitegen.new import new
+
+    print(*(f"  {file}" for file in new(arguments.name)), sep="\n")
+    print(f"wrote {arguments.name}; now: cd {arguments.name} && sitegen serve")
+
+
 def _init(arguments: argparse.Namespace) -> None:
     from sitegen.init import init
     from sitegen.report import Report
 
     init(arguments.folder, Report(sys.stdout))
+
+
+def _check(arguments: argparse.Namespace) -> None:
+    from sitegen.build import count
+    from sitegen.check import check
+    from sitegen.report import Report
+
+    site, warnings = check(arguments.folder, Report(sys.stderr), strict=arguments.strict)
+    print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)
+    found = count(len(warnings), "warning") if warnings else "nothing to say"
+    print(f"checked {count(len(site.pages), 'page')}: {found}")
+
+
+def _compile(arguments: argparse.Namespace) -> None:
+    from sitegen.compile import compile_to
+    from sitegen.report import Report
+
+    report = Report(sys.stdout)
+    compile_to(arguments.output, arguments.packages, arguments.workspace, report)
+
+
+def _deploy(arguments: argparse.Namespace) -> None:
+    from sitegen.deploy import deploy
+    from sitegen.report import Report
+
+    deploy(arguments.folder, Report(sys.stdout), dry_run=arguments.dry_run)
 
 
 def _serve(arguments: argparse.Namespace) -> None:
@@ -114,6 +156,13 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         metavar="FOLDER",
         help="the folder that holds site.yaml (default: this one)",
     )
+    new = commands.add_parser(
+        "new", help="make a small workspace with nodes and a site", parents=[debug]
+    )
+    new.add_argument(
+        "name", type=Path, metavar="NAME", help="the new folder, named as packages are"
+    )
+    new.set_defaults(run=_new)
     beginning = commands.add_parser(
         "init", help="write a site.yaml for the workspace of a folder", parents=[debug]
     )
@@ -139,6 +188,11 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         help="write one page as one HTML file, which needs no server (--output: its name)",
     )
     build.set_defaults(run=_build)
+    check = commands.add_parser(
+        "check", help="say what is wrong and what could be better", parents=[folder, debug]
+    )
+    check.add_argument("--strict", action="store_true", help="fail where there is a warning")
+    check.set_defaults(run=_check)
     serve = commands.add_parser(
         "serve", help="show the site in a browser while you edit it", parents=[folder, debug]
     )
@@ -146,6 +200,34 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         "--port", type=int, default=8000, help="the first port to try (default: 8000)"
     )
     serve.set_defaults(run=_serve)
+    compiling = commands.add_parser(
+        "compile", help="compile nodes into an archive, for a site elsewhere", parents=[debug]
+    )
+    compiling.add_argument(
+        "packages", nargs="+", metavar="PACKAGE", help="a package, or PACKAGE/EXECUTABLE"
+    )
+    compiling.add_argument(
+        *("-o", "--output"),
+        type=Path,
+        default=Path("nodes.zip"),
+        metavar="FILE",
+        help="the archive to write (default: nodes.zip)",
+    )
+    compiling.add_argument(
+        "--workspace",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="the folder of the workspace (default: this one)",
+    )
+    compiling.set_defaults(run=_compile)
+    deploy = commands.add_parser(
+        "deploy", help="build the site and publish it on a branch of git", parents=[folder, debug]
+    )
+    deploy.add_argument(
+        "--dry-run", action="store_true", help="say what would happen, and do nothing"
+    )
+    deploy.set_defaults(run=_deploy)
     schema = commands.add_parser(
         "schema", help="print the JSON Schema of site.yaml, for editors", parents=[debug]
     )

@@ -126,10 +126,9 @@ def scripts(site: Site) -> list[Artifact]:
     return [Artifact(f"ros2wasm/{f.relative_to(site.root).as_posix()}", f) for f in sorted(files)]
 
 
-def archives(common: bytes, packages: Mapping[str, bytes]) -> list[Artifact]:
-    """Return the archives of Python nodes: what all have in common, and one of each package."""
-    own = (Artifact(f"nodes/{name}/python.zip", data) for name, data in packages.items())
-    return [Artifact("nodes/ros.zip", common), *own]
+def archives(data: Mapping[str, bytes]) -> list[Artifact]:
+    """Return the archives of Python nodes, given by their path."""
+    return [Artifact(path, content) for path, content in data.items()]
 
 
 def _worker(site: Site, node: Node) -> str:

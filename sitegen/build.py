@@ -13,6 +13,7 @@ from pathlib import Path
 
 from sitegen import (
     assets,
+    compiled,
     config,
     cpp,
     offline,
@@ -115,10 +116,18 @@ def check_single(site: Site, path: str) -> Page:
     return page
 
 
-def make(folder: Path, report: Report, *, output: Path | None = None, edited: bool = False) -> Made:
+def make(
+    folder: Path,
+    report: Report,
+    *,
+    output: Path | None = None,
+    compiling: bool = True,
+    edited: bool = False,
+) -> Made:
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
-    A site that is being `edited` is kept by no browser.
+    Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
+    that is being `edited` is kept by no browser.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
@@ -130,15 +139,19 @@ def make(folder: Path, report: Report, *, output: Path | None = None, edited: bo
     # Of nodes that the ROS2WASM project compiled, the types are looked up.
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
+    # Nodes that were compiled elsewhere are fetched.
+    site, given = compiled.resolve(site, cache=cache_folder(), report=report)
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    builds = cpp.compile_nodes(
-        jobs_of(site, nodes_of(site)),
+    own = cpp.compile_nodes(
+        jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
         cache=cache_folder(),
         report=report,
     )
+    builds = {**own, **given}
 
     # Python nodes become one archive for all and one for each package.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
@@ -150,8 +163,10 @@ def make(folder: Path, report: Report, *, output: Path | None = None, edited: bo
         if assets.takes_part(page)
     }
     versions = assets.versions(builds.items())
-    archives = assets.archives(bundles.common, bundles.packages) if bundles else []
-    programs = pages.Programs(assets.preloads(site), types, foreign, versions, digests(archives))
+    archives = assets.archives(bundles.archives) if bundles else []
+    needed = bundles.needed if bundles else {}
+    loaded = assets.preloads(site)
+    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)
@@ -163,6 +178,8 @@ def make(folder: Path, report: Report, *, output: Path | None = None, edited: bo
     others += archives
     others += assets.scripts(site)
     others.append(Artifact(MARKER, b"written by sitegen\n"))
+    if site.deploy.cname:
+        others.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
     others += offline.artifacts(site, [*artifacts, *others])
     artifacts += others
     check_paths(artifacts)
@@ -183,7 +200,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     for node in nodes:
-        if not node.ros2wasm and not site.setup_of(node):
+        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     jobs = []
     for name, wanted in executables.items():
@@ -206,8 +223,8 @@ def types_of(
             types |= foreign[page.path][name]
         elif bundles and site.setup_of(node):
             types |= bundles.types[node.package]
-        else:
-            types |= json.loads(builds[node.package, node.executable][0].types.read_text())
+        elif forms := builds.get((node.package, node.executable)):
+            types |= json.loads(forms[0].types.read_text())
     return types
 
 
@@ -279,7 +296,8 @@ def summarize(made: Made, report: Report) -> None:
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
         if made.bundles and site.setup_of(node):
-            total = len(made.bundles.common) + len(made.bundles.packages[node.package])
+            needed = made.bundles.needed[node.package, node.executable]
+            total = sum(len(made.bundles.archives[path]) for path in needed)
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
         forms = made.builds[node.package, node.executable]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 TOKEN = re.compile(
     r"""
@@ -22,8 +22,35 @@ HERE = re.compile(r"\$\{CMAKE_(CURRENT_)?(SOURCE|LIST)_DIR\}")
 VARIABLE = re.compile(r"\$\{(\w+)\}")
 INTERFACE = (".msg", ".srv", ".action", ".idl")
 ADDS_EXECUTABLE = ("add_executable", "ament_auto_add_executable")
+COPIED = ("FILES", "PROGRAMS")
 INCLUDES = ("add_subdirectory", "include")
 AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
+
+
+@dataclass(frozen=True)
+class Install:
+    """Files or folders that are installed as they are, relative to the package."""
+
+    kind: str
+    names: tuple[str, ...]
+    destination: str
+    rename: str = ""
+
+    def files(self, folder: Path) -> Iterator[tuple[str, Path]]:
+        """Yield where each file goes, and where it is in the package `folder`."""
+        for name in self.names:
+            path = folder / name
+            if self.kind in COPIED:
+                yield f"{self.destination}/{self.rename or path.name}", path
+                continue
+            # As CMake has it: a folder goes with its name, or without it if that ends in a slash.
+            top = path if name.endswith("/") else path.parent
+            for file in _below(path):
+                yield f"{self.destination}/{file.relative_to(top).as_posix()}", file
+
+
+def _below(folder: Path) -> Iterable[Path]:
+    return sorted(file for file in folder.rglob("*") if "__pycache__" not in file.parts)
 
 
 @dataclass
@@ -31,12 +58,14 @@ class Listing:
     """What was found so far; `executables` is None where only CMake can tell their names.
 
     `sources` has the files of executables, relative to the file that names them, the package's own.
+    `installs` has what is installed as it is: the places below the prefix, and what goes there.
     """
 
     executables: list[str] | None = field(default_factory=list)
     interfaces: list[str] = field(default_factory=list)
     variables: dict[str, list[str]] = field(default_factory=dict)
     sources: dict[str, list[str]] = field(default_factory=dict)
+    installs: list[Install] = field(default_factory=list)
 
     def add(self, name: str, words: list[str]) -> None:
         """Take in one command with its arguments."""
@@ -55,6 +84,24 @@ class Listing:
             self.executables = None
         elif name == "rosidl_generate_interfaces":
             self._add_interfaces(words[1:])
+        elif name == "install":
+            self._add_install(self._expand(words))
+        elif name == "ament_python_install_package":
+            self._add_python(self._expand(words))
+
+    def _add_install(self, words: list[str]) -> None:
+        kind = words[0] if words else ""
+        if kind not in (*COPIED, "DIRECTORY") or "DESTINATION" not in words[:-1]:
+            return
+        at = words.index("DESTINATION")
+        names = [word for word in words[1:at] if word not in ("OPTIONAL", "USE_SOURCE_PERMISSIONS")]
+        rename = words[words.index("RENAME") + 1] if "RENAME" in words[:-1] else ""
+        self.installs.append(Install(kind, tuple(names), words[at + 1].strip("/"), rename))
+
+    def _add_python(self, words: list[str]) -> None:
+        if words:
+            given = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words[:-1] else 0
+            self.installs.append(Install("DIRECTORY", (f"{words[given]}/",), f"python/{words[0]}"))
 
     def _add_executable(self, word: str) -> None:
         project = self.variables.get("PROJECT_NAME", [""])[0]
@@ -89,6 +136,18 @@ class Listing:
     def _one(self, match: re.Match[str]) -> str:
         values = self.variables.get(match[1])
         return ";".join(values) if values is not None else match[0]
+
+
+def installed(listing: Listing, folder: Path) -> dict[str, Path]:
+    """Return the files of the package `folder` that are installed as they are, by their place."""
+    found: dict[str, Path] = {}
+    for install in listing.installs:
+        for place, file in install.files(folder):
+            parts = PurePosixPath(place).parts
+            inside = file.resolve().is_relative_to(folder.resolve()) and ".." not in parts
+            if file.is_file() and inside and "$" not in place:
+                found[PurePosixPath(place).as_posix()] = file
+    return found
 
 
 def read(file: Path, package: str) -> Listing:

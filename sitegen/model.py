@@ -30,10 +30,27 @@ class Ros2wasm:
 
 
 @dataclass(frozen=True)
+class Compiled:
+    """A node that was compiled elsewhere: an archive, at an address or below the site's folder.
+
+    `sha256` is the hash that it must have, `package` and `executable` say which of its nodes is
+    meant; all three may be empty. `place` and `key` are where the author wrote it.
+    """
+
+    source: str | Path
+    sha256: str
+    package: str
+    executable: str
+    place: Place
+    key: str
+
+
+@dataclass(frozen=True)
 class Node:
     """A program that a page runs: which executable, and what it is started with.
 
-    One of the ROS2WASM project has no package and no executable.
+    One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
+    has them when its archive has been read.
     """
 
     name: str
@@ -44,6 +61,7 @@ class Node:
     remap: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
     ros2wasm: Ros2wasm | None = None
+    compiled: Compiled | None = None
 
     def command_line(self) -> list[str]:
         """Return the arguments that `ros2 run` would be given for this node."""
@@ -151,6 +169,23 @@ class Look:
 
 
 @dataclass(frozen=True)
+class Deploy:
+    """Where a site is published: a branch of a remote of git, and its own domain if it has one."""
+
+    branch: str = "gh-pages"
+    remote: str = "origin"
+    cname: str = ""
+
+
+@dataclass(frozen=True)
+class Pyodide:
+    """What Python nodes need beside ROS: where the Pyodide distribution is, and pinned packages."""
+
+    packages: Path | str = ""
+    requirements: Path | None = None
+
+
+@dataclass(frozen=True)
 class Site:
     """What the author wrote, checked: everything below `root`.
 
@@ -177,21 +212,24 @@ class Site:
     repository: str = ""
     branch: str = "main"
     feed: bool = False
+    deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
+    pyodide: Pyodide = field(default_factory=lambda: Pyodide())
 
     def setup_of(self, node: Node) -> Setup | None:
         """Return the setup of the package of a Python node, None for all others."""
-        package = self.packages.get(node.package)
-        return package.setup if package else None
+        package = None if node.compiled else self.packages.get(node.package)
+        setup = package.setup if package else None
+        return setup if setup and node.executable in setup.scripts else None
 
 
 @dataclass(frozen=True)
 class Setup:
-    """What an `ament_python` package installs.
+    """What a package with Python installs.
 
-    `scripts` are its entry points ("module:function") by the names of the executables; `files` its
-    files by their place below the prefix, where modules are in `python/`. `fault` says where its
-    setup cannot be read, and why.
+    `scripts` are its entry points ("module:function"), or the places of its programs, by the names
+    of the executables; `files` its files by their place below the prefix, where modules are in
+    `python/`. `fault` says where its setup cannot be read, and why.
     """
 
     scripts: Mapping[str, str]

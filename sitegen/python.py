@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import ast
-import io
 import re
-import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import interfaces, messages, workspace
+from sitegen import imports, interfaces, messages, wheels, workspace
 from sitegen.descriptions import described
+from sitegen.errors import Place
 from sitegen.messages import MessageType
 from sitegen.model import Node, Package, Site
+from sitegen.wheels import archived
 
 CLIENT = Path(__file__).parent / "clients" / "python"
 PAGE = interfaces.ROS / "page"
@@ -33,43 +34,78 @@ SHARED = (
     *("rosidl_parser/__init__.py", "rosidl_parser/definition.py", "rpyutils/__init__.py"),
     *("rpyutils/add_dll_directories.py", "rpyutils/import_c_library.py"),
 )
+COMMON = "nodes/ros.zip"
+# What Pyodide brings beside Python itself.
+IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
 # Generated classes have fixed arrays of numbers in numpy's.
 NUMPY = re.compile(rb"^import numpy\b", re.MULTILINE)
-OUR_NUMPY = b"from rclpy_backend import fixed_array as numpy"
-EPOCH = (1980, 1, 1, 0, 0, 0)
+OUR_NUMPY = b"from rclpy_backend.arrays import numpy"
 
 
 @dataclass(frozen=True)
 class Bundles:
-    """The archives of a site's Python nodes: one that all have in common, one of each package.
+    """The archives of a site's Python nodes, by their path.
 
-    `types` has the message types of each package's nodes.
+    `needed` has the paths of those that a program needs, by package and executable; `types` the
+    message types of each package's nodes.
     """
 
-    common: bytes
-    packages: Mapping[str, bytes]
+    archives: Mapping[str, bytes]
+    needed: Mapping[tuple[str, str], Sequence[str]]
     types: Mapping[str, dict[str, MessageType]]
 
 
 def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles | None:
     """Return the archives for those of `nodes` that are Python's; None if none is.
 
-    Raises a SiteError that says what is wrong with the definitions of the workspace.
+    Raises a SiteError that says what is wrong with the definitions of the workspace, or which
+    modules are missing.
     """
-    names = sorted({node.package for node in nodes if site.setup_of(node)})
-    if not names:
+    programs = {(node.package, node.executable) for node in nodes if site.setup_of(node)}
+    if not programs:
         return None
+    names = sorted({package for package, _ in programs})
     needs = {name: workspace.with_dependencies(site.packages, name) for name in names}
     parts = {one.name: one for packages in needs.values() for one in packages}
     prefix = described(site, parts, cache=cache)
     wanted = {"example_interfaces", *_named(parts.values()), *_named_by_rclpy()}
-    classes = dict(_classes(_with_nested(wanted, prefix), prefix))
-    return Bundles(
-        _archive({**_rclpy(), **classes}),
-        {name: _archive(dict(_installed(needs[name]))) for name in names},
-        {name: _types(needs[name], prefix) for name in names},
-    )
+    common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
+    collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache)
+    archives = {COMMON: archived(common)}
+    archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
+    needed = {}
+    for package, executable in sorted(programs):
+        others = {
+            f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
+        }
+        archives |= {path: wheel.data for path, wheel in others.items()}
+        needed[package, executable] = (COMMON, *others, _own(package))
+    return Bundles(archives, needed, {name: _types(needs[name], prefix) for name in names})
+
+
+def _own(package: str) -> str:
+    return f"nodes/{package}/python.zip"
+
+
+def _wanted(
+    programs: Iterable[tuple[str, str]],
+    needs: Mapping[str, Sequence[Package]],
+    common: Iterable[str],
+) -> dict[tuple[str, str], dict[str, Place]]:
+    """Return the modules that each program imports and that are not on every page."""
+    there = {place.split("/")[1].removesuffix(".py") for place in common}
+    there |= sys.stdlib_module_names | IN_THE_PAGE
+    found = {}
+    for package, executable in programs:
+        setups = [each.setup for each in needs[package] if each.setup]
+        files = {place: file for setup in setups for place, file in setup.files.items()}
+        program = setups[-1].scripts[executable]
+        modules = imports.outside(files, program)
+        found[package, executable] = {
+            name: place for name, place in modules.items() if name not in there
+        }
+    return found
 
 
 def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
@@ -122,8 +158,9 @@ def _named_by_rclpy() -> Iterator[str]:
 
 
 def _sources(package: Package) -> Iterator[str]:
-    for file in package.setup.files.values() if package.setup else ():
-        if file.suffix == ".py":
+    scripts = package.setup.scripts.values() if package.setup else ()
+    for place, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or place in scripts:
             yield file.read_text(encoding="utf-8", errors="replace")
 
 
@@ -173,14 +210,3 @@ def _imported(text: str, shares: Mapping[str, Path]) -> Iterator[str]:
                 if package in shares and kind in KINDS:
                     files = (shares[package] / kind).glob("*.json")
                     yield from (f"{package}/{kind}/{file.stem}" for file in files)
-
-
-def _archive(files: Mapping[str, bytes]) -> bytes:
-    """Return a ZIP file, the same bytes for the same files."""
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name in sorted(files):
-            entry = zipfile.ZipInfo(name, EPOCH)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, files[name])
-    return buffer.getvalue()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Mapping
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 from xml.parsers.expat import ErrorString
 
@@ -20,6 +20,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 SHARES = [Path(__file__).parent / "ros" / "share", Path(__file__).parent / "share"]
 KINDS = ("msg", "srv")
 PYTHON = "ament_python"
+SHEBANG = re.compile(rb"#!.*\bpython")
 DEPENDS = {
     "depend",
     "build_depend",
@@ -132,9 +133,15 @@ def _package(path: Path, problems: Problems) -> Package | None:
     listing = cmakelists.read(cmake, name)
     depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
     build_type = _build_type(xml, cmake.is_file())
-    setup = _setup(path) if build_type == PYTHON else None
-    executables = listing.executables if setup is None else setup.scripts
-    sources = listing.sources if setup is None else _modules(path, setup)
+    executables, sources = listing.executables, listing.sources
+    if build_type == PYTHON:
+        setup: Setup | None = _setup(path)
+        executables, sources = [], {}
+    else:
+        setup = _scripts(path, name, listing)
+    if setup:
+        executables = None if executables is None else [*executables, *setup.scripts]
+        sources = sources | _modules(path, setup)
     return Package(
         name=name,
         path=path,
@@ -155,12 +162,35 @@ def _setup(path: Path) -> Setup:
     return Setup(listing.scripts, files, fault)
 
 
+def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None:
+    """Return the programs and modules of Python that a package installs by CMake, if it does."""
+    files = cmakelists.installed(listing, path)
+    programs = {
+        place: file
+        for place, file in files.items()
+        if PurePosixPath(place).parent == PurePosixPath("lib", name) and _is_python(file)
+    }
+    if not programs and not any(place.startswith("python/") for place in files):
+        return None
+    # What ament_package() installs; of the file in the index only the name counts.
+    index = f"share/ament_index/resource_index/packages/{name}"
+    files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
+    return Setup({PurePosixPath(place).name: place for place in programs}, files)
+
+
+def _is_python(file: Path) -> bool:
+    if file.suffix == ".py":
+        return True
+    with file.open("rb") as opened:
+        return bool(SHEBANG.match(opened.readline()))
+
+
 def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
-    """Return the file of each entry point."""
+    """Return the file of each entry point or program."""
     found: dict[str, list[str]] = {}
     for name, target in setup.scripts.items():
         module = target.partition(":")[0].replace(".", "/")
-        places = (f"python/{module}.py", f"python/{module}/__init__.py")
+        places = (target, f"python/{module}.py", f"python/{module}/__init__.py")
         files = (setup.files[place] for place in places if place in setup.files)
         found[name] = [file.relative_to(path).as_posix() for file in files]
     return found

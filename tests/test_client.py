@@ -134,7 +134,7 @@ def test_services_are_promises(play: Any) -> None:
       const alone = await call(1);
       let server;
       const id = graph.join((message) => server.receive(message), "", () => {});
-      server = new Participant(id, (message) => graph.create(id, message.endpoint));
+      server = new Participant(id, (message) => graph.receive(id, message));
       const service = server.create("service", "/server", "/half", "demo/srv/Half", DEFAULT_QOS);
       const answers = [call(7), call(8)];
       await arrived();

@@ -90,7 +90,7 @@ WRONG = [
             "site.yaml:8: pages[0].frobnicate: unknown key; "
             "known: content, date, description, file, folder, level, nodes, path, tags, theme, "
             "title",
-            "site.yaml:9: color: unknown key; known: nav, nodes, pages, site, workspace",
+            "site.yaml:9: color: unknown key; known: deploy, nav, nodes, pages, site, workspace",
         ],
     ),
     Wrong(
@@ -575,7 +575,7 @@ WRONG = [
         "- site\n",
         [
             "site.yaml:1: yaml: expected keys and values, found a list; "
-            "the keys are site, workspace, nodes, pages, nav",
+            "the keys are site, workspace, nodes, pages, nav, deploy",
         ],
     ),
     Wrong(

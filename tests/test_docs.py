@@ -11,10 +11,13 @@ from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
+    COMPILED,
+    DEPLOY,
     FILE,
     FRONT_MATTER,
     NODE,
     PAGE,
+    PYODIDE,
     ROS2WASM,
     SITE,
     WIDGETS,
@@ -29,7 +32,10 @@ SITE_YAML = Path(__file__).parents[1].joinpath("docs/site-yaml.md").read_text(en
 SECTIONS = {
     "The file": FILE,
     "site": SITE,
+    "pyodide": PYODIDE,
+    "deploy": DEPLOY,
     "A node": NODE,
+    "A node compiled elsewhere": COMPILED,
     "A node of ROS2WASM": ROS2WASM,
     "A page": PAGE,
     "A page in Markdown": FRONT_MATTER,

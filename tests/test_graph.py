@@ -22,13 +22,7 @@ function join() {
   let participant;
   const receive = (message) => participant.receive(message);
   const id = graph.join(receive, "", (text) => complaints.push(text));
-  const post = ({ op, endpoint, id: gone, count, peer, text }) => {
-    if (op === "create") graph.create(id, endpoint);
-    if (op === "destroy") graph.destroy(id, gone);
-    if (op === "missed") graph.miss(id, gone, count);
-    if (op === "complain") graph.complain(peer, text);
-  };
-  participant = new Participant(id, post);
+  participant = new Participant(id, (message) => graph.receive(id, message));
   return { participant, leave: () => graph.leave(id) };
 }
 const publisher = (of, qos, topic = "/a", type = "T") =>
@@ -295,3 +289,27 @@ def test_who_could_not_look_for_a_while_counts_each_period(play: Any) -> None:
       const missed = (of, id) => of.participant.takeEvent(id, "deadline").total;
       return [missed(a, p) >= 29, missed(b, s) >= 29];
     """) == [True, True]
+
+
+def test_who_looks_is_told_who_is_there_and_who_comes_and_goes(play: Any) -> None:
+    assert play("""
+      const [a, b, c] = [join(), join(), join()];
+      const names = () =>
+        a.participant.look().map(({ name, endpoint }) => [name % 2 ** 32, endpoint.name]);
+      const own = publisher(a, {}, "/own");
+      const first = publisher(b, {}, "/first");
+      const before = names();
+      const { changes } = a.participant;
+      const second = subscription(c, {}, "/second");
+      const late = publisher(b, {}, "/first");
+      b.participant.destroy(first);
+      const after = names();
+      c.leave();
+      a.participant.destroy(own);
+      return [before, after, names(), a.participant.changes - changes];
+    """) == [
+        [[1, "/own"], [1, "/first"]],
+        [[1, "/own"], [1, "/second"], [2, "/first"]],
+        [[2, "/first"]],
+        5,
+    ]

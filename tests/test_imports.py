@@ -15,16 +15,21 @@ RUNTIME = PACKAGE / "runtime"
 # What each module of the generator may import of the others; a folder is one module here.
 ALLOWED = {
     "__main__": {
-        *("build", "cache", "config", "errors", "init", "report", "serve", "theme", "unchanged"),
+        *("build", "cache", "check", "compile", "config", "deploy", "errors", "init", "new"),
+        *("report", "serve", "theme", "unchanged"),
     },
+    "archive": {"model"},
     "cache": set(),
     "unchanged": set(),
     "build": {
-        *("assets", "config", "cpp", "errors", "model", "pages", "python", "report", "ros2wasm"),
-        *("cache", "offline", "single", "unchanged", "workspace"),
+        *("assets", "cache", "compiled", "config", "cpp", "errors", "model", "offline", "pages"),
+        *("python", "report", "ros2wasm", "single", "unchanged", "workspace"),
     },
     "assets": {"digest", "model"},
-    "config": {"errors", "model", "theme", "workspace"},
+    "compile": {"archive", "build", "cache", "cpp", "errors", "model", "report", "workspace"},
+    "compiled": {"archive", "errors", "fetch", "model", "report"},
+    "config": {"errors", "fetch", "model", "theme", "workspace"},
+    "check": {"build", "cache", "descriptions", "errors", "model", "prose", "report", "wiring"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
@@ -32,20 +37,28 @@ ALLOWED = {
         "toolchain",
     },
     "definitions": {"errors"},
+    "deploy": {"build", "config", "errors", "git", "model", "report"},
     "descriptions": {"digest", "errors", "interfaces", "model", "workspace"},
     "diagnosis": {"errors", "interfaces", "model"},
     "digest": set(),
     "errors": set(),
+    "fetch": set(),
+    "git": {"errors"},
     "init": {"errors", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
+    "imports": {"errors"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
+    "new": {"errors"},
     "offline": {"model"},
     "pages": {"errors", "model", "prose", "theme"},
     "prose": {"errors", "model"},
     "report": set(),
-    "python": {"descriptions", "interfaces", "messages", "model", "workspace"},
+    "python": {
+        *("descriptions", "errors", "imports", "interfaces", "messages", "model", "wheels"),
+        "workspace",
+    },
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "config", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
@@ -53,6 +66,8 @@ ALLOWED = {
     "theme": {"errors"},
     "toolchain": set(),
     "typesupport": set(),
+    "wiring": {"errors", "model"},
+    "wheels": {"digest", "errors", "fetch", "model"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 
@@ -90,7 +105,7 @@ RUNTIME_ALLOWED = {
         *{"vendor", "words.js"},
     },
 }
-FOLDERS = ("config", "offline", "pages", "prose", "single")
+FOLDERS = ("config", "offline", "pages", "prose", "single", "wiring")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

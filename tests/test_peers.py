@@ -121,11 +121,11 @@ def test_foreign_nonsense_is_dropped_and_told(play: Any) -> None:
         { id: 1, kind: "monster", node: "/f", name: "/t", type: "T", qos },
         { id: 1, kind: "publisher", node: "/f", name: {}, type: "T", qos },
         { id: 1, kind: "publisher", node: "/f", name: "/t", type: "T", qos: null }]) {
-        graph.create(foreign, endpoint);
+        graph.receive(foreign, { op: "create", endpoint });
       }
       const refused = complaints.length;
       const endpoint = { kind: "publisher", node: "/f", name: "/t", type: "test/msg/Numbers", qos };
-      graph.create(foreign, { id: 1, ...endpoint });
+      graph.receive(foreign, { op: "create", endpoint: { id: 1, ...endpoint } });
       await until(() => port);
       const big = new ArrayBuffer(100);
       new DataView(big).setUint32(12, 0xffffffff, true);

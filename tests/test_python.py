@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import config, python, setupfiles
+from sitegen import config, python, setupfiles, workspace
 from sitegen.build import build, nodes_of
 from sitegen.errors import SiteError
 from sitegen.report import Report
 
+HERE = Path(__file__).parent
 PACKAGE = """<package format="3"><name>{name}</name><version>1.0.0</version>
   <exec_depend>rclpy</exec_depend>{more}
   <export><build_type>ament_python</build_type></export>
@@ -172,14 +173,14 @@ def test_archives_hold_what_a_package_uses(package: Path, tmp_path: Path) -> Non
     site = config.load(package.parents[1] / "site.yaml")
     bundles = python.bundle(site, nodes_of(site), cache=tmp_path / "cache")
     assert bundles
-    common = names(bundles.common)
+    common = names(bundles.archives["nodes/ros.zip"])
     assert {"python/rclpy/_rclpy_pybind11.py", "python/rclpy/action/client.py"} <= common
     # Imported though package.xml does not name it, with what it nests; nothing else.
     assert {"python/geometry_msgs/msg/_pose.py", "python/std_msgs/msg/_header.py"} <= common
     assert not any(name.startswith("python/sensor_msgs/") for name in common)
     assert not any(name.endswith((".so", ".c", ".pyi")) for name in common)
     assert "geometry_msgs/msg/Quaternion" in bundles.types["py_pubsub"]
-    assert "python/py_pubsub/talker.py" in names(bundles.packages["py_pubsub"])
+    assert "python/py_pubsub/talker.py" in names(bundles.archives["nodes/py_pubsub/python.zip"])
 
 
 def test_a_site_of_python_nodes_needs_no_compiler(
@@ -194,3 +195,24 @@ def test_a_site_of_python_nodes_needs_no_compiler(
     assert not (dist / "runtime" / "workers" / "cppNode.js").exists()
     for name in ("nodes/ros.zip", "nodes/py_pubsub/python.zip", "page.json"):
         assert (dist / name).read_bytes() == (tmp_path / "dist2" / name).read_bytes()
+
+
+def test_a_cmake_package_may_have_programs_and_modules_of_python() -> None:
+    packages = workspace.scan(HERE / "sites" / "python" / "src")
+    package = packages["mixed"]
+    assert package.executables == ("greeter.py", "plain", "sorting.py")
+    assert package.sources["greeter.py"] == ("scripts/greeter.py",)
+    assert package.setup
+    files = {p: f.relative_to(package.path).as_posix() for p, f in package.setup.files.items()}
+    assert files == {
+        "python/mixed/__init__.py": "mixed/__init__.py",
+        "python/mixed/words.py": "mixed/words.py",
+        "lib/mixed/greeter.py": "scripts/greeter.py",
+        "lib/mixed/plain": "scripts/plain",
+        "lib/mixed/sorting.py": "scripts/sorting.py",
+        "lib/mixed/helper": "scripts/helper.sh",
+        "share/mixed/config/name.txt": "config/name.txt",
+        "share/mixed/copy/package.xml": "package.xml",
+        "share/mixed/package.xml": "package.xml",
+        "share/ament_index/resource_index/packages/mixed": "package.xml",
+    }

@@ -182,10 +182,7 @@ PLAY = """async (scenes) => {
     let participant;
     const receive = (message) => participant.receive(message);
     const id = graph.join(receive, "", (text) => { throw new Error(text); });
-    participant = new Participant(id, ({ op, endpoint, id: gone }) => {
-      if (op === "create") graph.create(id, endpoint);
-      if (op === "destroy") graph.destroy(id, gone);
-    });
+    participant = new Participant(id, (message) => graph.receive(id, message));
     return participant;
   };
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));

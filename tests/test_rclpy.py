@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import shutil
 import zipfile
@@ -18,39 +17,13 @@ from sitegen.build import build
 from sitegen.report import Report
 
 HERE = Path(__file__).parent
-ROOT = HERE.parent
 SITE = HERE / "sites" / "python"
-BACKEND = ROOT / "sitegen" / "clients" / "python" / "rclpy_backend"
 SEED = "20240607"
 # Programs that end by themselves and print the same everywhere.
-PROGRAMS = ["pubsub", "services", "parameters", "policies", "threads", "errors", "data"]
-
-# What rclpy's extension has and ours refuses, and why.
-GRAPH = "the page does not tell its workers who is in the graph"
-MISSING = {
-    "ActionClient": "the next step",
-    "ActionServer": "the next step",
-    "ActionGoalHandle": "the next step",
-    "LifecycleStateMachine": "a step of its own, beside the one for C++",
-    "EventsExecutor": "experimental, and in C++ only",
-    "rclpy_get_topic_names_and_types": GRAPH,
-    "rclpy_get_publisher_names_and_types_by_node": GRAPH,
-    "rclpy_get_subscriber_names_and_types_by_node": GRAPH,
-    "rclpy_get_publishers_info_by_topic": GRAPH,
-    "rclpy_get_subscriptions_info_by_topic": GRAPH,
-    "rclpy_get_service_names_and_types": GRAPH,
-    "rclpy_get_service_names_and_types_by_node": GRAPH,
-    "rclpy_get_client_names_and_types_by_node": GRAPH,
-    "Node.get_count_publishers": GRAPH,
-    "Node.get_count_subscribers": GRAPH,
-    "Node.get_count_clients": GRAPH,
-    "Node.get_count_services": GRAPH,
-    "Node.get_node_names_and_namespaces": GRAPH,
-    "Node.get_node_names_and_namespaces_with_enclaves": GRAPH,
-    "Node.get_action_client_names_and_types_by_node": GRAPH,
-    "Node.get_action_server_names_and_types_by_node": GRAPH,
-    "Node.get_action_names_and_types": GRAPH,
-}
+PROGRAMS = [
+    *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
+    *("actions", "lifecycle", "graph", "executors"),
+]
 
 # Run a node to its end, and return its lines: a console would keep only the last.
 RUN = """async (name) => {
@@ -124,6 +97,19 @@ def test_an_exception_is_told_as_python_tells_it(page: Page) -> None:
     ]
 
 
+def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> None:
+    state, lines = run(page, "greeter")
+    assert (state, printed(lines)) == ("stopped", ["Good morning, World greeter.py True"])
+    state, lines = run(page, "plain")
+    assert (state, printed(lines)) == ("failed", ["plain"])
+    assert lines[-1] == ("fatal", "plain: exited with code 3")
+
+
+def test_packages_of_pypi_come_along(page: Page) -> None:
+    state, lines = run(page, "sorting")
+    assert (state, printed(lines)) == ("stopped", ["SortedList([1, 2, 3]) None"])
+
+
 def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
     node = Panel(page, "stopping")
     for _ in range(2):
@@ -158,21 +144,10 @@ def test_the_extension_has_every_name_of_upstreams(
     for name, (inside, number, members) in theirs.items():
         if name not in ours:
             lacking.append(name)
-        elif name not in MISSING:
+        else:
             lacking += [f"{name}.{one}" for one in inside if one not in ours[name][0]]
             assert (number, members) == ours[name][1:], name
     assert lacking == []
-
-
-def test_what_is_missing_is_on_the_list() -> None:
-    tree = ast.parse((BACKEND / "missing.py").read_text())
-    found = set()
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef) and node.name == "GraphQueries":
-            found |= {f"Node.{one.name}" for one in node.body if isinstance(one, ast.FunctionDef)}
-        elif isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name != "refuse":
-            found.add(node.name)
-    assert found == set(MISSING)
 
 
 Entries = dict[str, tuple[list[str], object, object]]

@@ -50,3 +50,8 @@ def test_the_installed_command_builds_a_site(tmp_path: Path) -> None:
         "runtime/widgets/console.js",
         "theme/style.css",
     }
+
+    run(tmp_path / "venv" / "bin" / "sitegen", "new", "my_fox", cwd=tmp_path)
+    fox = tmp_path / "my_fox"
+    made = {path.relative_to(fox).as_posix() for path in fox.rglob("*")}
+    assert made >= {".gitignore", "site.yaml", "src/my_fox_py/resource/my_fox_py"}

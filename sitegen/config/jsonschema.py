@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitegen.config.schema import (
+    COMPILED,
+    DEPLOY,
     FILE,
     FORMS,
     MARKDOWN,
     NODE,
     PAGE,
+    PYODIDE,
     ROBOTS,
     ROS2WASM,
     SITE,
@@ -34,6 +37,8 @@ TYPES: dict[str, Json] = {
     "pages": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/page"}},
     "content": {"type": "array", "items": {"$ref": "#/$defs/item"}},
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
+    "deploy": {"$ref": "#/$defs/deploy"},
+    "pyodide": {"$ref": "#/$defs/pyodide"},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
@@ -61,9 +66,11 @@ def json_schema() -> Json:
         **_mapping(FILE),
         "$defs": {
             "site": _mapping(SITE),
-            "node": {"anyOf": [_mapping(NODE), _mapping(ROS2WASM)]},
+            "node": {"anyOf": [_mapping(NODE), _mapping(COMPILED), _mapping(ROS2WASM)]},
             "page": _mapping(PAGE),
             "nav": NAV,
+            "deploy": _mapping(DEPLOY),
+            "pyodide": _mapping(PYODIDE),
             "item": _item(),
         },
     }

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import NamedTuple
 
-from sitegen.config import ros2wasm
+from sitegen.config import compiled, ros2wasm
 from sitegen.config.document import Value
-from sitegen.config.schema import NODE, ROS2WASM
+from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Package
@@ -40,14 +41,23 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
             where = problems.where(taken[name].node.place)
             message = f"'{name}' is defined already ({where}); use that node or choose another name"
             problems.add(entry.place, entry.key, message)
-        section = check(entry, ROS2WASM if entry.has("ros2wasm") else NODE, problems)
-        if section.keys is NODE:
+        section = check(entry, _keys(entry), problems)
+        if section.keys is ROS2WASM:
+            node = Node(name, "", "", entry.place, ros2wasm=ros2wasm.read(section, problems))
+        else:
             _check_names(section, problems)
             node = _node(name, section, problems)
-        else:
-            node = Node(name, "", "", entry.place, ros2wasm=ros2wasm.read(section, problems))
+        if section.keys is COMPILED:
+            archive = compiled.read(section, problems)
+            node = replace(node, package="", executable="", compiled=archive)
         declared[name] = Declared(node, section)
     return declared
+
+
+def _keys(entry: Value) -> tuple[Key, ...]:
+    if entry.has("ros2wasm"):
+        return ROS2WASM
+    return COMPILED if entry.has("compiled") else NODE
 
 
 def check_package(declared: Declared, packages: Mapping[str, Package], problems: Problems) -> None:
@@ -69,7 +79,7 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         problems.add(section.place("package"), section.label("package"), message)
     elif package.setup and package.setup.fault:
         problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
-    elif package.setup and not package.setup.scripts:
+    elif package.build_type == "ament_python" and not package.executables:
         message = f"package '{package.name}' has no entry points; name them in its setup.py"
         advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
         problems.add(section.place("package"), section.label("package"), f"{message}: {advice}")

@@ -35,12 +35,15 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
+    "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
     "site": ("mapping", "keys and values"),
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+    "deploy": ("mapping", "keys and values"),
+    "pyodide": ("mapping", "keys and values"),
 }
 
 # What text of some types looks like.
@@ -50,6 +53,7 @@ FORMS = {
     "date": re.compile(r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])"),
     "colour": re.compile(r"#[0-9a-fA-F]{6}"),
     "range": re.compile(r"[1-9]\d*-[1-9]\d*"),
+    "digest": re.compile(r"[0-9a-f]{64}"),
     "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }
 
@@ -75,6 +79,13 @@ FILE = (
         "the navigation, where the paths of the pages are not it",
         "nav: [/, {Demos: [demo01/, demo02/]}]",
     ),
+    Key(
+        "pyodide",
+        "pyodide",
+        "what Python nodes need beside ROS",
+        "pyodide: {requirements: requirements.txt}",
+    ),
+    Key("deploy", "deploy", "where `sitegen deploy` puts it", "deploy: {branch: gh-pages}"),
 )
 
 SITE = (
@@ -124,6 +135,27 @@ SITE = (
     ),
 )
 
+PYODIDE = (
+    Key(
+        "requirements",
+        "path",
+        "packages of pure Python, with their versions and hashes, as pip reads them",
+        "requirements: requirements.txt",
+    ),
+    Key(
+        "packages",
+        "text",
+        "a folder or an address with the Pyodide distribution, for compiled packages",
+        "packages: vendor/pyodide",
+    ),
+)
+
+DEPLOY = (
+    Key("branch", "text", "the branch that is served", "branch: gh-pages", default="gh-pages"),
+    Key("remote", "text", "the remote of git to push to", "remote: origin", default="origin"),
+    Key("cname", "text", "a domain of your own", "cname: robot.example.org"),
+)
+
 NODE = (
     Key("package", "text", "the package of the workspace", "package: cpp_pubsub", True),
     Key("executable", "text", "the executable of that package", "executable: talker", True),
@@ -135,6 +167,25 @@ NODE = (
         "remap: {chatter: /demo/chatter}",
     ),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+COMPILED = (
+    Key(
+        "compiled",
+        "text",
+        "an archive of compiled nodes: an address, or a file",
+        "compiled: nodes.zip",
+        True,
+    ),
+    Key(
+        "sha256",
+        "digest",
+        "its SHA-256, needed for an address",
+        "sha256: 72a66436beb4c95047286bc22bc7295cd1168bc8b3309ef35897a6802a22a2fb",
+    ),
+    Key("package", "text", "which node of it: its package", "package: cpp_pubsub"),
+    Key("executable", "text", "which node of it: its executable", "executable: talker"),
+    *NODE[2:],
 )
 
 ROS2WASM = (

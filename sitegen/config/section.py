@@ -97,6 +97,6 @@ def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
 
 
 def _found(value: Value, key: Key) -> str:
-    if "text" in key.type and value.kind in ("number", "flag", "other"):
+    if ("text" in key.type or key.type == "digest") and value.kind in ("number", "flag", "other"):
         return f'found {value.found}; put it in quotes: "{shortened(value.text)}"'
     return f"found {value.found}; write it like '{key.example}'"

@@ -8,12 +8,14 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from sitegen import workspace
+from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare
 from sitegen.config.page import PageReader
+from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
@@ -71,6 +73,8 @@ def _site(file: Section, problems: Problems) -> Site:
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
         feed=_feed(site, problems),
+        pyodide=pyodide(file.get("pyodide"), problems),
+        deploy=deploy(file.get("deploy"), problems),
         offline=bool(site.option("offline")) if site.get("offline") else None,
     )
 

@@ -21,7 +21,8 @@ class Programs:
     `types` has, by page path, the message types of pages that take part in the graph; `foreign`
     has, by page path and node, those of nodes that the ROS2WASM project compiled; `versions` has a
     digest of each program, by package, executable and engine; `archives` has one of each archive of
-    Python nodes, by its path inside `dist/`.
+    Python nodes, by its path inside `dist/`; `needed` has the paths of those that a node unpacks,
+    by package and executable.
     """
 
     modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
@@ -29,6 +30,7 @@ class Programs:
     foreign: Mapping[str, Mapping[str, Types]] = field(default_factory=dict)
     versions: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
     archives: Mapping[str, str] = field(default_factory=dict)
+    needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
 
 
 def page_json(site: Site, page: Page, programs: Programs) -> bytes:
@@ -85,7 +87,7 @@ def _program(site: Site, page: Page, node: Node, programs: Programs) -> dict[str
 
 def _python(page: Page, node: Node, setup: Setup, programs: Programs) -> dict[str, object]:
     module, _, attribute = setup.scripts[node.executable].partition(":")
-    paths = ("nodes/ros.zip", f"nodes/{node.package}/python.zip")
+    paths = programs.needed.get((node.package, node.executable), ())
     # Other files have another address, so that browsers may keep these for good.
     bundles = [f"{address(page, path)}?v={programs.archives.get(path, '')}" for path in paths]
     return {"bundles": bundles, "module": module, "attribute": attribute}

@@ -3,7 +3,7 @@
 from sitegen.prose.highlight import code, language_of
 from sitegen.prose.links import Anchor, Library, address
 from sitegen.prose.media import lasting_name
-from sitegen.prose.text import Heading, Prose, plain
+from sitegen.prose.text import Heading, Prose, plain, without_text
 
 __all__ = [
     "Anchor",
@@ -15,4 +15,5 @@ __all__ = [
     "language_of",
     "lasting_name",
     "plain",
+    "without_text",
 ]

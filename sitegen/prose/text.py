@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from markdown.extensions.toc import slugify_unicode
 
-from sitegen.errors import Problems
+from sitegen.errors import Place, Problems
 from sitegen.model import Markdown, Page
 from sitegen.prose import raw
 from sitegen.prose.extensions import converter
@@ -32,6 +32,8 @@ _TASK = re.compile(
 )
 # The title of an admonition that has its kind for a title.
 _TITLE = re.compile(r'(<p class="admonition-title">|<summary>)(\w+)(</p>|</summary>)')
+_SRC = re.compile(r"""\ssrc\s*=\s*(["'])(.*?)\1""", re.I | re.S)
+_ALT = re.compile(r"""\salt\s*=\s*(?:(["'])(?P<text>.*?)\1|\S+)""", re.I | re.S)
 _MARKUP = re.compile(r"<[^>]*>")
 _KEYS = {"a": "link", "img": "image", "iframe": "frame"}
 
@@ -140,6 +142,21 @@ class Prose:
 
         written = _ADDRESS.sub(rewrite, tag[0])
         return sized(written, image) if name == "img" and image else written
+
+
+def without_text(source: Markdown) -> Iterator[tuple[str, Place]]:
+    """Yield the images of `source` that have no text, with their places.
+
+    An `alt=""` that the author wrote as HTML says that there is nothing to see.
+    """
+    for tag in _TAG.finditer(converter(source.text).convert(source.text)):
+        if tag[1].lower() != "img":
+            continue
+        alt, address = _ALT.search(tag[0]), _SRC.search(tag[0])
+        meant = alt and (alt["text"] != "" or tag[0] in source.text)
+        if not meant:
+            url = html.unescape(address[2]) if address else tag[0]
+            yield url, line_of(source, url)
 
 
 def plain(text: str) -> str:

@@ -5,13 +5,14 @@
 
 import { incompatibility, KINDS, sends } from "./protocol.js";
 
-/** @import { Endpoint, Mismatch, ToWorker } from "./protocol.js" */
+/** @import { Endpoint, FromWorker, Mismatch, ToWorker } from "./protocol.js" */
 
 /**
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
  * @typedef {(text: string) => void} Complain
  * @typedef {{id: number, program: string, post: Post, complain: Complain,
- *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>}} Participant
+ *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>,
+ *   looking: boolean}} Participant a worker, or the page; one that is looking is told of all the others
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
  * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
  *   publishers and the subscriptions, of a service the clients and the servers
@@ -36,16 +37,38 @@ export class Graph extends EventTarget {
   join(post, program, complain) {
     const id = this.#nextId++;
     this.#participants.set(id, {
-      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(),
+      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(), looking: false,
     });
     return id;
+  }
+
+  /** Take what a worker says that concerns the graph. @param {number} id of the worker @param {FromWorker} message */
+  receive(id, message) {
+    switch (message.op) {
+      case "create":
+        this.#create(id, message.endpoint);
+        break;
+      case "destroy":
+        this.#destroy(id, message.id);
+        break;
+      case "missed":
+        this.#miss(id, message.id, message.count);
+        break;
+      case "complain":
+        // What a worker says about another, which sent it nonsense.
+        this.#participants.get(message.peer)?.complain(message.text);
+        break;
+      case "look":
+        this.#look(id);
+        break;
+    }
   }
 
   /** Forget a worker that ended, and all that it had. @param {number} id */
   leave(id) {
     const gone = this.#participants.get(id);
     if (!gone) return;
-    for (const endpoint of [...gone.endpoints.keys()]) this.destroy(id, endpoint);
+    for (const endpoint of [...gone.endpoints.keys()]) this.#destroy(id, endpoint);
     this.#participants.delete(id);
     for (const peer of gone.links) {
       const other = this.#participants.get(peer);
@@ -56,7 +79,7 @@ export class Graph extends EventTarget {
   }
 
   /** @param {number} id of the worker @param {Endpoint} endpoint */
-  create(id, endpoint) {
+  #create(id, endpoint) {
     const owner = this.#participants.get(id);
     if (!owner) return;
     if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) {
@@ -64,6 +87,7 @@ export class Graph extends EventTarget {
       return;
     }
     owner.endpoints.set(endpoint.id, endpoint);
+    this.#tell(owner, { op: "graph", come: [{ peer: id, endpoint }], gone: [] });
     if (endpoint.kind !== "node") {
       const member = { owner, endpoint };
       const { mine, others } = this.#sides(endpoint);
@@ -74,11 +98,12 @@ export class Graph extends EventTarget {
   }
 
   /** @param {number} id of the worker @param {number} endpointId */
-  destroy(id, endpointId) {
+  #destroy(id, endpointId) {
     const owner = this.#participants.get(id);
     const endpoint = owner?.endpoints.get(endpointId);
     if (!owner || !endpoint) return;
     owner.endpoints.delete(endpointId);
+    this.#tell(owner, { op: "graph", come: [], gone: [{ peer: id, id: endpointId }] });
     owner.missed.delete(endpointId);
     if (endpoint.kind !== "node") {
       const { mine, others } = this.#sides(endpoint);
@@ -93,16 +118,22 @@ export class Graph extends EventTarget {
   }
 
   /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
-  miss(id, endpoint, count) {
+  #miss(id, endpoint, count) {
     const owner = this.#participants.get(id);
     if (!owner?.endpoints.has(endpoint)) return;
     owner.missed.set(endpoint, count);
     this.#changed();
   }
 
-  /** Pass on what a worker says about another, which sent it nonsense. @param {number} peer @param {string} text */
-  complain(peer, text) {
-    this.#participants.get(peer)?.complain(text);
+  /** Tell a worker who is there, and from now on of who comes and goes. @param {number} id */
+  #look(id) {
+    const owner = this.#participants.get(id);
+    if (!owner || owner.looking) return;
+    owner.looking = true;
+    const others = [...this.#participants.values()].filter((other) => other !== owner);
+    const come = others.flatMap(({ id: peer, endpoints }) =>
+      [...endpoints.values()].map((endpoint) => ({ peer, endpoint })));
+    owner.post({ op: "graph", come, gone: [] });
   }
 
   /** Everything that takes part, in the order of its coming. */
@@ -196,6 +227,13 @@ export class Graph extends EventTarget {
     b.links.add(a.id);
     a.post({ op: "link", peer: b.id, port: port1 }, [port1]);
     b.post({ op: "link", peer: a.id, port: port2 }, [port2]);
+  }
+
+  /** Tell those that look of a change at `owner`. @param {Participant} owner @param {ToWorker} change */
+  #tell(owner, change) {
+    for (const other of this.#participants.values()) {
+      if (other.looking && other !== owner) other.post(change);
+    }
   }
 
   #changed() {

@@ -179,18 +179,6 @@ export class NodeProcess extends EventTarget {
       case "running":
         this.#setState("running");
         break;
-      case "create":
-        this.#graph.create(id, message.endpoint);
-        break;
-      case "destroy":
-        this.#graph.destroy(id, message.id);
-        break;
-      case "missed":
-        this.#graph.miss(id, message.id, message.count);
-        break;
-      case "complain":
-        this.#graph.complain(message.peer, message.text);
-        break;
       case "lines":
         this.#emitLines(message.lines);
         break;
@@ -206,6 +194,8 @@ export class NodeProcess extends EventTarget {
           this.#end("stopped");
         }
         break;
+      default:
+        this.#graph.receive(id, message);
     }
   }
 

@@ -27,12 +27,7 @@ export class PageClient {
     let participant;
     const warn = (/** @type {string} */ text) => console.warn(`the page ${text}`);
     const id = graph.join((message) => participant.receive(message), "", warn);
-    participant = new Participant(id, (message) => {
-      if (message.op === "create") graph.create(id, message.endpoint);
-      if (message.op === "destroy") graph.destroy(id, message.id);
-      if (message.op === "missed") graph.miss(id, message.id, message.count);
-      if (message.op === "complain") graph.complain(message.peer, message.text);
-    });
+    participant = new Participant(id, (message) => graph.receive(id, message));
     this.#participant = participant;
   }
 

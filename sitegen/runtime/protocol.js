@@ -10,7 +10,7 @@
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
  * @typedef {{bundles: string[], module: string, attribute: string}} PythonEntry a Python node: archives to
- *   unpack in its interpreter, and what it calls
+ *   unpack in its interpreter, and what it calls; without `attribute` the place of a program
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
  *   and the definitions of these
@@ -99,12 +99,19 @@ export const DEFAULT_QOS = Object.freeze({
 });
 
 /**
- * Worker to page; `missed` are the messages of a subscription that its program was too slow for.
+ * An endpoint of the graph as all its participants know it: `name` is unique in the page.
+ * @typedef {{name: number, endpoint: Endpoint}} Neighbour
+ */
+
+/**
+ * Worker to page; `missed` are the messages of a subscription that its program was too slow for. Who looks
+ * is told of the graph from then on.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
  *   | {op: "missed", id: number, count: number}
  *   | {op: "complain", peer: number, text: string}
+ *   | {op: "look"}
  *   | {op: "lines", lines: Line[]}
  *   | {op: "memory", bytes: number}
  *   | {op: "exit", code: number, error: string}} FromWorker
@@ -112,7 +119,8 @@ export const DEFAULT_QOS = Object.freeze({
 
 /**
  * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`, whose
- * quality of service is `qos`. Endpoints of one worker find each other there.
+ * quality of service is `qos`. Endpoints of one worker find each other there. `graph` says who came and
+ * went elsewhere since the last time; the first says who is there.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[]}
@@ -123,6 +131,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "match", local: number, peer: number, remote: number, qos: Qos}
  *   | {op: "unmatch", local: number, peer: number, remote: number}
  *   | {op: "incompatible", local: number, policy: Policy}
+ *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
  *   | {op: "stop"}} ToWorker
  */
 

@@ -13,10 +13,7 @@ export function start(name = "peer") {
   const post = (message, transfer) => worker.postMessage(message, transfer);
   const id = graph.join(post, name, (text) => complaints.push(text));
   worker.onmessage = ({ data }) => {
-    if (data.op === "create") graph.create(id, data.endpoint);
-    if (data.op === "destroy") graph.destroy(id, data.id);
-    if (data.op === "missed") graph.miss(id, data.id, data.count);
-    if (data.op === "complain") graph.complain(data.peer, data.text);
+    if (data.op) graph.receive(id, data);
     if (data.number) answers.get(data.number)?.(data.answer);
     answers.delete(data.number);
   };

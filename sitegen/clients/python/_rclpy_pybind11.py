@@ -5,6 +5,15 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+from rclpy_backend.action import (
+    ActionGoalHandle,
+)
+from rclpy_backend.action_client import (
+    ActionClient,
+)
+from rclpy_backend.action_server import (
+    ActionServer,
+)
 from rclpy_backend.arguments import (
     rclpy_remove_ros_args,
 )
@@ -59,10 +68,26 @@ from rclpy_backend.events import (
     rmw_requested_deadline_missed_status_t,
     rmw_requested_qos_incompatible_event_status_t,
 )
+from rclpy_backend.executor import (
+    EventsExecutor,
+)
+from rclpy_backend.graph import (
+    rclpy_get_client_names_and_types_by_node,
+    rclpy_get_publisher_names_and_types_by_node,
+    rclpy_get_publishers_info_by_topic,
+    rclpy_get_service_names_and_types,
+    rclpy_get_service_names_and_types_by_node,
+    rclpy_get_subscriber_names_and_types_by_node,
+    rclpy_get_subscriptions_info_by_topic,
+    rclpy_get_topic_names_and_types,
+)
 from rclpy_backend.handles import (
     Context,
     Destroyable,
     GuardCondition,
+)
+from rclpy_backend.lifecycle import (
+    LifecycleStateMachine,
 )
 from rclpy_backend.log import (
     rclpy_get_rmw_implementation_identifier,
@@ -80,21 +105,6 @@ from rclpy_backend.log import (
     rclpy_logging_set_logger_level,
     rclpy_logging_severity_level_from_string,
     rclpy_logging_shutdown,
-)
-from rclpy_backend.missing import (
-    ActionClient,
-    ActionGoalHandle,
-    ActionServer,
-    EventsExecutor,
-    LifecycleStateMachine,
-    rclpy_get_client_names_and_types_by_node,
-    rclpy_get_publisher_names_and_types_by_node,
-    rclpy_get_publishers_info_by_topic,
-    rclpy_get_service_names_and_types,
-    rclpy_get_service_names_and_types_by_node,
-    rclpy_get_subscriber_names_and_types_by_node,
-    rclpy_get_subscriptions_info_by_topic,
-    rclpy_get_topic_names_and_types,
 )
 from rclpy_backend.names import (
     rclpy_expand_topic_name,

@@ -6,10 +6,11 @@ import { Link } from "./link.js";
 import { Queue } from "./queue.js";
 import { Reader } from "./reader.js";
 import { Status } from "./status.js";
+import { Surroundings } from "./surroundings.js";
 import { Waiting } from "./waiting.js";
 import { Writer } from "./writer.js";
 
-/** @import { Endpoint, EndpointKind, FromWorker, Head, Policy, Qos, ToWorker } from "../protocol.js" */
+/** @import { Endpoint, EndpointKind, FromWorker, Head, Neighbour, Policy, Qos, ToWorker } from "../protocol.js" */
 /** @import { Received } from "./queue.js" */
 /** @import { EventKind } from "./status.js" */
 /** @import { Sample } from "./writer.js" */
@@ -37,6 +38,7 @@ export class Participant {
   /** @type {Map<number, Link>} */
   #links = new Map();
   #waiting = new Waiting();
+  #surroundings;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #report;
   /** How many events there were, of all endpoints: who remembers it knows whether to look for new ones. */
@@ -49,6 +51,7 @@ export class Participant {
   constructor(id, post) {
     this.#id = id;
     this.#post = post;
+    this.#surroundings = new Surroundings(post);
   }
 
   /**
@@ -60,6 +63,7 @@ export class Participant {
     const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
     const local = this.#local(endpoint);
     this.#locals.set(endpoint.id, local);
+    this.#surroundings.changes += 1;
     for (const other of this.#locals.values()) this.#meet(local, other);
     this.#post({ op: "create", endpoint });
     return endpoint.id;
@@ -70,6 +74,7 @@ export class Participant {
     const local = this.#locals.get(id);
     if (!local) return;
     this.#locals.delete(id);
+    this.#surroundings.changes += 1;
     local.writer?.close();
     local.reader?.close();
     for (const { peer, id: other } of local.remotes) {
@@ -149,6 +154,23 @@ export class Participant {
     return this.#locals.get(id)?.status.take(kind);
   }
 
+  /** How often the graph changed, as far as this worker knows. */
+  get changes() {
+    return this.#surroundings.changes;
+  }
+
+  /**
+   * All endpoints of the graph, those of this worker first. Undefined the first times: then wait until the
+   * page has told.
+   * @returns {Neighbour[] | undefined}
+   */
+  look() {
+    const others = this.#surroundings.look();
+    if (!others) return undefined;
+    const own = [...this.#locals].map(([id, { endpoint }]) => ({ name: pageId(this.#id, id), endpoint }));
+    return [...own, ...others];
+  }
+
   /** Send what is held back. */
   flush() {
     for (const link of this.#links.values()) link.flush();
@@ -185,6 +207,9 @@ export class Participant {
       }
       case "unmatch":
         this.#unmatch(message.local, pageId(message.peer, message.remote));
+        break;
+      case "graph":
+        this.#surroundings.change(message.come, message.gone);
         break;
       case "incompatible":
         this.#mismatch(message.local, message.policy);

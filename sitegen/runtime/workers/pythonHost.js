@@ -44,6 +44,7 @@ export function pythonHost(participant, printer, failed) {
     has: (id) => participant.next(id) !== undefined,
     /** @param {number} id */
     take: (id) => participant.take(id),
+    look: () => participant.look(),
     events: () => participant.events,
     /** @param {number} id @param {EventKind} kind */
     takeEvent: (id, kind) => participant.takeEvent(id, kind),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+from typing import Never
 
 
 class RCUtilsError(RuntimeError):
@@ -43,3 +44,8 @@ class NotImplementedError(builtins.NotImplementedError):
 
 class InvalidHandle(RuntimeError):
     """Use of something that was destroyed."""
+
+
+def refuse(what: str) -> Never:
+    """Raise the error that says that `what` is not there."""
+    raise NotImplementedError(f"{what} does not work in a page")

@@ -14,8 +14,8 @@ from rclpy_backend import log, names
 from rclpy_backend.arguments import Arguments, Override, parse
 from rclpy_backend.endpoint import create
 from rclpy_backend.errors import RCLError
+from rclpy_backend.graph import GraphQueries
 from rclpy_backend.handles import Context, Destroyable
-from rclpy_backend.missing import GraphQueries
 from rclpy_backend.qos import rmw_qos_profile_t
 
 if TYPE_CHECKING:
@@ -38,6 +38,7 @@ class Node(Destroyable, GraphQueries):
         super().__init__()
         if not context.ok():
             raise RCLError("error creating node: the given context is not valid")
+        self.context = context
         own = parse(["--ros-args", *pycli_args] if pycli_args else [])
         self._arguments = [own, *([context.arguments] if use_global_arguments else [])]
         self._name = self._remap_self(node_name, ("__node", "__name"), node_name)

@@ -11,8 +11,8 @@ from rclpy_backend import cdr, log
 from rclpy_backend.clock import Clock
 from rclpy_backend.endpoint import Endpoint
 from rclpy_backend.enums import ServiceIntrospectionState
+from rclpy_backend.errors import refuse
 from rclpy_backend.handles import Destroyable
-from rclpy_backend.missing import refuse
 from rclpy_backend.qos import rmw_qos_profile_t
 from rclpy_backend.received import Received, take
 

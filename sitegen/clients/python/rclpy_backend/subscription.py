@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, Never
 
 from rclpy_backend import cdr, log
 from rclpy_backend.endpoint import Endpoint
-from rclpy_backend.errors import RCLError
-from rclpy_backend.missing import refuse
+from rclpy_backend.errors import RCLError, refuse
 from rclpy_backend.qos import rmw_qos_profile_t
 from rclpy_backend.received import take
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import _threading_local
 import itertools
 import multiprocessing
+import os
 import queue
 import sys
 import threading
@@ -19,6 +20,10 @@ import ros_host
 from pyodide.ffi import create_proxy
 
 from rclpy_backend.blocking import current_thread, enter_thread, sleep, wait, wake
+
+# What a program is told that the machine has, by which it decides how many threads it starts. They
+# are stacks here and take turns, and one that waits for another must not be the only one.
+PROCESSORS = 4
 
 _numbers = itertools.count(1)
 
@@ -126,6 +131,8 @@ def install() -> None:
     queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined, misc]
     multiprocessing.Lock = Lock  # type: ignore[assignment]
     time.sleep = sleep  # type: ignore[assignment]
+    os.cpu_count = lambda: PROCESSORS
+    os.sched_getaffinity = lambda _: set(range(PROCESSORS))
 
 
 def join_all() -> None:

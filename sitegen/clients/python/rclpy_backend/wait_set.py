@@ -49,6 +49,10 @@ class WaitSet(Destroyable):
         self._entities[kind].append(entity)
         return len(self._entities[kind]) - 1
 
+    def add(self, entity: Waitable) -> None:
+        """Wait for a part of something larger."""
+        self._add("timer" if isinstance(entity, Timer) else "part", entity)
+
     def add_service(self, service: Service) -> int:
         """Wait for requests; returns the index among the services."""
         return self._add("service", service)
@@ -76,6 +80,10 @@ class WaitSet(Destroyable):
     def is_ready(self, entity_type: str, index: int) -> bool:
         """Return whether the last wait found that one ready."""
         return self._entities[entity_type][index].pointer in self._ready
+
+    def found(self, entity: Waitable) -> bool:
+        """Return whether the last wait found `entity` ready."""
+        return entity.pointer in self._ready
 
     def get_ready_entities(self, entity_type: str) -> list[int]:
         """Return the pointers of those that the last wait found ready."""

@@ -1,0 +1,194 @@
+"""Pack compiled nodes into an archive for others, and unpack such an archive without trusting it.
+
+`manifest.json` in it says which nodes it has; all other names follow from theirs.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import stat
+import tempfile
+import zipfile
+import zlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sitegen import __version__
+from sitegen.model import Build
+
+# Raised when nodes need another page than this one: host.h, the worker and the graph go with it.
+FORMAT = 1
+MANIFEST = "manifest.json"
+ENGINES = ("jspi", "asyncify")
+# The largest archive, and what it may become.
+LARGEST, LARGEST_UNPACKED = 200_000_000, 800_000_000
+MOST_NODES = 1000
+PACKAGE = re.compile(r"[A-Za-z][\w-]{0,99}", re.ASCII)
+EXECUTABLE = re.compile(r"\w[\w-]{0,99}(\.[\w-]{1,99})*", re.ASCII)
+EPOCH = (1980, 1, 1, 0, 0, 0)
+
+
+class ArchiveError(Exception):
+    """An archive is not as it should be: the message says how."""
+
+
+@dataclass(frozen=True)
+class Member:
+    """A node of an archive, with its compiled forms where they were unpacked."""
+
+    package: str
+    executable: str
+    builds: tuple[Build, ...]
+
+
+def pack(builds: Mapping[tuple[str, str], Sequence[Build]], to: Path) -> None:
+    """Write an archive of nodes; the same nodes always make the same bytes."""
+    nodes = [
+        {"package": package, "executable": executable, "engines": [form.engine for form in forms]}
+        for (package, executable), forms in sorted(builds.items())
+    ]
+    manifest = {"format": FORMAT, "sitegen": __version__, "nodes": nodes}
+    to.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=to.parent, prefix=f".{to.name}-") as temporary:
+        draft = Path(temporary) / to.name
+        with zipfile.ZipFile(draft, "w", zipfile.ZIP_DEFLATED) as archive:
+            _add(archive, MANIFEST, (json.dumps(manifest, indent=2) + "\n").encode())
+            for (package, executable), forms in sorted(builds.items()):
+                _add(archive, _types(package, executable), forms[0].types.read_bytes())
+                for form in forms:
+                    script, wasm = _names(package, executable, form.engine)
+                    _add(archive, script, form.script.read_bytes())
+                    _add(archive, wasm, form.wasm.read_bytes())
+        draft.replace(to)
+
+
+def unpack(archive: Path, to: Path) -> None:
+    """Unpack an archive to the new folder `to`, or raise an ArchiveError and write nothing there.
+
+    Only the files that the manifest leads to are written, and all have to be there.
+    """
+    if archive.stat().st_size > LARGEST:
+        raise ArchiveError(f"it has more than {LARGEST:,} bytes")
+    to.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=to.parent) as temporary:
+        fresh = Path(temporary) / "new"
+        try:
+            with zipfile.ZipFile(archive) as opened:
+                _extract(opened, fresh)
+        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError):
+            raise ArchiveError("it is no zip archive, or a damaged one") from None
+        if not to.exists():
+            fresh.rename(to)
+
+
+def members(folder: Path) -> list[Member]:
+    """Return the nodes of an archive that was unpacked to `folder`."""
+    return [
+        Member(package, executable, tuple(_build(folder, package, executable, e) for e in engines))
+        for package, executable, engines in _nodes((folder / MANIFEST).read_bytes())
+    ]
+
+
+def described(nodes: Iterable[Member]) -> str:
+    """Return the names of nodes for a message."""
+    return ", ".join(f"{node.package}/{node.executable}" for node in nodes)
+
+
+def _build(folder: Path, package: str, executable: str, engine: str) -> Build:
+    script, wasm = _names(package, executable, engine)
+    return Build(engine, folder / script, folder / wasm, folder / _types(package, executable))
+
+
+def _extract(archive: zipfile.ZipFile, to: Path) -> None:
+    entries = archive.infolist()
+    names = [entry.filename for entry in entries]
+    if MANIFEST not in names:
+        raise ArchiveError(f"it has no {MANIFEST}; `sitegen compile` writes such archives")
+    if len(set(names)) < len(names):
+        raise ArchiveError("it has two files of one name")
+    left = LARGEST_UNPACKED
+    manifest = _read(archive, archive.getinfo(MANIFEST), left)
+    nodes = _nodes(manifest)
+    wanted = {MANIFEST, *(_types(package, executable) for package, executable, _ in nodes)}
+    wanted |= {
+        name for p, e, engines in nodes for engine in engines for name in _names(p, e, engine)
+    }
+    folders = {f"{package}/" for package, _, _ in nodes}
+    for entry in entries:
+        # Its other bits say what it is, where it was packed on Unix.
+        kind = stat.S_IFMT(entry.external_attr >> 16)
+        is_file = kind in (0, stat.S_IFREG) and entry.filename in wanted
+        if not is_file and not (kind in (0, stat.S_IFDIR) and entry.filename in folders):
+            raise ArchiveError(f"it has '{entry.filename}', which is no file of its nodes")
+    missing = sorted(wanted - set(names))
+    if missing:
+        raise ArchiveError(f"it lacks '{missing[0]}'")
+    for name in sorted(wanted):
+        data = _read(archive, archive.getinfo(name), left)
+        left -= len(data)
+        if name.endswith(".types.json") and not isinstance(_json(data, name), dict):
+            raise ArchiveError(f"its '{name}' has no types")
+        file = to / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(data)
+
+
+def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, most: int) -> bytes:
+    # What its head says of its size need not be true.
+    with archive.open(entry) as file:
+        data = file.read(most + 1)
+    if len(data) > most:
+        raise ArchiveError(f"it would become more than {LARGEST_UNPACKED:,} bytes")
+    return data
+
+
+def _nodes(manifest: bytes) -> list[tuple[str, str, Sequence[str]]]:
+    """Return package, executable and engines of the nodes that a manifest names."""
+    content = _json(manifest, MANIFEST)
+    found = content.get("format") if isinstance(content, dict) else None
+    if found != FORMAT:
+        theirs = f"is of format {found}" if isinstance(found, int) else "has no format"
+        raise ArchiveError(f"its {MANIFEST} {theirs}, this sitegen reads {FORMAT}; compile it anew")
+    nodes = content.get("nodes")
+    if not isinstance(nodes, list) or not 0 < len(nodes) <= MOST_NODES:
+        raise ArchiveError(f"its {MANIFEST} names no nodes")
+    read = [_node(node) for node in nodes]
+    if len({node[:2] for node in read}) < len(read):
+        raise ArchiveError(f"its {MANIFEST} names a node twice")
+    return read
+
+
+def _node(node: Any) -> tuple[str, str, Sequence[str]]:
+    given = node if isinstance(node, dict) else {}
+    package, executable = str(given.get("package")), str(given.get("executable"))
+    engines = given.get("engines")
+    named = PACKAGE.fullmatch(package) and EXECUTABLE.fullmatch(executable)
+    if not named or engines not in (["jspi"], list(ENGINES)):
+        raise ArchiveError(f"its {MANIFEST} names a node that cannot be read: {node!r:.80}")
+    return package, executable, engines
+
+
+def _json(data: bytes, name: str) -> Any:
+    try:
+        return json.loads(data)
+    except (ValueError, RecursionError):
+        raise ArchiveError(f"its '{name}' is no JSON") from None
+
+
+def _names(package: str, executable: str, engine: str) -> tuple[str, str]:
+    stem = f"{package}/{executable}.{engine}"
+    return f"{stem}.js", f"{stem}.wasm"
+
+
+def _types(package: str, executable: str) -> str:
+    return f"{package}/{executable}.types.json"
+
+
+def _add(archive: zipfile.ZipFile, name: str, data: bytes) -> None:
+    entry = zipfile.ZipInfo(name, EPOCH)
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    entry.external_attr = (stat.S_IFREG | 0o644) << 16
+    archive.writestr(entry, data)

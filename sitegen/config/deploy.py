@@ -1,0 +1,32 @@
+"""Turn what site.yaml says about publishing into a Deploy."""
+
+from __future__ import annotations
+
+import re
+
+from sitegen.config.document import Value
+from sitegen.config.schema import DEPLOY
+from sitegen.config.section import check
+from sitegen.errors import Problems
+from sitegen.model import Deploy
+
+DOMAIN = re.compile(r"([a-z0-9]([a-z0-9-]*[a-z0-9])?\.)+[a-z][a-z0-9-]*[a-z0-9]")
+# Less than git allows, and nothing that it could take for an option.
+REF = re.compile(r"[A-Za-z0-9_](?:[\w.-]*[\w-])?(?:/[A-Za-z0-9_](?:[\w.-]*[\w-])?)*", re.ASCII)
+
+
+def deploy(given: Value | None, problems: Problems) -> Deploy:
+    """Return where the site is published, noting what git or the web would not take."""
+    if given is None:
+        return Deploy()
+    section = check(given, DEPLOY, problems)
+    for name in ("branch", "remote"):
+        text = section.text(name)
+        if not REF.fullmatch(text) or ".." in text:
+            message = f"'{text}' is no name for git; use letters, digits, '-', '_', '.' and '/'"
+            problems.add(section.place(name), section.label(name), message)
+    cname = section.text("cname").lower()
+    if cname and not DOMAIN.fullmatch(cname):
+        message = f"'{cname}' is no domain; write it like 'robot.example.org', without https://"
+        problems.add(section.place("cname"), section.label("cname"), message)
+    return Deploy(section.text("branch"), section.text("remote"), cname)

@@ -1,0 +1,136 @@
+"""What publishing needs of a repository of git: the files of a branch, and a new state of it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen.errors import SiteError, nearest
+
+# Where a new state grows until all of it is there. Nobody else's branches are touched.
+DRAFT = "sitegen-deploy"
+
+
+@dataclass(frozen=True)
+class Repository:
+    """The repository that holds `folder`, with the branch of the remote that is to be published."""
+
+    folder: Path
+    remote: str
+    branch: str
+
+    @classmethod
+    def of(cls, folder: Path, remote: str, branch: str) -> Repository:
+        """Return the repository; a SiteError says what is missing to publish from it."""
+        if not shutil.which("git"):
+            raise SiteError(["git not found; install it (git-scm.com)"])
+        repository = cls(folder, remote, branch)
+        if repository._run("rev-parse", "--git-dir").returncode:
+            message = "is in no git repository; make one: git init, and one on GitHub to push to"
+            raise SiteError([f"{folder} {message}"])
+        remotes = repository._run("remote").stdout.split()
+        if remote not in remotes:
+            how = f"add it: git remote add {remote} https://github.com/me/my-robot.git"
+            hint = nearest(remote, remotes) if remotes else how
+            raise SiteError([f"the repository has no remote '{remote}'; {hint}"])
+        if repository._run("symbolic-ref", "--short", "HEAD").stdout.strip() == branch:
+            message = f"'{branch}' is the branch you are on, and publishing replaces its files"
+            raise SiteError([f"{message}; name another one in site.yaml: deploy: {{branch: …}}"])
+        for key, variable in (("name", "GIT_COMMITTER_NAME"), ("email", "GIT_COMMITTER_EMAIL")):
+            said = repository._run("config", f"user.{key}").stdout.strip()
+            if not os.environ.get(variable) and not said:
+                raise SiteError([f"git has no user.{key} for you; say it: git config user.{key} …"])
+        return repository
+
+    @property
+    def url(self) -> str:
+        """The address of the remote, without a password that it may hold."""
+        url = self._run("remote", "get-url", self.remote).stdout.strip()
+        return re.sub(r"(?<=://)[^/@]*@", "", url)
+
+    def published(self) -> str:
+        """Return the commit that the branch has at the remote, fetched; empty if it has none."""
+        ref = f"refs/heads/{self.branch}"
+        done = self._run("ls-remote", self.remote, ref)
+        if done.returncode:
+            raise SiteError([f"cannot read from {self.remote} ({self.url}): {_reason(done)}"])
+        commit = done.stdout.partition("\t")[0]
+        # No branch and no file of the author's changes by this.
+        quiet = ("--quiet", "--no-tags", "--no-write-fetch-head", "--refmap=")
+        done = self._run("fetch", *quiet, self.remote, ref) if commit else done
+        if done.returncode:
+            raise SiteError([f"cannot fetch '{self.branch}' of {self.remote}: {_reason(done)}"])
+        return commit
+
+    def files(self, commit: str) -> dict[str, str]:
+        """Return the digests of the files of a commit, by path; those of no commit are none."""
+        if not commit:
+            return {}
+        lines = self._git("ls-tree", "-r", "-z", "--full-tree", commit).split("\0")
+        entries = (line.partition("\t") for line in lines if line)
+        return {path: entry.split()[2] for entry, _, path in entries}
+
+    def digest(self, data: bytes) -> str:
+        """Return the digest by which git knows a file."""
+        done = self._run("rev-parse", "--show-object-format")
+        known = done.stdout.strip() if done.returncode == 0 else "sha1"
+        return hashlib.new(known, b"blob %d\0" % len(data) + data).hexdigest()
+
+    def publish(self, site: Path, files: Mapping[str, str], parent: str, message: str) -> None:
+        """Make a commit of the folder `site` after `parent`, and push it to the branch.
+
+        `files` are its digests, which the commit is compared with before anything leaves.
+        """
+        try:
+            self._delete_draft()
+            if parent:
+                self._git("update-ref", f"refs/heads/{DRAFT}", parent)
+            words = ("--branch", DRAFT, "--message", message, str(site.resolve()))
+            # With -P, no file of the author's folder is taken for the module.
+            command = [sys.executable, "-P", "-m", "ghp_import", *words]
+            done = subprocess.run(command, cwd=self.folder, text=True, capture_output=True)
+            if done.returncode or self.files(f"refs/heads/{DRAFT}") != files:
+                raise SiteError([f"git could not take in the site: {_reason(done)}"])
+            pushed = self._run("push", self.remote, f"{DRAFT}:refs/heads/{self.branch}")
+            if pushed.returncode:
+                where = f"'{self.branch}' of {self.remote} ({self.url})"
+                raise SiteError([f"cannot push to {where}: {_reason(pushed)}"])
+        finally:
+            self._delete_draft()
+
+    def head(self) -> str:
+        """Return the short name of the author's commit; empty before the first one."""
+        return self._run("rev-parse", "--short", "--verify", "--quiet", "HEAD").stdout.strip()
+
+    def _delete_draft(self) -> None:
+        self._run("update-ref", "-d", f"refs/heads/{DRAFT}")
+
+    def _git(self, *words: str) -> str:
+        done = self._run(*words)
+        if done.returncode:
+            raise SiteError([f"git {words[0]} failed: {_reason(done)}"])
+        return done.stdout
+
+    def _run(self, *words: str) -> subprocess.CompletedProcess[str]:
+        # What git says has to be in the language that _reason reads.
+        environment = {**os.environ, "LC_ALL": "C.UTF-8"}
+        return subprocess.run(
+            ["git", *words], cwd=self.folder, env=environment, text=True, capture_output=True
+        )
+
+
+def _reason(done: subprocess.CompletedProcess[str]) -> str:
+    """Return the line in which git says why."""
+    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    telling = r"(fatal|error|remote: error|remote: fatal): | ! \[|! \["
+    told = [line for line in lines if re.match(telling, line)]
+    refused = [line for line in told if line.startswith("! [")]
+    line = next(iter([*refused, *told, *lines[-1:]]), f"it ended with {done.returncode}")
+    return re.sub(r"^(fatal|error): ", "", line)

@@ -1,0 +1,99 @@
+"""Read what a Python program imports, through the modules of its own that it imports."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from pathlib import Path, PurePosixPath
+
+from sitegen.errors import Place
+
+# Who catches one of these can do without the module.
+CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
+
+
+def outside(files: Mapping[str, Path], program: str) -> dict[str, Place]:
+    """Return the modules from elsewhere that a program cannot do without, and where it says so.
+
+    `files` are those of its package and of the packages that it needs, by their place below the
+    prefix; `program` is an entry point ("module:function") or the place of a file.
+    """
+    modules = {_name(place): file for place, file in files.items() if _is_module(place)}
+    found: dict[str, Place] = {}
+    waiting = [program.partition(":")[0]]
+    seen: set[str] = set()
+    if program in files:
+        waiting = []
+        _sort(program, files[program], modules, waiting, found)
+    while waiting:
+        name = waiting.pop()
+        if name not in seen:
+            seen.add(name)
+            _sort(name, modules[name], modules, waiting, found)
+    return found
+
+
+def _is_module(place: str) -> bool:
+    return place.startswith("python/") and place.endswith(".py")
+
+
+def _name(place: str) -> str:
+    parts = PurePosixPath(place).with_suffix("").parts[1:]
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def _sort(
+    name: str,
+    file: Path,
+    modules: Mapping[str, Path],
+    waiting: list[str],
+    found: dict[str, Place],
+) -> None:
+    """Put what one module imports where it belongs: `waiting` if it is the program's own."""
+    package = name if file.name == "__init__.py" else name.rpartition(".")[0]
+    for imported, line in _imports(file, package):
+        above = imported.split(".")
+        own = [".".join(above[: n + 1]) for n in range(len(above))]
+        here = [each for each in own if each in modules]
+        if above[0] in modules or here:
+            waiting += here
+        else:
+            found.setdefault(above[0], Place(file, line))
+
+
+def _imports(file: Path, package: str) -> Iterator[tuple[str, int]]:
+    """Yield the whole names of modules, and of what may be one, with their lines."""
+    try:
+        tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+    except (SyntaxError, ValueError):
+        return  # Python will say so, in the console
+    for node in _unconditional(tree):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            above = package.split(".") if node.level else []
+            above = above[: len(above) - node.level + 1] if node.level else above
+            base = ".".join([*filter(None, above), *filter(None, [node.module])])
+            if base:
+                yield base, node.lineno
+                yield from ((f"{base}.{alias.name}", node.lineno) for alias in node.names)
+
+
+def _unconditional(tree: ast.AST) -> Iterator[ast.AST]:
+    """Yield the nodes below `tree`, but what is for type checkers or may fail."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.Try) and any(_catches(each) for each in node.handlers):
+            for part in (*node.handlers, *node.orelse, *node.finalbody):
+                yield from _unconditional(part)
+            continue
+        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
+            continue
+        yield node
+        yield from _unconditional(node)
+
+
+def _catches(handler: ast.ExceptHandler) -> bool:
+    if handler.type is None:
+        return True
+    names = (each.id for each in ast.walk(handler.type) if isinstance(each, ast.Name))
+    return bool(CAUGHT & set(names))

@@ -1,0 +1,65 @@
+"""Begin from nothing: make a small workspace, two nodes that talk, and a site that runs them."""
+
+from __future__ import annotations
+
+import re
+import tempfile
+from pathlib import Path
+
+from sitegen.errors import SiteError
+
+# A workspace that works as it is, for a robot of this name.
+TEMPLATE = Path(__file__).parent / "templates" / "workspace"
+NAME, TITLE = "my_robot", "My robot"
+# As ROS wants the names of packages (REP 144).
+PACKAGE = re.compile(r"[a-z](_?[a-z0-9])+")
+
+
+def new(folder: Path) -> list[str]:
+    """Make the workspace `folder`, whose packages are called after it; return its files.
+
+    Raises a SiteError where its name is none for packages, or where something is there already.
+    """
+    name = folder.name
+    if not PACKAGE.fullmatch(name):
+        advice = "use lower-case letters, digits and single '_', a letter first"
+        like = _like(name)
+        raise SiteError([f"'{name or folder}' is no package name; {advice}, like '{like}'"])
+    _check_free(folder)
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    files = sorted(file for file in TEMPLATE.rglob("*") if file.is_file())
+    # In place only when all of it is there.
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{name}-") as temporary:
+        fresh = Path(temporary) / name
+        written = [_write(file, fresh, name) for file in files if "__pycache__" not in file.parts]
+        fresh.rename(folder)
+    return written
+
+
+def _check_free(folder: Path) -> None:
+    if folder.is_dir():
+        found = sorted(entry.name for entry in folder.iterdir())
+        if not found:
+            return
+        more = f" and {len(found) - 5} more" if len(found) > 5 else ""
+        there = f"{', '.join(found[:5])}{more}"
+        raise SiteError([f"{folder} is there already and holds {there}; choose another name"])
+    if folder.exists() or folder.is_symlink():
+        raise SiteError([f"{folder} is a file; choose another name"])
+
+
+def _write(file: Path, to: Path, name: str) -> str:
+    """Write a file of the template below `to`, called and filled for `name`; return its path."""
+    place = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
+    text = file.read_text(encoding="utf-8")
+    title = name.replace("_", " ").capitalize()
+    copy = to / place
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    copy.write_text(text.replace(NAME, name).replace(TITLE, title), encoding="utf-8")
+    return place
+
+
+def _like(name: str) -> str:
+    """Return a name that is right and close to `name`."""
+    word = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789")
+    return word if PACKAGE.fullmatch(word) else NAME

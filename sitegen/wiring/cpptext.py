@@ -1,0 +1,99 @@
+"""Turn C++ text into calls with their arguments: what a search in plain text would get wrong."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+_TOKEN = re.compile(
+    r"""
+      (?P<comment>//[^\n]*|/\*.*?\*/)
+    | (?P<string>R"(?P<mark>[^()\\\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*")
+    | '(?:\\[^'\n]+|[^'\\\n])'
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+_LITERAL = re.compile(r'\s*"((?:[^"\\\n])*)"\s*')
+_CLOSING = {"(": ")", "[": "]", "{": "}"}
+
+
+@dataclass(frozen=True)
+class Text:
+    """A C++ source without its comments: `code` with texts in quotes, `bare` with them blanked.
+
+    All three have the same length, so a place in one is a place in the others.
+    """
+
+    code: str
+    bare: str
+
+    @classmethod
+    def of(cls, source: str) -> Text:
+        """Return a source as it is to be searched."""
+        code = _TOKEN.sub(lambda found: _blank(found[0]) if found["comment"] else found[0], source)
+        bare = _TOKEN.sub(lambda found: f'"{_blank(found[0][1:-1])}"', code)
+        return cls(code, bare)
+
+    def line(self, at: int) -> int:
+        """Return the line of a place, from 1."""
+        return self.bare.count("\n", 0, at) + 1
+
+    def template(self, at: int) -> tuple[list[str], int]:
+        """Return the template arguments that begin at `at`, if any do, and where they end."""
+        begin = _skip(self.bare, at)
+        if self.bare[begin : begin + 1] != "<":
+            return [], at
+        depth, start, found = 0, begin + 1, []
+        for place in range(begin, len(self.bare)):
+            letter = self.bare[place]
+            depth += (letter in "<(") - (letter in ">)")
+            if letter in ";{":
+                break
+            if depth == 0 or (depth == 1 and letter == ","):
+                found.append(self.code[start:place].strip())
+                start = place + 1
+            if depth == 0:
+                return found, place + 1
+        return [], at
+
+    def arguments(self, at: int) -> list[str] | None:
+        """Return the arguments in the brackets that begin at `at`, None if none do."""
+        begin = _skip(self.bare, at)
+        if self.bare[begin : begin + 1] not in _CLOSING or begin >= len(self.bare):
+            return None
+        found: list[str] = []
+        for start, end in _parts(self.bare, begin):
+            found.append(self.code[start:end].strip())
+        return found if found != [""] else []
+
+
+def literal(argument: str) -> str | None:
+    """Return the text that an argument is, None if it is none or has escapes."""
+    found = _LITERAL.fullmatch(argument)
+    return found[1] if found else None
+
+
+def _parts(bare: str, begin: int) -> Iterator[tuple[int, int]]:
+    waiting, start = [_CLOSING[bare[begin]]], begin + 1
+    for place in range(begin + 1, len(bare)):
+        letter = bare[place]
+        if letter in _CLOSING:
+            waiting.append(_CLOSING[letter])
+        elif letter == waiting[-1]:
+            waiting.pop()
+        if not waiting or (len(waiting) == 1 and letter == ","):
+            yield start, place
+            start = place + 1
+        if not waiting:
+            return
+
+
+def _skip(text: str, at: int) -> int:
+    while text[at : at + 1].isspace():
+        at += 1
+    return at
+
+
+def _blank(text: str) -> str:
+    return re.sub(r"[^\n]", " ", text)

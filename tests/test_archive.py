@@ -1,0 +1,173 @@
+"""Archives of compiled nodes: what is packed comes out again, and nothing else does."""
+
+from __future__ import annotations
+
+import json
+import stat
+import warnings
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sitegen import archive
+from sitegen.archive import ArchiveError, members, pack, unpack
+from sitegen.model import Build
+
+MANIFEST: dict[str, Any] = {
+    "format": 1,
+    "nodes": [{"package": "p", "executable": "talker", "engines": ["jspi", "asyncify"]}],
+}
+FILES = {
+    "manifest.json": json.dumps(MANIFEST),
+    "p/talker.types.json": "{}",
+    "p/talker.jspi.js": "js",
+    "p/talker.jspi.wasm": "wasm",
+    "p/talker.asyncify.js": "js",
+    "p/talker.asyncify.wasm": "wasm",
+}
+
+
+def zipped(to: Path, files: dict[str, str], *more: tuple[zipfile.ZipInfo | str, str]) -> Path:
+    file = to / "nodes.zip"
+    with warnings.catch_warnings(), zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as made:
+        warnings.simplefilter("ignore")  # of two files of one name
+        for name, text in [*files.items(), *more]:
+            made.writestr(name, text)
+    return file
+
+
+def refused(file: Path, to: Path) -> str:
+    before = set(to.rglob("*"))
+    with pytest.raises(ArchiveError) as caught:
+        unpack(file, to / "unpacked")
+    assert set(to.rglob("*")) == before
+    return str(caught.value)
+
+
+def test_what_is_packed_comes_out(tmp_path: Path) -> None:
+    def build(engine: str) -> Build:
+        files = [tmp_path / f"{engine}.{suffix}" for suffix in ("js", "wasm", "json")]
+        for file in files:
+            file.write_text(f"{{}} {file.name}" if file.suffix != ".json" else "{}")
+        return Build(engine, *files)
+
+    builds = {("p", "talker"): [build("jspi"), build("asyncify")]}
+    pack(builds, tmp_path / "out" / "nodes.zip")
+    pack(builds, tmp_path / "again.zip")
+    file = tmp_path / "out" / "nodes.zip"
+    assert [path.name for path in file.parent.iterdir()] == ["nodes.zip"]
+    assert file.read_bytes() == (tmp_path / "again.zip").read_bytes()
+
+    unpack(file, tmp_path / "unpacked")
+    [node] = members(tmp_path / "unpacked")
+    assert (node.package, node.executable) == ("p", "talker")
+    assert [form.engine for form in node.builds] == ["jspi", "asyncify"]
+    assert [form.wasm.read_text() for form in node.builds] == ["{} jspi.wasm", "{} asyncify.wasm"]
+    assert [form.script.read_text() for form in node.builds] == ["{} jspi.js", "{} asyncify.js"]
+    written = {path for path in (tmp_path / "unpacked").rglob("*") if path.is_file()}
+    assert len(written) == 6
+
+
+def test_folders_may_stand_in_it(tmp_path: Path) -> None:
+    """As GitHub packs them."""
+    unpack(zipped(tmp_path, {"p/": "", **FILES}), tmp_path / "unpacked")
+    assert len(members(tmp_path / "unpacked")) == 1
+
+
+def link(name: str) -> zipfile.ZipInfo:
+    entry = zipfile.ZipInfo(name)
+    entry.external_attr = (stat.S_IFLNK | 0o777) << 16
+    return entry
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["../evil.js", "/tmp/evil.js", "p/../../evil.js", "p\\evil.js", "p/more.js", "C:evil", "q/"],
+)
+def test_other_members_are_refused(name: str, tmp_path: Path) -> None:
+    file = zipped(tmp_path, FILES, (name, ""))
+    assert "which is no file of its nodes" in refused(file, tmp_path)
+
+
+def test_links_are_refused(tmp_path: Path) -> None:
+    rest = {name: text for name, text in FILES.items() if name != "p/talker.jspi.js"}
+    file = zipped(tmp_path, rest, (link("p/talker.jspi.js"), "/etc/passwd"))
+    assert "'p/talker.jspi.js', which is no file" in refused(file, tmp_path)
+    file = zipped(tmp_path, FILES, (link("p/"), "/etc"))
+    assert "'p/', which is no file" in refused(file, tmp_path)
+
+
+def test_two_of_one_name_are_refused(tmp_path: Path) -> None:
+    file = zipped(tmp_path, FILES, ("p/talker.jspi.js", "other"))
+    assert refused(file, tmp_path) == "it has two files of one name"
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_all_has_to_be_there(name: str, tmp_path: Path) -> None:
+    file = zipped(tmp_path, {key: text for key, text in FILES.items() if key != name})
+    expected = "it has no manifest.json" if name == "manifest.json" else f"it lacks '{name}'"
+    assert refused(file, tmp_path).startswith(expected)
+
+
+def changed(**node: object) -> str:
+    return json.dumps({**MANIFEST, "nodes": [{**MANIFEST["nodes"][0], **node}]})
+
+
+@pytest.mark.parametrize(
+    ("manifest", "expected"),
+    [
+        ("{", "its 'manifest.json' is no JSON"),
+        ("[" * 100_000, "its 'manifest.json' is no JSON"),
+        ("[]", "has no format"),
+        (json.dumps({**MANIFEST, "format": 2}), "is of format 2, this sitegen reads 1"),
+        (json.dumps({**MANIFEST, "nodes": []}), "names no nodes"),
+        (json.dumps({**MANIFEST, "nodes": MANIFEST["nodes"] * 2}), "names a node twice"),
+        (changed(package=".."), "cannot be read"),
+        (changed(package="../p"), "cannot be read"),
+        (changed(package="manifest.json"), "cannot be read"),
+        (changed(executable="../talker"), "cannot be read"),
+        (changed(executable="a/b"), "cannot be read"),
+        (changed(engines=["jspi", "other"]), "cannot be read"),
+        (changed(engines=[]), "cannot be read"),
+        (json.dumps({**MANIFEST, "nodes": [1]}), "cannot be read"),
+    ],
+)
+def test_manifests_that_lie(manifest: str, expected: str, tmp_path: Path) -> None:
+    assert expected in refused(zipped(tmp_path, {**FILES, "manifest.json": manifest}), tmp_path)
+
+
+def test_types_have_to_be_types(tmp_path: Path) -> None:
+    file = zipped(tmp_path, {**FILES, "p/talker.types.json": "[]"})
+    assert refused(file, tmp_path) == "its 'p/talker.types.json' has no types"
+
+
+def test_what_unpacks_to_too_much(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(archive, "LARGEST_UNPACKED", 10_000)
+    file = zipped(tmp_path, {**FILES, "p/talker.jspi.wasm": "0" * 20_000})
+    assert refused(file, tmp_path) == "it would become more than 10,000 bytes"
+    # All together count, too.
+    half = {name: "0" * 4_000 for name in FILES if name.endswith((".js", ".wasm"))}
+    assert "more than 10,000" in refused(zipped(tmp_path, {**FILES, **half}), tmp_path)
+    monkeypatch.setattr(archive, "LARGEST", 100)
+    assert refused(file, tmp_path) == "it has more than 100 bytes"
+
+
+def test_a_head_that_lies_about_the_size(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(archive, "LARGEST_UNPACKED", 10_000)
+    file = zipped(tmp_path, {**FILES, "p/talker.jspi.wasm": "0" * 20_000})
+    data = file.read_bytes()
+    assert data.count((20_000).to_bytes(4, "little")) == 2
+    file.write_bytes(data.replace((20_000).to_bytes(4, "little"), (20).to_bytes(4, "little")))
+    assert refused(file, tmp_path)
+
+
+def test_damaged_archives(tmp_path: Path) -> None:
+    whole = zipped(tmp_path, FILES).read_bytes()
+    file = tmp_path / "damaged.zip"
+    broken = bytearray(whole)
+    broken[whole.index(b"p/talker.jspi.js") + 20] ^= 0xFF
+    for data in (b"", b"no archive", whole[: len(whole) // 2], bytes(broken)):
+        file.write_bytes(data)
+        assert refused(file, tmp_path) == "it is no zip archive, or a damaged one"
