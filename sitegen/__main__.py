@@ -85,7 +85,7 @@ def _init(arguments: argparse.Namespace) -> None:
     from sitegen.init import init
     from sitegen.report import Report
 
-    init(arguments.folder, Report(sys.stdout))
+    init(arguments.folder, Report(sys.stdout), github=arguments.github)
 
 
 def _check(arguments: argparse.Namespace) -> None:
@@ -173,6 +173,9 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         type=Path,
         metavar="FOLDER",
         help="the folder of the workspace (default: this one)",
+    )
+    beginning.add_argument(
+        "--github", action="store_true", help="write workflows that publish the site on GitHub"
     )
     beginning.set_defaults(run=_init)
     build = commands.add_parser("build", help="write the site to a folder", parents=[folder, debug])

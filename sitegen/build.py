@@ -61,7 +61,9 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
         f" → {shown(output)} (python -m http.server --directory {shown(output)})"
     )
     theirs = (page.theme for page in made.site.pages if page.theme)
-    roots = (made.site.workspace, made.site.theme, *theirs)
+    shelf = made.site.pyodide.packages
+    shelves = [shelf] if isinstance(shelf, Path) else []
+    roots = (made.site.workspace, made.site.theme, *theirs, *shelves)
     unchanged.note(folder, roots, output, cache_folder(), report.said[:-1])
 
 

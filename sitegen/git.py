@@ -127,10 +127,11 @@ class Repository:
 
 
 def _reason(done: subprocess.CompletedProcess[str]) -> str:
-    """Return the line in which git says why."""
+    """Return the line in which git, or the server that it asked, says why."""
     lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-    telling = r"(fatal|error|remote: error|remote: fatal): | ! \[|! \["
-    told = [line for line in lines if re.match(telling, line)]
-    refused = [line for line in told if line.startswith("! [")]
-    line = next(iter([*refused, *told, *lines[-1:]]), f"it ended with {done.returncode}")
-    return re.sub(r"^(fatal|error): ", "", line)
+    # The last words of git are often about what follows from the reason.
+    for telling in (r"! \[", r"ERROR: ", r"remote: .*(denied|not found)", r"fatal: |error: "):
+        told = [line for line in lines if re.match(telling, line)]
+        if told:
+            return re.sub(r"^(ERROR|remote|fatal|error): ", "", told[0])
+    return lines[-1] if lines else f"it ended with {done.returncode}"

@@ -208,6 +208,14 @@ def test_nothing_is_said_of_python_where_nothing_is_known(
     assert [line for line in found if "topic" in line] == []
 
 
+def test_types_are_not_compared_where_names_may_change(tmp_path: Path) -> None:
+    cpp = CPP.replace('"talker"', '"talker", rclcpp::NodeOptions().use_global_arguments(false)')
+    listener = PYTHON.replace("import String", "import Int32 as String")
+    assert warnings(write(tmp_path, cpp=cpp, listener=listener)) == []
+    renamed = listener.replace("rclpy.init()", 'rclpy.init(sys.argv + ["--ros-args"])')
+    assert warnings(write(tmp_path, listener=renamed)) == []
+
+
 @pytest.mark.parametrize(
     ("widget", "alone"),
     [

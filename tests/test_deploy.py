@@ -108,7 +108,7 @@ def test_what_was_built_is_what_goes_out(
     assert files(remote)["CNAME"] == b"fox.example.org\n"
     assert git(remote, "rev-list", "--count", "gh-pages") == "2"
     out = capsys.readouterr().out
-    assert "1 added, 1 changed, " in out
+    assert ": 1 added, " in out
     assert "see https://fox.example.org/ in a minute" in out
     assert git(site, "for-each-ref", "refs/heads") == before
 
@@ -188,6 +188,19 @@ def test_no_branch_of_sources_is_replaced(
     git(site, "push", "origin", "main")
     git(site, "switch", "--create", "work")
     assert "branch 'main' of origin holds no web site (no index.html)" in refused(site, capsys)
+
+
+def test_a_server_says_why(
+    site: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As GitHub's does over ssh: git's own last words would be about rights in general."""
+    ssh = tmp_path / "ssh"
+    ssh.write_text("#!/bin/sh\necho 'ERROR: Permission to a/b denied to c.' >&2\nexit 1\n")
+    ssh.chmod(0o755)
+    monkeypatch.setenv("GIT_SSH_COMMAND", str(ssh))
+    git(site, "remote", "set-url", "origin", "git@example.org:a/b.git")
+    where = "cannot read from origin (git@example.org:a/b.git)"
+    assert refused(site, capsys) == f"{where}: Permission to a/b denied to c."
 
 
 def test_a_refused_push_leaves_nothing(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sitegen.__main__ import main
 from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
@@ -27,7 +28,8 @@ from sitegen.config.section import conforms
 from sitegen.errors import Place, Problems
 from sitegen.model import Widget
 
-SITE_YAML = Path(__file__).parents[1].joinpath("docs/site-yaml.md").read_text(encoding="utf-8")
+DOCS = Path(__file__).parents[1] / "docs"
+SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 
 SECTIONS = {
     "The file": FILE,
@@ -93,6 +95,28 @@ def test_the_example_is_a_site(tmp_path: Path) -> None:
     ]
     widgets = [part.kind for part in site.pages[2].content if isinstance(part, Widget)]
     assert widgets == ["buttons", "console"]
+
+
+@pytest.mark.parametrize("name", ["publish.md", "compiled.md"])
+def test_the_examples_of_a_guide_are_sites(name: str, tmp_path: Path) -> None:
+    text = DOCS.joinpath(name).read_text(encoding="utf-8")
+    examples = re.findall(r"^```yaml\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    assert examples
+    (tmp_path / "nodes.zip").touch()
+    for example in examples:
+        pages = "" if "pages:" in example else "pages: [{path: /, content: [{markdown: '# A'}]}]\n"
+        (tmp_path / "site.yaml").write_text(example + pages, encoding="utf-8")
+        assert load(tmp_path / "site.yaml").notes == ()
+
+
+def test_every_command_is_described(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    commands = re.findall(r"^    (\w+)(?: |$)", capsys.readouterr().out, flags=re.MULTILINE)
+    assert {"new", "init", "check", "build", "compile", "deploy"} <= set(commands)
+    text = DOCS.joinpath("commands.md").read_text(encoding="utf-8")
+    described = re.findall(r"^## `sitegen (\w+)", text, flags=re.MULTILINE)
+    assert sorted(set(described)) == sorted(commands)
 
 
 @pytest.mark.parametrize("key", KEYS, ids=lambda key: key.name)

@@ -59,3 +59,30 @@ def test_a_folder_with_nothing_to_run_is_told(
         capsys.readouterr().err
     )
     assert not (empty / "site.yaml").exists()
+
+
+def test_what_else_is_there_is_listed(workspace: Path) -> None:
+    package = "<package><name>bringup</name></package>"
+    files = {
+        "src/bringup/package.xml": package,
+        "src/bringup/launch/all.launch.py": "",
+        "src/bringup/launch/sim/all.launch.xml": "",
+        "src/bringup/launch/notes.txt": "",
+        "src/cpp_pubsub/launch/both.launch.yaml": "",
+        "src/bringup/urdf/fox.urdf.xacro": "",
+        "src/bringup/urdf/fox.urdf": "",
+    }
+    for name, text in files.items():
+        file = workspace / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    assert main(["init", str(workspace)]) == 0
+    text = (workspace / "site.yaml").read_text()
+    comments = text[text.index("# Launch files of the workspace.") :].split("\n\n")
+    assert [comment.splitlines()[-1] for comment in comments] == [
+        "#   cpp_pubsub: launch/both.launch.yaml",
+        "#   bringup: urdf/fox.urdf, urdf/fox.urdf.xacro",
+        "#   calc_interfaces: srv/Divide.srv",
+    ]
+    assert "#   bringup: launch/all.launch.py, launch/sim/all.launch.xml\n" in text
+    assert config.load(workspace / "site.yaml").notes == ()

@@ -30,7 +30,9 @@ def test_its_nodes_hear_each_other(
     site = config.load(Path("sea_fox/site.yaml"))
     assert (site.title, site.notes) == ("Sea fox", ())
     tab.goto(serve(built(tmp_path / "sea_fox")))
-    for start in tab.get_by_role("button", name="Start").all():
+    starts = tab.get_by_role("button", name="Start", exact=True)
+    expect(starts).to_have_count(2)
+    for start in starts.all():
         start.click()
     expect(tab.locator("body")).to_contain_text("Publishing: 'Hello, world! 3'")
     expect(tab.locator("body")).to_contain_text("I heard: 'Hello, world!")

@@ -55,3 +55,6 @@ def test_the_installed_command_builds_a_site(tmp_path: Path) -> None:
     fox = tmp_path / "my_fox"
     made = {path.relative_to(fox).as_posix() for path in fox.rglob("*")}
     assert made >= {".gitignore", "site.yaml", "src/my_fox_py/resource/my_fox_py"}
+    run(tmp_path / "venv" / "bin" / "sitegen", "init", "--github", fox, cwd=tmp_path)
+    workflows = sorted(path.name for path in (fox / ".github" / "workflows").iterdir())
+    assert workflows == ["nodes.yml", "pages.yml"]

@@ -22,7 +22,9 @@ _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]+)[">]', re.MUL
 _GUARD = re.compile(r"\A\s*#\s*ifndef\s+(\w+)\s*\n\s*#\s*define\s+\1\b")
 _CONDITION = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else)\b", re.MULTILINE)
 # With these, names may mean others than those that the source leads to.
-_UNCLEAR = re.compile(r"\bcreate_sub_node\b|\.\s*arguments\s*\(|--ros-args|__ns:=|__node:=")
+_RENAMES = re.compile(
+    r"\bcreate_sub_node\b|\.\s*arguments\s*\(|\buse_global_arguments\b|--ros-args"
+)
 _INTERFACE = re.compile(r"(\w+)::(msg|srv)::(\w+)")
 _ALIAS = re.compile(
     r"\busing\s+(?P<new>\w+)\s*=\s*(?P<old>[\w:]+)\s*;"
@@ -86,10 +88,7 @@ def _take(file: Path, package: Package, program: Program, seen: set[Path], *, su
 
 
 def _program(text: Text, file: Path) -> Program:
-    program = Program()
-    if _UNCLEAR.search(text.code):
-        program.open = True
-        program.namespaces.add(None)
+    program = Program(renames=bool(_RENAMES.search(text.code)))
     aliases = _aliases(text)
     for found in _CREATE.finditer(text.bare):
         scope = (found["scope"] or "").replace("::", "").strip()

@@ -29,12 +29,14 @@ class Endpoint:
 class Program:
     """What the sources of a program tell.
 
-    `open` says that it may have endpoints that they do not tell. `names` are those of its nodes,
-    `namespaces` theirs; None stands for one that only running the program would tell.
+    `open` says that it may have endpoints that they do not tell, `renames` that it may give its
+    endpoints other names than it writes. `names` are those of its nodes, `namespaces` theirs; None
+    stands for one that only running the program would tell.
     """
 
     endpoints: list[Endpoint] = field(default_factory=list)
     open: bool = False
+    renames: bool = False
     names: set[str | None] = field(default_factory=set)
     namespaces: set[str | None] = field(default_factory=set)
 
@@ -42,5 +44,6 @@ class Program:
         """Add what another source of the same program tells."""
         self.endpoints += other.endpoints
         self.open = self.open or other.open
+        self.renames = self.renames or other.renames
         self.names |= other.names
         self.namespaces |= other.namespaces

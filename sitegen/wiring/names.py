@@ -18,7 +18,7 @@ def resolved(program: Program, node: Node) -> Program:
     rules = [(_full(old, namespace, name), new) for old, new in node.remap.items()]
     # A rule may be for some nodes or kinds only, and others may come in by the arguments.
     unclear = any(old is None or ":" in f"{old}{new}" for old, new in rules)
-    if unclear or "--ros-args" in node.arguments:
+    if unclear or program.renames or "--ros-args" in node.arguments:
         return replace(program, endpoints=[], open=True)
     found = []
     for endpoint in program.endpoints:

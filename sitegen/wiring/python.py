@@ -148,16 +148,16 @@ def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool)
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
         if name in _CREATE:
             _create(call, _CREATE[name], module, program, sure=sure)
-        elif name == "init" and any(isinstance(k.value, ast.List) for k in call.keywords):
-            program.open = True
+        elif name == "init" and _has_list(call):
+            program.renames = True
     for call, keywords in _nodes(statement, calls):
         given = call.args[0] if call.args else keywords.get("node_name")
         program.names.add(_text(given, module))
         namespace = keywords.get("namespace")
         none = isinstance(namespace, ast.Constant) and namespace.value is None
         program.namespaces.add("" if not namespace or none else _text(namespace, module))
-        if "cli_args" in keywords or "" in keywords:
-            program.open = True
+        if {"cli_args", "use_global_arguments", ""} & keywords.keys():
+            program.renames = True
 
 
 def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sure: bool) -> None:
@@ -188,6 +188,12 @@ def _nodes(
             is_node and function in ("super().__init__", "Node.__init__")
         ):
             yield call, {keyword.arg or "": keyword.value for keyword in call.keywords}
+
+
+def _has_list(call: ast.Call) -> bool:
+    """Return whether arguments are made up here, instead of those that the program was given."""
+    given = [*call.args, *(keyword.value for keyword in call.keywords)]
+    return any(isinstance(value, ast.List | ast.BinOp) for value in given)
 
 
 def _mentions_node(base: ast.expr) -> bool:

@@ -181,6 +181,12 @@ export const words = {
   "The browser does not allow Bluetooth here. Open this page by itself, not inside of another.": "Der Browser erlaubt Bluetooth hier nicht. Öffnen Sie diese Seite für sich, nicht in einer anderen.",
   "The connection was lost: the hub is off, or too far away. Connect again.": "Die Verbindung ist abgerissen: Der Hub ist aus oder zu weit weg. Verbinden Sie noch einmal.",
 
+  // The Python prompt.
+  "Interrupt": "Unterbrechen",
+  "Ctrl-C in the line does the same": "Strg-C in der Zeile tut dasselbe",
+  "Python": "Python",
+  "Press Start for Python": "Für Python auf Start drücken",
+
   // The link that led here.
   "Close": "Schließen",
   "Not all of this link fits this page as it is now; the rest was left out.": "Nicht alles in diesem Link passt zur jetzigen Seite; der Rest wurde weggelassen.",

@@ -1,0 +1,41 @@
+"""Write workflows of GitHub: one that publishes the site, one that compiles nodes for others."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from sitegen import __version__
+from sitegen.errors import SiteError
+
+TEMPLATES = Path(__file__).parent / "templates" / "github"
+PLACE = Path(".github") / "workflows"
+# What the templates have where each repository has something of its own.
+SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: sitegen\n", "branches: [main]"
+
+
+def workflows(folder: Path) -> dict[Path, str]:
+    """Return the workflows for the site of `folder`, by their files.
+
+    They belong into the repository that holds it. Raises a SiteError where they are there already.
+    """
+    root = next((up for up in (folder, *folder.parents) if (up / ".git").exists()), folder)
+    files = {root / PLACE / each.name: each.read_text() for each in sorted(TEMPLATES.iterdir())}
+    there = [file for file in files if file.exists()]
+    if there:
+        raise SiteError([f"{file} exists already; remove it, or edit it" for file in there])
+    site = json.dumps(folder.relative_to(root).as_posix(), ensure_ascii=False)
+    branch = json.dumps(_branch(root))
+    return {
+        file: text.replace(SITE, f"SITE: {site}\n")
+        .replace(SITEGEN, f"SITEGEN: sitegen=={__version__}\n")
+        .replace(BRANCH, f"branches: [{branch}]")
+        for file, text in files.items()
+    }
+
+
+def _branch(root: Path) -> str:
+    """Return the branch that the repository is on."""
+    head = root / ".git" / "HEAD"
+    text = head.read_text() if head.is_file() else ""
+    return text.removeprefix("ref: refs/heads/").strip() if text.startswith("ref: ") else "main"
