@@ -14,11 +14,11 @@ from sitegen.config.level import LEVELS
 from sitegen.config.schema import (
     COMPILED,
     DEPLOY,
-    PYODIDE,
     FILE,
     FRONT_MATTER,
     NODE,
     PAGE,
+    PYODIDE,
     ROS2WASM,
     SITE,
     WIDGETS,
