@@ -16,7 +16,8 @@ from statistics import median
 from bench.browser import Progress
 from bench.figure import Figure, Target
 from sitegen import config, cpp
-from sitegen.build import cache_folder, jobs_of, nodes_of
+from sitegen.build import jobs_of, nodes_of
+from sitegen.cache import cache_folder
 from sitegen.model import Site
 from sitegen.toolchain import Toolchain
 
@@ -26,10 +27,12 @@ REPEATS = 5
 # One run and what is around it: CMake looks at the compiler once for each new package.
 COLD_TARGET = Target("ratio", "≤", 1)
 CACHED_TARGET = Target("figure", "≤", 50)
+NOTHING_TARGET = Target("figure", "≤", 300)
 
 
 def build() -> list[Figure]:
     """Measure `sitegen build` with an empty cache, with a full one, and a single node."""
+    own = cache_folder()
     with tempfile.TemporaryDirectory() as temporary, _cache(Path(temporary) / "cache") as cache:
         folder = _copy(Path(temporary) / "site")
         program = [sys.executable, "-m", "sitegen", "build", str(folder)]
@@ -48,6 +51,11 @@ def build() -> list[Figure]:
         runs = [seconds(lambda: run(command))]
         node = seconds(lambda: _compile(site))
         runs.append(seconds(lambda: run(command)))
+        demos = [sys.executable, "-m", "sitegen", "build", str(DEMO01.parent.parent)]
+        demos += ["--output", str(Path(temporary) / "demos")]
+        with _cache(own):
+            run(demos)
+            nothing = [seconds(lambda: run(demos)) for _ in range(REPEATS)]
         cached = [seconds(lambda: _compile(site)) for _ in range(REPEATS)]
 
     compiler = sum(runs) / len(runs)
@@ -61,6 +69,13 @@ def build() -> list[Figure]:
         ),
         Figure("one node, cold (bare: one em++ run)", "s", node, compiler, COLD_TARGET),
         Figure("one node, cached", "ms", median(cached) * 1000, None, CACHED_TARGET),
+        Figure(
+            "demos and docs, nothing changed",
+            "ms",
+            median(nothing) * 1000,
+            None,
+            NOTHING_TARGET,
+        ),
     ]
 
 

@@ -54,6 +54,8 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> None:
+    from sitegen import unchanged
+    from sitegen.cache import cache_folder
     from sitegen.report import Report
 
     if arguments.single_file:
@@ -62,6 +64,11 @@ def _build(arguments: argparse.Namespace) -> None:
         page, output = arguments.single_file, arguments.output
         build_single(arguments.folder, page, output=output, report=Report())
         return
+    said = unchanged.recall(arguments.folder, arguments.output, cache_folder())
+    if said is not None:
+        print(*said, f"nothing has changed since → {arguments.output}", sep="\n")
+        return
+    # The rest takes longer to load than a glance at what is there.
     from sitegen.build import build
 
     build(arguments.folder, output=arguments.output, report=Report())

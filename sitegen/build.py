@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import shutil
 import tempfile
 import time
@@ -22,8 +21,10 @@ from sitegen import (
     python,
     ros2wasm,
     single,
+    unchanged,
     workspace,
 )
+from sitegen.cache import cache_folder
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Artifact, Node, Page, Site
 from sitegen.report import Report, size
@@ -41,6 +42,10 @@ class Made:
     builds: cpp.Builds
     bundles: python.Bundles | None
     programs: pages.Programs
+    renderer: pages.Renderer
+    rendered: Sequence[pages.Rendered]
+    # Those that are not of pages.
+    others: Sequence[Artifact]
     artifacts: Sequence[Artifact]
 
 
@@ -55,6 +60,11 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
         f"built {pages}, {nodes} in {time.monotonic() - begun:.1f} s"
         f" → {shown(output)} (python -m http.server --directory {shown(output)})"
     )
+    theirs = (page.theme for page in made.site.pages if page.theme)
+    shelf = made.site.pyodide.packages
+    shelves = [shelf] if isinstance(shelf, Path) else []
+    roots = (made.site.workspace, made.site.theme, *theirs, *shelves)
+    unchanged.note(folder, roots, output, cache_folder(), report.said[:-1])
 
 
 def build_single(folder: Path, path: str, *, output: Path | None, report: Report) -> None:
@@ -159,20 +169,23 @@ def make(
     needed = bundles.needed if bundles else {}
     loaded = assets.preloads(site)
     programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
-    artifacts = pages.render(site, programs)
+    renderer = pages.Renderer(site, programs)
+    rendered = renderer.every_page()
+    artifacts = renderer.site_artifacts(rendered)
 
     # These, and what they use, are the site.
-    artifacts += assets.runtime(site)
-    artifacts += assets.search(site)
-    artifacts += assets.programs(builds.items())
-    artifacts += archives
-    artifacts += assets.scripts(site)
-    artifacts.append(Artifact(MARKER, b"written by sitegen\n"))
+    others = assets.runtime(site)
+    others += assets.search(site)
+    others += assets.programs(builds.items())
+    others += archives
+    others += assets.scripts(site)
+    others.append(Artifact(MARKER, b"written by sitegen\n"))
     if site.deploy.cname:
-        artifacts.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
-    artifacts += offline.artifacts(site, artifacts)
+        others.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
+    others += offline.artifacts(site, [*artifacts, *others])
+    artifacts += others
     check_paths(artifacts)
-    return Made(site, builds, bundles, programs, artifacts)
+    return Made(site, builds, bundles, programs, renderer, rendered, others, artifacts)
 
 
 def nodes_of(site: Site) -> list[Node]:
@@ -224,14 +237,6 @@ def digests(archives: Sequence[Artifact]) -> dict[str, str]:
         for artifact in archives
         if isinstance(artifact.source, bytes)
     }
-
-
-def cache_folder() -> Path:
-    """Return where compiled nodes are kept for the next build."""
-    own = os.environ.get("SITEGEN_CACHE")
-    if own:
-        return Path(own).resolve()
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache").resolve() / "sitegen"
 
 
 def check_output(output: Path) -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from sitegen import wiring
-from sitegen.build import cache_folder, jobs_of, make, nodes_of
+from sitegen.build import jobs_of, make, nodes_of
+from sitegen.cache import cache_folder
 from sitegen.descriptions import described
 from sitegen.errors import Problems, SiteError
 from sitegen.model import Markdown, Site

@@ -7,7 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from sitegen import archive, cpp, workspace
-from sitegen.build import cache_folder, count
+from sitegen.build import count
+from sitegen.cache import cache_folder
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Package
 from sitegen.report import Report, size

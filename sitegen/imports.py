@@ -20,10 +20,9 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Place]:
     """
     modules = {_name(place): file for place, file in files.items() if _is_module(place)}
     found: dict[str, Place] = {}
-    waiting = [program.partition(":")[0]]
+    waiting = [name for name in [program.partition(":")[0]] if name in modules]
     seen: set[str] = set()
     if program in files:
-        waiting = []
         _sort(program, files[program], modules, waiting, found)
     while waiting:
         name = waiting.pop()

@@ -19,6 +19,11 @@ from sitegen.wheels import archived
 CLIENT = Path(__file__).parent / "clients" / "python"
 PAGE = interfaces.ROS / "page"
 KINDS = ("msg", "srv", "action")
+# What is most likely to be typed at a prompt.
+TYPED = (
+    "import example_interfaces.msg, example_interfaces.srv, geometry_msgs.msg, std_msgs.msg, "
+    "std_srvs.srv"
+)
 # What every node of rclpy has in the graph, beside what its program makes.
 SERVICES = (
     *("DescribeParameters", "GetParameterTypes", "GetParameters", "ListParameters"),
@@ -70,6 +75,8 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles | None:
     parts = {one.name: one for packages in needs.values() for one in packages}
     prefix = described(site, parts, cache=cache)
     wanted = {"example_interfaces", *_named(parts.values()), *_named_by_rclpy()}
+    if workspace.OWN in names:  # nobody knows what will be typed
+        wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
     collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache)
     archives = {COMMON: archived(common)}
@@ -186,6 +193,8 @@ def _types(packages: Iterable[Package], prefix: Path) -> dict[str, MessageType]:
     shares = _shares(prefix)
     names = set(OF_RCLPY)
     for package in packages:
+        if package.name == workspace.OWN:
+            names |= set(_imported(TYPED, shares))
         for text in _sources(package):
             names |= set(_imported(text, shares))
     parts = {"srv": ("_Request", "_Response"), "msg": ("",)}

@@ -12,6 +12,7 @@ class Report:
 
     def __init__(self, out: TextIO = sys.stdout) -> None:
         self._out = out
+        self.said: list[str] = []
         self._live: dict[str, str] = {}
         self._drawn = 0
         self._lock = threading.Lock()
@@ -19,6 +20,7 @@ class Report:
     def say(self, line: str) -> None:
         """Write a line that stays."""
         with self._lock:
+            self.said.append(line)
             self._erase()
             print(line, file=self._out, flush=True)
             self._draw()

@@ -20,6 +20,8 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 SHARES = [Path(__file__).parent / "ros" / "share", Path(__file__).parent / "share"]
 KINDS = ("msg", "srv")
 PYTHON = "ament_python"
+# The package of programs that come with sitegen.
+OWN = "sitegen"
 SHEBANG = re.compile(rb"#!.*\bpython")
 DEPENDS = {
     "depend",
@@ -58,6 +60,14 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
     if problems is None:
         found.raise_if_any()
     return packages
+
+
+def own(packages: Mapping[str, Package]) -> Package:
+    """Return the package of programs that come with sitegen, which may use all `packages`."""
+    setup = Setup({"prompt": "rclpy_backend.prompt:main"}, {})
+    path = Path(__file__).parent / "clients" / "python"
+    executables = tuple(setup.scripts)
+    return Package(OWN, path, PYTHON, tuple(packages), executables, (), setup=setup)
 
 
 def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import re
@@ -14,7 +15,7 @@ import pytest
 from browser import serving
 from panel import Panel
 from PIL import Image
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Error, Page, expect
 
 from sitegen.build import build
 from sitegen.offline import worker
@@ -82,6 +83,16 @@ def cached(tab: Page) -> dict[str, list[str]]:
     return found
 
 
+def until(tab: Page, condition: str) -> None:
+    """Wait for what a page cannot wait for itself: it may be loaded anew meanwhile."""
+    for _ in range(600):
+        with contextlib.suppress(Error):
+            if tab.evaluate(condition):
+                return
+        tab.wait_for_timeout(100)
+    raise AssertionError(condition)
+
+
 def edit(host: Host, old: str, new: str) -> None:
     config = host.folder / "site.yaml"
     assert old in config.read_text()
@@ -92,7 +103,7 @@ def edit(host: Host, old: str, new: str) -> None:
 def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(url)
-    tab.wait_for_function(READY)
+    until(tab, READY)
     host.off()
     tab.reload()
     Panel(tab, "listener").start()
@@ -116,7 +127,7 @@ def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
 def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     (first,) = cached(tab)
     edit(host, "The first text.", "The second text.")
     tab.reload()
@@ -131,7 +142,7 @@ def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Pa
     expect(tab.locator("main")).to_contain_text("The second text.")
     # All tabs go with it: none is left between two versions.
     other.wait_for_function("window.old === undefined")
-    tab.wait_for_function(f"async () => !(await caches.keys()).includes({json.dumps(first)})")
+    until(tab, f"async () => !(await caches.keys()).includes({json.dumps(first)})")
     host.off()
     tab.reload()
     expect(tab.locator("main")).to_contain_text("The second text.")
@@ -144,12 +155,10 @@ def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Pa
 def test_who_comes_back_later_has_the_new_version(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     edit(host, "The first text.", "The second text.")
     tab.reload()
-    tab.wait_for_function(
-        "async () => (await navigator.serviceWorker.getRegistration()).waiting !== null"
-    )
+    until(tab, "async () => (await navigator.serviceWorker.getRegistration()).waiting !== null")
     # All pages of the site are closed, and it is visited again.
     context = tab.context
     tab.close()
@@ -160,7 +169,6 @@ def test_who_comes_back_later_has_the_new_version(host: Host, tab: Page) -> None
         again.goto(f"{url}more/")
         text = again.locator("main").inner_text()
         again.close()
-        print(text.split())
         if "The second text." in text:
             break
     assert "The second text." in text
@@ -169,7 +177,7 @@ def test_who_comes_back_later_has_the_new_version(host: Host, tab: Page) -> None
 def test_only_what_changed_is_fetched_again(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     edit(host, "The first text.", "The second text.")
     # What is the same has to come from the old cache: the server has it no more.
     for file in (host.folder / "dist").rglob("*.wasm"):
@@ -186,7 +194,7 @@ def test_only_what_changed_is_fetched_again(host: Host, tab: Page) -> None:
 def test_a_half_published_site_is_not_taken(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     (first,) = cached(tab)
     before = (host.folder / "dist/more/index.html").read_bytes()
     edit(host, "The first text.", "The second text.")
@@ -220,19 +228,20 @@ def test_a_large_site_is_kept_page_by_page(
     host.build()
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     (paths,) = cached(tab).values()
     assert [path for path in paths if path.endswith(".wasm")] == []
     assert f"{PREFIX}runtime/rosMain.js" in paths
     tab.goto(url)
     # Both nodes are kept, though none of them ran.
-    tab.wait_for_function(
+    until(
+        tab,
         """async () => {
           const cache = await caches.open((await caches.keys())[0]);
           const kept = (await cache.keys()).map(({ url }) => url);
           return kept.filter((url) => url.endsWith(".jspi.wasm")).length === 2
             && kept.filter((url) => url.endsWith(".jspi.js")).length === 2;
-        }"""
+        }""",
     )
     host.off()
     tab.reload()
@@ -245,11 +254,11 @@ def test_other_sites_of_the_server_are_left_alone(host: Host, tab: Page) -> None
     tab.goto(url)
     tab.evaluate("async () => { await caches.open('of another site'); }")
     tab.evaluate("async () => { await caches.open('sitegen:http://127.0.0.1/:1'); }")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     edit(host, "The first text.", "The second text.")
     tab.reload()
     tab.get_by_role("button", name="Load it").click()
-    tab.wait_for_function("async () => (await caches.keys()).length === 3")
+    until(tab, "async () => (await caches.keys()).length === 3")
     assert {"of another site", "sitegen:http://127.0.0.1/:1"} < set(cached(tab))
     scope = tab.evaluate("async () => (await navigator.serviceWorker.ready).scope")
     assert scope == url
@@ -258,13 +267,14 @@ def test_other_sites_of_the_server_are_left_alone(host: Host, tab: Page) -> None
 def test_a_site_can_take_it_back(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
-    tab.wait_for_function(READY)
+    until(tab, READY)
     tab.reload()
     edit(host, "offline: true", "offline: false")
     tab.evaluate("""async () => { (await navigator.serviceWorker.getRegistration()).update(); }""")
-    tab.wait_for_function(
+    until(
+        tab,
         "async () => !(await navigator.serviceWorker.getRegistration())"
-        " && (await caches.keys()).length === 0"
+        " && (await caches.keys()).length === 0",
     )
     expect(tab.locator("link[rel=manifest]")).to_have_count(0)
 

@@ -251,6 +251,10 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("lines", "range", "only these lines", "lines: 10-20"),
         Key("region", "text", "only the part between #region and #endregion", "region: timer"),
     ),
+    "prompt": (
+        _NODE,
+        Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
+    ),
     # Those without a node look at all of the page.
     "topics": (
         Key("show", "list of names", "only these topics", "show: [/chatter]"),

@@ -145,6 +145,8 @@ def _packages(
     if not declared:
         return {}
     packages = workspace.scan(folder, problems=problems)
+    if any(node.package == workspace.OWN for node, _ in declared):
+        packages = {**packages, workspace.OWN: workspace.own(packages)}
     for each in declared:
         check_package(each, packages, problems)
     return packages

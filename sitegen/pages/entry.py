@@ -39,7 +39,8 @@ def page_json(site: Site, page: Page, programs: Programs) -> bytes:
     waiting = {
         widget.target
         for widget, _ in slots_of(page)
-        if widget.kind == "buttons" and widget.options.get("autostart") is not True
+        if (widget.kind == "buttons" and widget.options.get("autostart") is not True)
+        or widget.kind == "prompt"
     }
     entry: dict[str, object] = {
         "nodes": {

@@ -2,6 +2,7 @@
 // Show a drawing that can be zoomed and moved: with wheel, fingers, keys or buttons.
 
 import { button, create } from "./elements.js";
+import { say } from "./words.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const STEP = 1.3;
@@ -96,10 +97,10 @@ export function createDrawing() {
   resized.observe(element);
 
   const larger = button("+", "", () => zoom(STEP));
-  larger.setAttribute("aria-label", "Zoom in");
+  larger.setAttribute("aria-label", say("Zoom in"));
   const smaller = button("−", "", () => zoom(1 / STEP));
-  smaller.setAttribute("aria-label", "Zoom out");
-  const whole = button("Fit", "", fit);
+  smaller.setAttribute("aria-label", say("Zoom out"));
+  const whole = button(say("Fit"), "", fit);
   return {
     element,
     buttons: create("div", "ros-controls", larger, smaller, whole),

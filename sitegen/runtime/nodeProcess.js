@@ -3,7 +3,7 @@
 
 import { moduleWorkers, place } from "./place.js";
 
-/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker } from "./protocol.js" */
+/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
 
 // A node that Stop did not end after this time (ms) is terminated.
@@ -112,6 +112,18 @@ export class NodeProcess extends EventTarget {
     this.#setState("failed");
   }
 
+  /** Hand a prompt what was typed. @param {Typed} typed */
+  type(typed) {
+    if (!this.#run) return;
+    if (typed.op === "line") this.#print("typed", typed.text);
+    this.#post(this.#run.worker, typed);
+  }
+
+  /** End what the program does now, as Ctrl-C does; it may go on with something else. */
+  interrupt() {
+    if (this.#run) this.#post(this.#run.worker, { op: "stop" });
+  }
+
   /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
   stop() {
     this.#startAgain = false;
@@ -184,6 +196,12 @@ export class NodeProcess extends EventTarget {
         break;
       case "memory":
         this.memory = message.bytes;
+        break;
+      case "ready":
+        this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
+        break;
+      case "words":
+        this.dispatchEvent(new CustomEvent("words", { detail: message }));
         break;
       case "exit":
         if (message.error) {

@@ -4,6 +4,7 @@
 import { Codec } from "./messages/codec.js";
 import { Participant } from "./participant/participant.js";
 import { DEFAULT_QOS } from "./protocol.js";
+import { say } from "./words.js";
 
 /** @import { Graph } from "./graph.js" */
 /** @import { MessageInfo, MessageType, Publisher, Qos } from "./protocol.js" */
@@ -61,7 +62,7 @@ export class PageClient {
       publish: (message) => {
         const sent = this.#participant.publish(id, this.#codec.write(type, message));
         this.#participant.flush();
-        if (!sent) throw new Error(`the subscriptions of ${topic} have no room for more messages now`);
+        if (!sent) throw new Error(say("the subscriptions of {} have no room for more messages now", topic));
       },
       close: () => this.#participant.destroy(id),
     };
@@ -80,7 +81,7 @@ export class PageClient {
         done(() => resolve(this.#codec.read(`${type}_Response`, sample.message)));
       });
       const timer = setTimeout(() => {
-        done(() => reject(new Error(`no answer from ${service} within ${timeout / 1000} s`)));
+        done(() => reject(new Error(say("no answer from {} within {} s", service, timeout / 1000))));
       }, timeout);
       const done = (/** @type {() => void} */ settle) => {
         clearTimeout(timer);
@@ -92,7 +93,7 @@ export class PageClient {
         }
       };
       if (this.#participant.matched(client.id) === 0) {
-        done(() => reject(new Error(`no server on ${service} now`)));
+        done(() => reject(new Error(say("no server on {} now", service))));
         return;
       }
       this.#participant.request(client.id, bytes);

@@ -64,17 +64,19 @@
  *
  * A program of the page. It emits `state` when `state` changed, `lines` (CustomEvent, detail: Line[])
  * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
- * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known).
+ * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). A prompt takes what is typed; it emits
+ * `ready` (detail: whether a line goes on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number,
  *   start(): void, stop(): void, clear(): void,
+ *   type(typed: Typed): void, interrupt(): void,
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
  *
  * One line of a console; log lines have the severity of ROS, printed ones the stream's name.
  * @typedef {{severity: Severity, text: string}} Line
- * @typedef {"debug" | "info" | "warn" | "error" | "fatal" | "stdout" | "stderr"} Severity
+ * @typedef {"debug" | "info" | "warn" | "error" | "fatal" | "stdout" | "stderr" | "typed"} Severity
  */
 
 /**
@@ -105,7 +107,8 @@ export const DEFAULT_QOS = Object.freeze({
 
 /**
  * Worker to page; `missed` are the messages of a subscription that its program was too slow for. Who looks
- * is told of the graph from then on.
+ * is told of the graph from then on. A prompt is ready for a line, which may go on what was typed (`more`),
+ * and answers with the words that a text may become.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
@@ -114,6 +117,8 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "look"}
  *   | {op: "lines", lines: Line[]}
  *   | {op: "memory", bytes: number}
+ *   | {op: "ready", more: boolean}
+ *   | {op: "words", text: string, words: string[]}
  *   | {op: "exit", code: number, error: string}} FromWorker
  */
 
@@ -132,7 +137,11 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "unmatch", local: number, peer: number, remote: number}
  *   | {op: "incompatible", local: number, policy: Policy}
  *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
+ *   | Typed
  *   | {op: "stop"}} ToWorker
+ *
+ * What a visitor types at a prompt: a line, or the beginning of a word.
+ * @typedef {{op: "line" | "complete", text: string}} Typed
  */
 
 /**

@@ -7,7 +7,9 @@ import { place } from "./place.js";
 const LANGUAGES = ["de"];
 
 // Workers have no document, and speak English.
-const language = globalThis.document?.documentElement.lang.split("-")[0]?.toLowerCase() ?? "en";
+/** @type {string} */
+const tag = /** @type {any} */ (globalThis).document?.documentElement.lang ?? "en";
+const language = tag.split("-")[0]?.toLowerCase() ?? "en";
 /** @type {Record<string, string>} */
 const words = LANGUAGES.includes(language) ? (await import(place(`words/${language}.js`))).words : {};
 
@@ -16,3 +18,12 @@ export function say(text, ...values) {
   let next = 0;
   return (words[text] ?? text).replaceAll("{}", () => String(values[next++]));
 }
+
+/** How a node is, in words. */
+export const states = {
+  stopped: say("stopped"),
+  starting: say("starting"),
+  running: say("running"),
+  stopping: say("stopping"),
+  failed: say("failed"),
+};

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import threading
@@ -10,10 +11,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from sitegen.build import count, make
+from sitegen.build import Made, count, make
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.report import Report
+from sitegen.serve.edited import edited
 
 # An idle connection says something this often (s), so that one that broke is noticed.
 BEAT = 15
@@ -25,6 +27,7 @@ class LiveSite:
     def __init__(self, folder: Path, report: Report) -> None:
         self._folder = folder
         self._report = report
+        self._made: Made | None = None
         # Where its 404.html takes it to live.
         self.base = "/"
         self._files: Mapping[str, Artifact] = {}
@@ -36,13 +39,16 @@ class LiveSite:
         """Build the site; if anything is wrong it stays as it is, and its pages say so."""
         begun = time.monotonic()
         try:
-            made = make(self._folder, self._report, edited=True)
+            made = edited(self._made, self._folder, changed) if self._made else None
+            made = made or make(self._folder, self._report, edited=True)
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)
             self._report.say(f"{count(len(error.lines), 'problem')}; the pages stay as they were")
             self._tell("wrong", error.lines)
+            self._made = None
             return
+        self._made = made
         files = {artifact.path: artifact for artifact in made.artifacts}
         digests = {path: _digest(artifact) for path, artifact in files.items()}
         different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
@@ -82,4 +88,13 @@ class LiveSite:
 
 def _digest(artifact: Artifact) -> str:
     source = artifact.source
-    return hashlib.sha256(source if isinstance(source, bytes) else source.read_bytes()).hexdigest()
+    if isinstance(source, bytes):
+        return hashlib.sha256(source).hexdigest()
+    about = source.stat()
+    return _digest_of_file(source, about.st_mtime_ns, about.st_size)
+
+
+@functools.lru_cache(maxsize=10_000)
+def _digest_of_file(file: Path, time: int, size: int) -> str:
+    """Return the digest of a file, which is another one when it has another time or size."""
+    return hashlib.sha256(file.read_bytes()).hexdigest()

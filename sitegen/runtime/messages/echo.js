@@ -3,6 +3,7 @@
 
 import { button, create, setText } from "../elements.js";
 import { toYaml } from "./yaml.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -21,11 +22,11 @@ const NEAR = 24;
 export function createEcho(ros) {
   const name = create("span", "ros-name");
   const kind = create("span", "ros-type");
-  const pause = button("Pause", "ros-pause", () => {
+  const pause = button(say("Pause"), "ros-pause", () => {
     paused = !paused;
     look();
   });
-  const clear = button("Clear", "ros-clear", () => {
+  const clear = button(say("Clear"), "ros-clear", () => {
     waiting = [];
     log.replaceChildren();
     look();
@@ -74,9 +75,9 @@ export function createEcho(ros) {
     const { type, publishers, subscriptions } = describe(ros, topic);
     setText(name, topic);
     setText(kind, type);
-    setText(ends, topic ? `${list(publishers, "nobody publishes")} → ${list(subscriptions, "nobody listens")}` : "");
-    log.setAttribute("aria-label", `messages of ${topic}`);
-    setText(pause, paused ? "Resume" : "Pause");
+    setText(ends, topic ? `${list(publishers, say("nobody publishes"))} → ${list(subscriptions, say("nobody listens"))}` : "");
+    log.setAttribute("aria-label", say("messages of {}", topic));
+    setText(pause, paused ? say("Resume") : say("Pause"));
     controls.hidden = !topic;
     const known = Boolean(ros.types[type]);
     const qos = qosFor(ros, topic);
@@ -125,11 +126,11 @@ export function createEcho(ros) {
 
 /** @param {string} topic @param {string} type @param {boolean} known @param {number} publishers @param {boolean} paused */
 function hintFor(topic, type, known, publishers, paused) {
-  if (!topic) return "Choose a topic to read its messages";
-  if (!type) return `Nobody uses ${topic} now. It shows messages as soon as a node publishes there.`;
-  if (!known) return `This page has no definition of ${type}, so it cannot read these messages.`;
-  if (paused) return "Paused";
-  return publishers ? "No message yet" : `Nobody publishes ${topic} now`;
+  if (!topic) return say("Choose a topic to read its messages");
+  if (!type) return say("Nobody uses {} now. It shows messages as soon as a node publishes there.", topic);
+  if (!known) return say("This page has no definition of {}, so it cannot read these messages.", type);
+  if (paused) return say("Paused");
+  return publishers ? say("No message yet") : say("Nobody publishes {} now", topic);
 }
 
 /** @param {Ros} ros @param {string} topic */
@@ -151,6 +152,6 @@ function qosFor(ros, topic) {
 
 /** @param {string[]} nodes @param {string} none */
 function list(nodes, none) {
-  const names = nodes.map((node) => (node.startsWith("/_page") ? "this page" : node));
+  const names = nodes.map((node) => (node.startsWith("/_page") ? say("this page") : node));
   return nodes.length ? [...new Set(names)].join(", ") : none;
 }

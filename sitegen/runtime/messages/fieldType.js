@@ -2,6 +2,8 @@
 // What a field of a message may hold: its type, as .msg files write it, and values as people type
 // them.
 
+import { say } from "../words.js";
+
 /**
  * @typedef {{base: string, capacity: number, array: "" | "fixed" | "bounded" | "unbounded",
  *   size: number}} FieldType `capacity` is of a string, `size` of an array; Infinity without bounds
@@ -64,7 +66,7 @@ export function readScalar(text, { base, capacity }) {
   if (isFloat(base)) return readFloat(text.trim(), base);
   if (base === "bool") return readFlag(text.trim());
   const length = base === "wstring" ? text.length : new TextEncoder().encode(text).length;
-  if (length > capacity) throw new Error(`holds at most ${capacity} bytes, here are ${length}`);
+  if (length > capacity) throw new Error(say("holds at most {} bytes, here are {}", capacity, length));
   return text;
 }
 
@@ -78,7 +80,7 @@ export function readList(text, type) {
     try {
       return readScalar(item, type);
     } catch (error) {
-      throw new Error(`item ${index + 1}: ${error instanceof Error ? error.message : error}`);
+      throw new Error(say("item {}: {}", index + 1, error instanceof Error ? error.message : error));
     }
   });
   return toArray(values, type);
@@ -90,9 +92,9 @@ export function readList(text, type) {
  */
 export function toArray(values, { base, array, size }) {
   if (array === "fixed" && values.length !== size) {
-    throw new Error(`needs ${size} items, here are ${values.length}`);
+    throw new Error(say("needs {} items, here are {}", size, values.length));
   }
-  if (values.length > size) throw new Error(`holds at most ${size} items, here are ${values.length}`);
+  if (values.length > size) throw new Error(say("holds at most {} items, here are {}", size, values.length));
   /** @type {Record<string, {from(values: unknown[]): any}>} */
   const arrays = { .../** @type {any} */ (INTEGERS), ...FLOATS };
   return arrays[base]?.from(values) ?? values;
@@ -100,34 +102,34 @@ export function toArray(values, { base, array, size }) {
 
 /** @param {string} text @param {keyof typeof INTEGERS} base */
 function readInteger(text, base) {
-  if (!text) throw new Error("a whole number is needed");
-  if (!/^[-+]?(\d+|0x[\da-f]+)$/i.test(text)) throw new Error(`'${text}' is no whole number`);
+  if (!text) throw new Error(say("a whole number is needed"));
+  if (!/^[-+]?(\d+|0x[\da-f]+)$/i.test(text)) throw new Error(say("'{}' is no whole number", text));
   const size = BigInt(text.replace(/^[-+]/, ""));
   const value = text.startsWith("-") ? -size : size;
   const { least, most } = range(base);
-  if (value < least || value > most) throw new Error(`${base} holds ${least} to ${most}`);
+  if (value < least || value > most) throw new Error(say("{} holds {} to {}", base, least, most));
   return base.endsWith("64") ? value : Number(value);
 }
 
 /** @param {string} text @param {keyof typeof FLOATS} base */
 function readFloat(text, base) {
-  if (!text) throw new Error("a number is needed");
+  if (!text) throw new Error(say("a number is needed"));
   const special = /^([-+]?)\.?(inf|infinity|nan)$/i.exec(text);
   if (special) return special[2]?.toLowerCase() === "nan" ? NaN : Number(`${special[1]}Infinity`);
   if (/^[-+]?\d+,\d+$/.test(text)) {
-    throw new Error(`'${text}' is no number; write ${text.replace(",", ".")}`);
+    throw new Error(say("'{}' is no number; write {}", text, text.replace(",", ".")));
   }
-  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) throw new Error(`'${text}' is no number`);
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) throw new Error(say("'{}' is no number", text));
   const value = Number(text);
   if (!Number.isFinite(base === "float32" ? Math.fround(value) : value)) {
-    throw new Error(`'${text}' is too large for ${base}`);
+    throw new Error(say("'{}' is too large for {}", text, base));
   }
   return value;
 }
 
 /** @param {string} text */
 function readFlag(text) {
-  if (!/^(true|false)$/i.test(text)) throw new Error(`'${text}' is neither true nor false`);
+  if (!/^(true|false)$/i.test(text)) throw new Error(say("'{}' is neither true nor false", text));
   return text.toLowerCase() === "true";
 }
 
@@ -139,7 +141,7 @@ function items(text) {
   const item = /\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^']|'')*)'|((?!\s*["'])[^,]*))\s*(,|$)/y;
   for (;;) {
     const match = item.exec(text);
-    if (!match) throw new Error("a comma must stand between two items, and a quote must have its end");
+    if (!match) throw new Error(say("a comma must stand between two items, and a quote must have its end"));
     const [, double, single, plain, comma] = match;
     found.push(
       double !== undefined
@@ -155,6 +157,6 @@ function unescaped(text) {
   try {
     return JSON.parse(`"${text.replaceAll("\n", "\\n").replaceAll("\t", "\\t")}"`);
   } catch {
-    throw new Error(`"${text}" has a backslash that means nothing; write \\\\ for one`);
+    throw new Error(say('"{}" has a backslash that means nothing; write \\\\ for one', text));
   }
 }

@@ -3,6 +3,7 @@
 
 import { create, button } from "../elements.js";
 import { isFloat, isInteger, isMessage, parseFieldType, range, readList, readScalar } from "./fieldType.js";
+import { say } from "../words.js";
 
 /** @import { MessageType } from "../protocol.js" */
 /** @import { FieldType } from "./fieldType.js" */
@@ -51,12 +52,12 @@ export function createForm(type, types) {
 function messagePart(name, types) {
   const type = types[name];
   if (!type) {
-    throw new Error(`this page has no definition of ${name}; run a node of the page that uses it`);
+    throw new Error(say("this page has no definition of {}; run a node of the page that uses it", name));
   }
   /** @type {[string, Part][]} */
   const parts = type.fields.map((field) => [field.name, fieldPart(field, type, types)]);
   const element = create("div", "ros-fields", ...parts.map(([, part]) => part.element));
-  if (!parts.length) element.append(create("p", "ros-none", "It has no fields."));
+  if (!parts.length) element.append(create("p", "ros-none", say("It has no fields.")));
   const read = (/** @type {Fault[]} */ faults) =>
     Object.fromEntries(parts.map(([field, part]) => [field, part.read(faults)]));
   const typed = () => {
@@ -132,9 +133,9 @@ function inputPart(field, text, read) {
  */
 function choicePart(field, text, choices, read) {
   const options = choices.map(({ name, value }) => new Option(`${name} (${value})`, String(value)));
-  const select = create("select", "", ...options, new Option("another value…", ""));
+  const select = create("select", "", ...options, new Option(say("another value…"), ""));
   const other = create("input", "");
-  other.setAttribute("aria-label", `${field.name}, another value`);
+  other.setAttribute("aria-label", say("{}, another value", field.name));
   other.value = text;
   select.value = text;
   if (select.selectedIndex < 0) select.selectedIndex = options.length;
@@ -180,7 +181,7 @@ function labelled(field, control, read, typed, put) {
   const fault = create("p", "ros-fault");
   fault.id = `${control.id}-fault`;
   const element = create("div", "ros-field", label, control, fault);
-  const say = (/** @type {string} */ text) => {
+  const tell = (/** @type {string} */ text) => {
     fault.textContent = text;
     if (text) {
       control.setAttribute("aria-invalid", "true");
@@ -190,16 +191,16 @@ function labelled(field, control, read, typed, put) {
       control.removeAttribute("aria-describedby");
     }
   };
-  element.addEventListener("input", () => say(""));
+  element.addEventListener("input", () => tell(""));
   return {
     element,
     read(faults) {
-      say("");
+      tell("");
       try {
         return read();
       } catch (error) {
         const text = error instanceof Error ? error.message : String(error);
-        say(text);
+        tell(text);
         faults.push({ text, control });
       }
     },
@@ -224,7 +225,7 @@ function listPart(field, type, types) {
   /** @type {Part[]} */
   const parts = [];
   const list = create("div", "ros-items");
-  const add = button(`Add to ${field.name}`, "", () => {
+  const add = button(say("Add to {}", field.name), "", () => {
     append();
     const control = parts.at(-1)?.element.querySelector("input, select, textarea");
     if (control instanceof HTMLElement) control.focus();
@@ -242,7 +243,7 @@ function listPart(field, type, types) {
     part.element.querySelector("legend")?.replaceChildren(create("span", ""));
     parts.push(part);
     if (type.array !== "fixed") {
-      const remove = button("Remove", "ros-remove", () => {
+      const remove = button(say("Remove"), "ros-remove", () => {
         parts.splice(parts.indexOf(part), 1);
         part.element.remove();
         changed();

@@ -310,6 +310,7 @@ export class Participant {
     const head = { reader, writer: id, sequence, timestamp };
     if (peer === this.#id) {
       this.#deliver(peer, head, own ? message : message.slice(), now());
+      this.wake(); // another thread of this program may wait for it
     } else {
       this.#links.get(peer)?.send(head, message, own);
     }
@@ -332,6 +333,7 @@ export class Participant {
   #giveCredit({ peer, id: writer }, reader, records, bytes) {
     if (peer === this.#id) {
       this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
+      this.wake();
     } else {
       this.#links.get(peer)?.tell({ op: "credit", writer, reader, records, bytes });
     }

@@ -5,6 +5,7 @@ import { shape } from "../drawing.js";
 import { obey, TWIST } from "./parts/commands.js";
 import { createFloor } from "./parts/floor.js";
 import { describe, drive, plain } from "./parts/motion.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Robot } from "./parts/robot.js" */
@@ -25,7 +26,7 @@ export function create(ros, { twist, odometry }, changed) {
   let pose = START;
   let [speed, turn] = [0, 0];
   let reason = "";
-  const floor = createFloor("A robot with two wheels, seen from above", body());
+  const floor = createFloor(say("A robot with two wheels, seen from above"), body());
 
   const close = odometry
     ? follow(ros, odometry, (place, itsSpeed, itsTurn) => {
@@ -41,7 +42,7 @@ export function create(ros, { twist, odometry }, changed) {
       });
 
   return {
-    title: "Differential drive",
+    title: say("Differential drive"),
     inputs: [odometry ? { topic: odometry, type: ODOMETRY } : { topic: twist, type: TWIST }],
     drawing: floor.element,
     controls: [],
@@ -53,10 +54,10 @@ export function create(ros, { twist, odometry }, changed) {
     },
     readings: () => [
       ...describe(pose),
-      { name: "Speed", text: `${plain(speed, 2)} m/s` },
-      { name: "Turn", text: `${plain(turn, 2)} rad/s` },
+      { name: say("Speed"), text: `${plain(speed, 2)} m/s` },
+      { name: say("Turn"), text: `${plain(turn, 2)} rad/s` },
     ],
-    note: () => ({ text: reason && `Stopped: ${reason}`, wrong: false }),
+    note: () => ({ text: reason && say("Stopped: {}", reason), wrong: false }),
     reset() {
       if (!odometry) pose = START;
       floor.clear();

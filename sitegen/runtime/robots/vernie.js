@@ -8,6 +8,7 @@ import { createFloor } from "./parts/floor.js";
 import { describe, drive } from "./parts/motion.js";
 import { connect, obstacle } from "./parts/moveHub.js";
 import { createSenses } from "./parts/senses.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { MoveHub } from "./parts/moveHub.js" */
@@ -63,7 +64,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
   let reason = "";
   const light = shape("circle", { class: "ros-light", r: 0.019, cx: -0.04 });
   const glow = shape("circle", { class: "ros-glow", r: 0.15 });
-  const floor = createFloor("Vernie, seen from above", body(glow, light));
+  const floor = createFloor(say("Vernie, seen from above"), body(glow, light));
 
   /** @type {MoveHub | undefined} */
   let hub;
@@ -88,14 +89,14 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
   });
 
   const senses = createSenses(ros, sensors, changed);
-  const hand = toggle("Hand before it", (held) => senses.hold(held));
+  const hand = toggle(say("Hand before it"), (held) => senses.hold(held));
 
   let trouble = "";
   let connecting = false;
   let closed = false;
-  const ask = button("Connect", "ros-connect", () => (hub ? leave("") : reach()));
+  const ask = button(say("Connect"), "ros-connect", () => (hub ? leave("") : reach()));
   const show = () => {
-    setText(ask, hub ? "Disconnect" : connecting ? "Connecting…" : "Connect");
+    setText(ask, hub ? say("Disconnect") : connecting ? say("Connecting…") : say("Connect"));
     ask.disabled = connecting || obstacle() !== "";
     hand.hidden = !senses.seen || hub !== undefined;
     changed();
@@ -116,7 +117,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
     try {
       const found = await connect({
         ...senses.listener,
-        lost: () => leave("The connection was lost: the hub is off, or too far away. Connect again."),
+        lost: () => leave(say("The connection was lost: the hub is off, or too far away. Connect again.")),
       });
       if (closed) {
         found.disconnect();
@@ -146,20 +147,20 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
       return moving;
     },
     readings: () => [
-      { name: "Robot", text: hub?.name ?? "simulated here" },
+      { name: say("Robot"), text: hub?.name ?? say("simulated here") },
       ...(hub ? senses.readings() : []),
-      { name: "Light", text: color, color: COLORS.get(color)?.look ?? "" },
-      { name: "Motor A", text: `${a} %`, level: a / 100 },
-      { name: "Motor B", text: `${b} %`, level: b / 100 },
+      { name: say("Light"), text: color, color: COLORS.get(color)?.look ?? "" },
+      { name: say("Motor {}", "A"), text: `${a} %`, level: a / 100 },
+      { name: say("Motor {}", "B"), text: `${b} %`, level: b / 100 },
       ...describe(pose),
     ],
     note() {
       if (trouble) return { text: trouble, wrong: true };
       if (unknown) {
         const known = [...COLORS.keys()].join(", ");
-        return { text: `Its light has no colour '${unknown}'; it knows ${known}`, wrong: true };
+        return { text: say("Its light has no colour '{}'; it knows {}", unknown, known), wrong: true };
       }
-      return { text: reason ? `Stopped: ${reason}` : obstacle(), wrong: false };
+      return { text: reason ? say("Stopped: {}", reason) : obstacle(), wrong: false };
     },
     reset() {
       pose = START;

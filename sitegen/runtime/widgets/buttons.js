@@ -1,6 +1,8 @@
 // @ts-check
 // Start and stop a node, empty its consoles, and say how it is.
 
+import { say, states } from "../words.js";
+
 /** @import {Ros} from "../protocol.js" */
 
 /**
@@ -24,9 +26,9 @@ export function mount(element, ros, { node: name }) {
   state.setAttribute("aria-live", "polite");
   title.append(label, state);
 
-  const start = button("Start", "ros-start", () => node.start());
-  const stop = button("Stop", "ros-stop", () => node.stop());
-  const clear = button("Clear", "ros-clear", () => node.clear());
+  const start = button(say("Start"), "ros-start", () => node.start());
+  const stop = button(say("Stop"), "ros-stop", () => node.stop());
+  const clear = button(say("Clear"), "ros-clear", () => node.clear());
   const controls = document.createElement("div");
   controls.className = "ros-controls";
   controls.setAttribute("role", "group");
@@ -43,7 +45,7 @@ export function mount(element, ros, { node: name }) {
     start.disabled = !over;
     stop.disabled = over || node.state === "stopping";
     state.dataset.state = node.state;
-    state.textContent = node.state;
+    state.textContent = states[node.state];
   };
   node.addEventListener("state", show);
   show();

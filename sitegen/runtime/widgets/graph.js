@@ -5,6 +5,7 @@ import { shape, createDrawing } from "../drawing.js";
 import { create, toggle } from "../elements.js";
 import { whileSeen } from "../looking.js";
 import { Graph, layout } from "../vendor/dagre.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -28,13 +29,13 @@ export function mount(element, ros) {
   let hidden = false;
   let drawn = "";
   const drawing = createDrawing();
-  const hint = create("p", "ros-hint", "No nodes now. The graph shows those that run.");
-  const all = toggle("Show hidden", (on) => {
+  const hint = create("p", "ros-hint", say("No nodes now. The graph shows those that run."));
+  const all = toggle(say("Show hidden"), (on) => {
     hidden = on;
     look();
   });
   const controls = create("div", "ros-tools", all, drawing.buttons);
-  element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", "Graph"), controls), drawing.element, hint);
+  element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls), drawing.element, hint);
   drawing.svg.setAttribute("aria-label", inWords([], []));
 
   const look = () => {
@@ -154,9 +155,9 @@ function arrowhead() {
 function inWords(boxes, arrows) {
   const sentences = arrows.map(({ from, to }) =>
     from.startsWith("node ")
-      ? `${from.slice(5)} publishes ${to.slice(6)}`
-      : `${to.slice(5)} subscribes to ${from.slice(6)}`,
+      ? say("{} publishes {}", from.slice(5), to.slice(6))
+      : say("{} subscribes to {}", to.slice(5), from.slice(6)),
   );
   const alone = boxes.filter((box) => box.isNode && !arrows.some(({ from, to }) => [from, to].includes(keyOf(box))));
-  return [...sentences, ...alone.map(({ name }) => `${name} stands alone`)].join("; ") || "no nodes";
+  return [...sentences, ...alone.map(({ name }) => say("{} stands alone", name))].join("; ") || say("no nodes");
 }

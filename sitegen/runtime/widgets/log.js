@@ -3,6 +3,7 @@
 
 import { button, create, setText } from "../elements.js";
 import { whileSeen } from "../looking.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -30,24 +31,24 @@ const NEAR = 24;
  * @returns {() => void} unmount
  */
 export function mount(element, ros, { lines: limit = 1000 }) {
-  const severity = create("select", "", ...LEVELS.map(([, name]) => new Option(`${name} and above`, name)));
+  const severity = create("select", "", ...LEVELS.map(([, name]) => new Option(say("{} and above", name), name)));
   severity.value = "info";
-  severity.setAttribute("aria-label", "severity");
-  const node = create("select", "", new Option("all nodes", ""));
-  node.setAttribute("aria-label", "node");
+  severity.setAttribute("aria-label", say("severity"));
+  const node = create("select", "", new Option(say("all nodes"), ""));
+  node.setAttribute("aria-label", say("node"));
   const search = create("input", "");
   search.type = "search";
-  search.placeholder = "Find text";
-  search.setAttribute("aria-label", "text");
-  const clear = button("Clear", "ros-clear", () => {
+  search.placeholder = say("Find text");
+  search.setAttribute("aria-label", say("text"));
+  const clear = button(say("Clear"), "ros-clear", () => {
     entries = [];
     redraw();
   });
   const controls = create("div", "ros-controls ros-filters", severity, node, search, clear);
-  const bar = create("div", "ros-bar", create("span", "ros-title", "Log"), controls);
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Log")), controls);
   const log = create("div", "ros-lines");
   log.setAttribute("role", "log");
-  log.setAttribute("aria-label", "log of all nodes");
+  log.setAttribute("aria-label", say("log of all nodes"));
   log.tabIndex = 0;
   const hint = create("p", "ros-hint");
   element.replaceChildren(bar, log, hint);
@@ -136,8 +137,8 @@ export function mount(element, ros, { lines: limit = 1000 }) {
 
 /** @param {Ros} ros @param {number} count of what came */
 function hintFor(ros, count) {
-  if (!ros.types[TYPE]) return "The programs of this page do not log to /rosout";
-  return count ? "Nothing matches the filters" : "Nothing logged yet";
+  if (!ros.types[TYPE]) return say("The programs of this page do not log to /rosout");
+  return count ? say("Nothing matches the filters") : say("Nothing logged yet");
 }
 
 /** @param {any} message rcl_interfaces/msg/Log @returns {Entry} */

@@ -3,6 +3,7 @@
 
 import { arrange, create, setText, toggle } from "../elements.js";
 import { whileSeen } from "../looking.js";
+import { say, states } from "../words.js";
 
 /** @import { EndpointKind, NodeHandle, Ros } from "../protocol.js" */
 
@@ -10,10 +11,10 @@ import { whileSeen } from "../looking.js";
 const REFRESH = 1000;
 /** @type {[EndpointKind, string][]} */
 const RELATIONS = [
-  ["publisher", "publishes"],
-  ["subscription", "subscribes to"],
-  ["service", "serves"],
-  ["client", "calls"],
+  ["publisher", say("publishes")],
+  ["subscription", say("subscribes to")],
+  ["service", say("serves")],
+  ["client", say("calls")],
 ];
 // What every node has for its own log and parameters.
 const MACHINERY = new RegExp(
@@ -31,11 +32,11 @@ const MACHINERY = new RegExp(
  */
 export function mount(element, ros) {
   let hidden = false;
-  const all = toggle("Show hidden", (on) => {
+  const all = toggle(say("Show hidden"), (on) => {
     hidden = on;
     look();
   });
-  const bar = create("div", "ros-bar", create("span", "ros-title", "Nodes"), all);
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Nodes")), all);
   const entries = [...ros.nodes.values()].map((node) => createEntry(ros, node));
   const list = create("ul", "ros-programs", ...entries.map((entry) => entry.element));
   element.replaceChildren(bar, create("div", "ros-list", list));
@@ -75,17 +76,17 @@ function createEntry(ros, node) {
   const element = create("li", "", head, create("div", "ros-about", program, facts), nodes);
 
   const tell = () => {
-    const parts = node.state === "running" ? [`for ${duration(Date.now() - node.since)}`] : [];
-    if (node.memory) parts.push(`${(node.memory / 1e6).toFixed(1)} MB of memory`);
+    const parts = node.state === "running" ? [say("for {}", duration(Date.now() - node.since))] : [];
+    if (node.memory) parts.push(say("{} MB of memory", (node.memory / 1e6).toFixed(1)));
     setText(facts, parts.join(" · "));
-    facts.title = `since ${new Date(node.since).toLocaleTimeString()}`;
+    facts.title = say("since {}", new Date(node.since).toLocaleTimeString());
   };
   return {
     element,
     tell,
     show(hidden) {
       state.dataset.state = node.state;
-      setText(state, node.state);
+      setText(state, states[node.state]);
       tell();
       const endpoints = ros.graph.endpoints().filter(({ program: name }) => name === node.name);
       const names = [...new Set(endpoints.map((endpoint) => endpoint.node))].sort();

@@ -4,6 +4,7 @@
 import { button, create, setText } from "../elements.js";
 import { whileSeen } from "../looking.js";
 import { createForm } from "../messages/form.js";
+import { say } from "../words.js";
 
 /** @import { Publisher, Ros } from "../protocol.js" */
 
@@ -33,25 +34,25 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
   let timer;
 
   const choice = create("select", "");
-  choice.setAttribute("aria-label", "topic");
+  choice.setAttribute("aria-label", say("topic"));
   choice.addEventListener("change", () => {
     topic = choice.value;
     look();
   });
   const title = create("span", "ros-name");
   const kind = create("span", "ros-type");
-  const heading = create("div", "ros-node", fixed ? title : create("span", "ros-title", "Publish"));
+  const heading = create("div", "ros-node", fixed ? title : create("span", "ros-title", say("Publish")));
   if (fixed) heading.append(kind);
   const bar = create("div", "ros-bar", heading);
   if (!fixed) bar.append(choice);
 
   const place = create("div", "ros-place");
-  const once = create("button", "ros-send", "Publish once");
+  const once = create("button", "ros-send", say("Publish once"));
   const rate = create("input", "ros-rate");
   rate.value = "1";
   rate.inputMode = "decimal";
-  rate.setAttribute("aria-label", "messages a second (Hz)");
-  const repeat = button("Repeat", "ros-start", () => (timer === undefined ? begin() : stop()));
+  rate.setAttribute("aria-label", say("messages a second (Hz)"));
+  const repeat = button(say("Repeat"), "ros-start", () => (timer === undefined ? begin() : stop()));
   const note = create("p", "ros-note");
   note.setAttribute("role", "status");
   const every = create("label", "ros-every", rate, "Hz");
@@ -62,7 +63,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
   element.replaceChildren(bar, form, hint);
 
   /** @param {string} text @param {boolean} [wrong] */
-  const say = (text, wrong = false) => {
+  const tell = (text, wrong = false) => {
     note.classList.toggle("ros-wrong", wrong);
     setText(note, text);
   };
@@ -75,11 +76,11 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
       publisher ??= ros.advertise(topic, typeOf());
       publisher.publish(message);
     } catch (error) {
-      say(`Not published: ${error instanceof Error ? error.message : error}`, true);
+      tell(say("Not published: {}", error instanceof Error ? error.message : error), true);
       return false;
     }
     count++;
-    say(`${count} ${count === 1 ? "message" : "messages"} published`);
+    tell(count === 1 ? say("1 message published") : say("{} messages published", count));
     return true;
   };
 
@@ -93,7 +94,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
     const wrong = !(hertz >= SLOWEST && hertz <= FASTEST);
     rate.toggleAttribute("aria-invalid", wrong);
     if (wrong) {
-      say(`The rate is a number from ${SLOWEST} to ${FASTEST} Hz`, true);
+      tell(say("The rate is a number from {} to {} Hz", SLOWEST, FASTEST), true);
       rate.focus();
       return;
     }
@@ -117,7 +118,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
 
   const show = () => {
     const repeating = timer !== undefined;
-    setText(repeat, repeating ? "Stop" : "Repeat");
+    setText(repeat, repeating ? say("Stop") : say("Repeat"));
     repeat.className = repeating ? "ros-stop" : "ros-start";
     rate.disabled = repeating;
   };
@@ -126,7 +127,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
   const build = (type) => {
     end();
     count = 0;
-    say("");
+    tell("");
     made = undefined;
     place.replaceChildren();
     if (!type) return;
@@ -136,7 +137,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
       if (given.message && !made.fill(given.message)) given.odd();
       given.message = undefined;
     } catch (error) {
-      say(`Nothing can be published here: ${error instanceof Error ? error.message : error}`, true);
+      tell(say("Nothing can be published here: {}", error instanceof Error ? error.message : error), true);
     }
   };
 
@@ -155,8 +156,8 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
     repeat.disabled = !made;
     hint.hidden = Boolean(type);
     setText(hint, topic
-      ? `Nobody uses ${topic} now, so the type of its messages is not known. Start a node that does.`
-      : "No topic to publish on. They come when nodes start.");
+      ? say("Nobody uses {} now, so the type of its messages is not known. Start a node that does.", topic)
+      : say("No topic to publish on. They come when nodes start."));
   };
 
   form.addEventListener("submit", (event) => {

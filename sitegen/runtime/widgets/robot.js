@@ -4,6 +4,7 @@
 
 import { arrange, button, create, setText } from "../elements.js";
 import { place } from "../place.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Reading, Robot } from "../robots/parts/robot.js" */
@@ -62,7 +63,7 @@ function show(element, ros, make, options) {
   const robot = make(ros, options, changed);
   const listens = create("span", "ros-type");
   const heading = create("div", "ros-node", create("span", "ros-title", robot.title), listens);
-  const restart = button("Reset", "ros-again", () => robot.reset());
+  const restart = button(say("Reset"), "ros-again", () => robot.reset());
   const controls = create("div", "ros-controls", ...robot.controls, restart);
   const stage = create("div", "ros-stage", robot.drawing);
   const values = create("dl", "ros-readings");
@@ -87,9 +88,9 @@ function show(element, ros, make, options) {
   const look = () => {
     const topics = ros.graph.topics();
     setText(listens, robot.inputs.map(({ topic, type }) => {
-      if (!ros.types[type]) return `${topic}: no node of this page uses ${type}, so it cannot be read`;
+      if (!ros.types[type]) return say("{}: no node of this page uses {}, so it cannot be read", topic, type);
       const from = topics.find(({ name }) => name === topic)?.publishers ?? [];
-      return from.length ? `${topic} from ${from.join(", ")}` : `${topic}: nobody publishes`;
+      return from.length ? say("{} from {}", topic, from.join(", ")) : say("{}: nobody publishes", topic);
     }).join(" · "));
   };
 

@@ -5,6 +5,7 @@ import { arrange, button, create, setText, toggle } from "../elements.js";
 import { whileSeen } from "../looking.js";
 import { createForm } from "../messages/form.js";
 import { toYaml } from "../messages/yaml.js";
+import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -34,14 +35,14 @@ export function mount(element, ros, { show }) {
   /** @type {Map<string, Row>} */
   const rows = new Map();
 
-  const bar = create("div", "ros-bar", create("span", "ros-title", "Services"));
-  const all = toggle("Show hidden", (on) => {
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Services")));
+  const all = toggle(say("Show hidden"), (on) => {
     hidden = on;
     look();
   });
   if (!show) bar.append(all);
   const body = create("ul", "ros-picks");
-  const hint = create("p", "ros-hint", "No services now. They come when nodes that serve start.");
+  const hint = create("p", "ros-hint", say("No services now. They come when nodes that serve start."));
   const list = create("div", "ros-list", body, hint);
   const call = createCall(ros);
   element.replaceChildren(bar, create("div", "ros-split", list, call.element));
@@ -65,7 +66,7 @@ export function mount(element, ros, { show }) {
         rows.set(name, row);
       }
       setText(row.type, types.join(", "));
-      setText(row.servers, servers.length ? `served by ${servers.join(", ")}` : "no server now");
+      setText(row.servers, servers.length ? say("served by {}", servers.join(", ")) : say("no server now"));
       row.element.classList.toggle("ros-idle", !servers.length);
     }
     arrange(body, names.flatMap((name) => rows.get(name)?.element ?? []));
@@ -122,15 +123,15 @@ function createCall(ros) {
   const kind = create("span", "ros-type");
   const bar = create("div", "ros-bar", create("div", "ros-node", title, kind));
   const place = create("div", "ros-place");
-  const send = create("button", "ros-send", "Call");
+  const send = create("button", "ros-send", say("Call"));
   const note = create("p", "ros-note");
   note.setAttribute("role", "status");
   const answer = create("pre", "ros-answer");
   answer.tabIndex = 0;
-  answer.setAttribute("aria-label", "answer");
+  answer.setAttribute("aria-label", say("answer"));
   const form = create("form", "ros-call", place, create("div", "ros-controls", send), note, answer);
   form.noValidate = true;
-  const hint = create("p", "ros-hint", "Choose a service to call it");
+  const hint = create("p", "ros-hint", say("Choose a service to call it"));
   const element = create("div", "ros-detail", bar, form, hint);
 
   let shown = "";
@@ -143,7 +144,7 @@ function createCall(ros) {
   let given = { service: "", request: /** @type {any} */ (undefined), odd: () => {} };
 
   /** @param {string} text @param {boolean} [wrong] */
-  const say = (text, wrong = false) => {
+  const tell = (text, wrong = false) => {
     note.classList.toggle("ros-wrong", wrong);
     setText(note, text);
   };
@@ -152,7 +153,7 @@ function createCall(ros) {
     made = undefined;
     calling = 0;
     answer.textContent = "";
-    say("");
+    tell("");
     place.replaceChildren();
     if (!type) return;
     try {
@@ -163,7 +164,7 @@ function createCall(ros) {
         given.request = undefined;
       }
     } catch (error) {
-      say(`It cannot be called from here: ${error instanceof Error ? error.message : error}`, true);
+      tell(say("It cannot be called from here: {}", error instanceof Error ? error.message : error), true);
     }
   };
 
@@ -174,16 +175,16 @@ function createCall(ros) {
     const mine = ++calling;
     const [name, its] = [service, type];
     answer.textContent = "";
-    say("Waiting for the answer…");
+    tell(say("Waiting for the answer…"));
     const begun = performance.now();
     try {
       const response = await ros.call(name, its, request, TIMEOUT);
       if (mine !== calling || service !== name) return;
       answer.textContent = toYaml(response, `${its}_Response`, ros.types);
-      say(`${name} answered in ${(performance.now() - begun).toFixed(1)} ms`);
+      tell(say("{} answered in {} ms", name, (performance.now() - begun).toFixed(1)));
     } catch (error) {
       if (mine !== calling || service !== name) return;
-      say(error instanceof Error ? error.message : String(error), true);
+      tell(error instanceof Error ? error.message : String(error), true);
     }
   });
 
@@ -207,7 +208,7 @@ function createCall(ros) {
       form.hidden = !name || !type;
       send.disabled = !made;
       hint.hidden = !form.hidden;
-      setText(hint, name ? `No server on ${name} now. Start the node that serves it.` : "Choose a service to call it");
+      setText(hint, name ? say("No server on {} now. Start the node that serves it.", name) : say("Choose a service to call it"));
       send.classList.toggle("ros-idle", servers === 0);
     },
   };

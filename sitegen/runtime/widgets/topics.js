@@ -7,6 +7,7 @@ import { createEcho } from "../messages/echo.js";
 import { explain } from "../messages/mismatch.js";
 import { Rate } from "../messages/rate.js";
 import { now } from "../protocol.js";
+import { say } from "../words.js";
 
 /** @import { Mismatch, Ros } from "../protocol.js" */
 
@@ -16,15 +17,15 @@ const REFRESH = 500;
 const MACHINERY = ["/rosout", "/parameter_events"];
 
 const HEADINGS = /** @type {const} */ ([
-  ["Topic", "name and type"],
-  ["Pub", "how many publish"],
-  ["Sub", "how many subscribe"],
-  ["Rate", "messages and bytes a second, over the last five seconds"],
+  [say("Topic"), say("name and type")],
+  [say("Pub"), say("how many publish")],
+  [say("Sub"), say("how many subscribe")],
+  [say("Rate"), say("messages and bytes a second, over the last five seconds")],
 ]);
 
 // More of those who do not hear each other than this are counted, not listed.
 const WARNINGS = 3;
-const MISSED = "Messages that came faster than subscriptions took them, so that newer ones replaced them";
+const MISSED = say("Messages that came faster than subscriptions took them, so that newer ones replaced them");
 const compact = new Intl.NumberFormat("en", { notation: "compact" });
 
 /**
@@ -47,8 +48,8 @@ export function mount(element, ros, { show, echo: first }) {
   /** @type {Map<string, Row>} */
   const rows = new Map();
 
-  const bar = create("div", "ros-bar", create("span", "ros-title", "Topics"));
-  const all = toggle("Show hidden", (on) => {
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Topics")));
+  const all = toggle(say("Show hidden"), (on) => {
     hidden = on;
     look();
   });
@@ -61,7 +62,7 @@ export function mount(element, ros, { show, echo: first }) {
     return heading;
   });
   const table = create("table", "ros-table", create("thead", "", create("tr", "", ...headings)), body);
-  const hint = create("p", "ros-hint", "No topics now. They come when nodes start.");
+  const hint = create("p", "ros-hint", say("No topics now. They come when nodes start."));
   const list = create("div", "ros-list", table, hint);
   const echo = createEcho(ros);
   element.replaceChildren(bar, create("div", "ros-split", list, echo.element));
@@ -182,7 +183,7 @@ function createRow(ros, name, choose) {
       from.title = publishers.join(", ");
       setText(listening, String(listeners.length));
       listening.title = listeners.join(", ");
-      setText(lost, missed ? `${compact.format(missed)} missed` : "");
+      setText(lost, missed ? say("{} missed", compact.format(missed)) : "");
       lost.title = MISSED;
       warn(warnings, mismatches.filter((pair) => isShown(pair.publisher) && isShown(pair.subscription)));
       element.classList.toggle("ros-idle", !publishers.length);
@@ -209,7 +210,7 @@ function createRow(ros, name, choose) {
 function warn(element, mismatches) {
   const texts = [...new Set(mismatches.map(explain))];
   const more = texts.length - WARNINGS;
-  const shown = [...texts.slice(0, WARNINGS), ...(more > 0 ? [`and ${more} more like these`] : [])];
+  const shown = [...texts.slice(0, WARNINGS), ...(more > 0 ? [say("and {} more like these", more)] : [])];
   if (shown.join() === [...element.children].map((child) => child.textContent).join()) return;
   element.replaceChildren(...shown.map((text) => create("p", "", text)));
 }

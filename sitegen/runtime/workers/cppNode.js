@@ -37,7 +37,15 @@ onmessage = (event) => {
 async function run(node, graph) {
   let failure = "";
   /** @param {unknown} error */
-  const ended = (error) => end(1, failure || describe(error));
+  const ended = (error) => {
+    // With fibers, exit() throws its status and does not tell it by onExit.
+    const status = /** @type {{name?: string, status?: number}} */ (error);
+    if (status?.name === "ExitStatus") {
+      end(status.status ?? 0, failure);
+    } else {
+      end(1, failure || describe(error));
+    }
+  };
   /** @param {string} text */
   const fail = (text) => {
     failure = text;

@@ -4,7 +4,7 @@
 
 import { now } from "../protocol.js";
 
-/** @import { EndpointKind, Qos, Severity } from "../protocol.js" */
+/** @import { EndpointKind, FromWorker, Qos, Severity, Typed } from "../protocol.js" */
 /** @import { EventKind } from "../participant/status.js" */
 /** @import { Participant } from "../participant/participant.js" */
 /** @import { Printer } from "./printer.js" */
@@ -15,9 +15,11 @@ const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fata
 /**
  * @param {Participant} participant
  * @param {Printer} printer
+ * @param {Typed[]} typed what came for a prompt and waits
+ * @param {(message: FromWorker) => void} post to the page
  * @param {(error: unknown) => void} failed called with what a thread ended by
  */
-export function pythonHost(participant, printer, failed) {
+export function pythonHost(participant, printer, typed, post, failed) {
   return {
     object: Object.fromEntries,
     now,
@@ -54,6 +56,14 @@ export function pythonHost(participant, printer, failed) {
       return participant.wait(milliseconds);
     },
     wake: () => participant.wake(),
+    typed: () => typed.shift(),
+    /** A prompt waits for a line. @param {boolean} more whether the last one goes on */
+    ready(more) {
+      printer.flush();
+      post({ op: "ready", more });
+    },
+    /** @param {string} text @param {string[]} words that it may become */
+    complete: (text, words) => post({ op: "words", text, words }),
     /**
      * Run a Python function on a stack of its own, after the present one has come to wait.
      * @param {{callPromising(): Promise<unknown>, destroy(): void}} body

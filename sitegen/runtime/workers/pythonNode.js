@@ -7,7 +7,7 @@ import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
 import { Printer } from "./printer.js";
 import { pythonHost } from "./pythonHost.js";
 
-/** @import { FromWorker, ToWorker } from "../protocol.js" */
+/** @import { FromWorker, ToWorker, Typed } from "../protocol.js" */
 
 // As rclpy_backend/program.py has it.
 const PREFIX = "/ros";
@@ -17,12 +17,17 @@ const post = (message) => postMessage(message);
 const printer = new Printer(post);
 /** @type {Participant | undefined} */
 let participant;
+/** @type {Typed[]} */
+const typed = [];
 
 /** @param {MessageEvent<ToWorker>} event */
 onmessage = (event) => {
   if (event.data.op === "interpret") {
     participant = new Participant(event.data.id, post);
     run(event.data, participant).catch((error) => end(1, describe(error)));
+  } else if (event.data.op === "line" || event.data.op === "complete") {
+    typed.push(event.data);
+    participant?.wake();
   } else {
     participant?.receive(event.data);
   }
@@ -45,7 +50,7 @@ async function run({ name, program, arguments: args }, graph) {
   python.setStderr({ batched: (/** @type {string} */ line) => printer.print("stderr", line) });
   for (const bundle of await files) python.unpackArchive(bundle, "zip", { extractDir: PREFIX });
   const failed = (/** @type {unknown} */ error) => end(1, describe(error));
-  python.registerJsModule("ros_host", pythonHost(graph, printer, failed));
+  python.registerJsModule("ros_host", pythonHost(graph, printer, typed, post, failed));
   python.pyimport("sys").path.insert(0, `${PREFIX}/python`);
   post({ op: "memory", bytes: python._module.HEAPU8.length });
   const { run: call } = python.pyimport("rclpy_backend.program");

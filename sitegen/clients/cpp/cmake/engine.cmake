@@ -24,6 +24,18 @@ add_link_options(
 foreach(_setting IN LISTS _settings)
   add_link_options("SHELL:-s ${_setting}")
 endforeach()
+# Threads are ours (src/threads.cpp): what is said here is never asked of the C library.
+set(_threads
+  create join detach self mutexattr_init mutexattr_settype mutex_init mutex_lock mutex_timedlock mutex_trylock mutex_unlock
+  cond_init cond_wait cond_timedwait cond_signal cond_broadcast
+  key_create key_delete getspecific setspecific)
+list(TRANSFORM _threads PREPEND pthread_)
+if(SITEGEN_ENGINE STREQUAL "jspi")
+  list(APPEND _threads __cxa_get_globals __cxa_get_globals_fast)
+endif()
+foreach(_function IN LISTS _threads)
+  add_link_options("LINKER:--wrap=${_function}")
+endforeach()
 # ros_main() and the sleeps of libc are in the library, which CMake puts last.
 foreach(_language C CXX)
   string(APPEND CMAKE_${_language}_STANDARD_LIBRARIES " \"${SITEGEN_RCLCPP}\"")

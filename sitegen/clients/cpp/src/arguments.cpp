@@ -56,6 +56,20 @@ bool parse_remap(const std::string & text, Arguments & arguments)
   return true;
 }
 
+bool parse_parameter_rule(const std::string & text, Arguments & arguments)
+{
+  const auto assign = text.find(":=");
+  if (assign == std::string::npos) {return false;}
+  std::string name = text.substr(0, assign);
+  const auto colon = name.find(':');
+  std::string node = colon == std::string::npos ? "" : name.substr(0, colon);
+  if (colon != std::string::npos) {name.erase(0, colon + 1);}
+  // The last of several counts; the list is searched from its beginning.
+  arguments.parameters.insert(
+    arguments.parameters.begin(), {std::move(node), std::move(name), text.substr(assign + 2)});
+  return true;
+}
+
 bool parse_log_level(const std::string & text, Arguments & arguments)
 {
   const auto assign = text.find(":=");
@@ -65,7 +79,23 @@ bool parse_log_level(const std::string & text, Arguments & arguments)
   return level >= 0;
 }
 
+bool is_about_outputs(const std::string & word)
+{
+  for (const char * known : {"rosout-logs", "stdout-logs", "external-lib-logs"}) {
+    if (word == std::string("--disable-") + known || word == std::string("--enable-") + known) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+void Arguments::append(const Arguments & later)
+{
+  remaps.insert(remaps.end(), later.remaps.begin(), later.remaps.end());
+  parameters.insert(parameters.end(), later.parameters.begin(), later.parameters.end());
+}
 
 Arguments parse_arguments(int argc, char const * const * argv)
 {
@@ -83,6 +113,14 @@ Arguments parse_arguments(int argc, char const * const * argv)
       ros = false;
     } else if ((word == "-r" || word == "--remap") && more && parse_remap(argv[i + 1], arguments)) {
       ++i;
+    } else if ((word == "-p" || word == "--param") && more &&
+      parse_parameter_rule(argv[i + 1], arguments))
+    {
+      ++i;
+    } else if (is_about_outputs(word)) {
+      // Where the log goes is the page's to say.
+    } else if (word == "--enclave" || word == "-e") {
+      i += more;
     } else if (word == "--log-level" && more && parse_log_level(argv[i + 1], arguments)) {
       ++i;
     } else {
@@ -91,6 +129,13 @@ Arguments parse_arguments(int argc, char const * const * argv)
   }
   if (!unknown.empty()) {throw exceptions::UnknownROSArgsError(std::move(unknown));}
   return arguments;
+}
+
+bool applies_to(
+  const std::string & rule, const std::string & name, const std::string & full_name)
+{
+  return rule.empty() || rule == name || rule == full_name || rule == "/**" || rule == "/*" ||
+         rule == "/**/" + name || rule == "/*/" + name;
 }
 
 std::string remap_node(

@@ -7,6 +7,7 @@
 #include "rclcpp/client.hpp"
 #include "rclcpp/detail/host.h"
 #include "rclcpp/detail/platform.hpp"
+#include "rclcpp/detail/stacks.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/publisher.hpp"
@@ -23,6 +24,9 @@ namespace
 // How long a publisher waits for room (ms). Fast DDS has 100, but a robot does not share its processor
 // with all the other tabs.
 constexpr double kMaxBlocking = 1000;
+
+// ok() may let the event loop turn, and what then happens would not end the wait after it.
+bool is_valid() {return contexts::get_global_default_context()->is_valid();}
 
 }  // namespace
 
@@ -90,12 +94,27 @@ std::size_t Endpoint::matched() const {return static_cast<std::size_t>(ros_match
 
 bool Receiver::execute_one()
 {
+  SerializedMessage bytes;
+  rmw_message_info_t info;
+  double writer;
+  if (!take_bytes(bytes, info, writer)) {return false;}
+  handle(bytes, info, writer);
+  return true;
+}
+
+bool Receiver::is_ready() const
+{
+  ros_message_info from;
+  return ros_next(id(), &from) >= 0;
+}
+
+bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer)
+{
   ros_message_info from;
   const std::int32_t size = ros_next(id(), &from);
   if (size < 0) {return false;}
-  SerializedMessage bytes;
   ros_take(id(), bytes.resize(static_cast<std::size_t>(size)));
-  rmw_message_info_t info{};
+  info = {};
   info.source_timestamp = nanoseconds(from.source_timestamp);
   info.received_timestamp = nanoseconds(from.received_timestamp);
   info.publication_sequence_number = from.sequence;
@@ -103,7 +122,7 @@ bool Receiver::execute_one()
   info.publisher_gid.implementation_identifier =
     rosidl_typesupport_sitegen_cpp::typesupport_identifier;
   std::memcpy(info.publisher_gid.data, &from.writer, sizeof(from.writer));
-  handle(bytes, info, from.writer);
+  writer = from.writer;
   return true;
 }
 
@@ -147,8 +166,9 @@ PublisherBase::PublisherBase(
   const detail::MessageMembers & type, const QoS & qos, const PublisherOptions & options)
 : type_(type), endpoint_(ROS_PUBLISHER, node, topic, type.name, qos),
   events_(
-    options.event_callbacks, options.use_default_callbacks,
-    detail::logger_name(node.get_fully_qualified_name()), endpoint_.name())
+    std::make_shared<detail::Events>(
+      endpoint_.id(), options.event_callbacks, options.use_default_callbacks,
+      detail::logger_name(node.get_fully_qualified_name()), endpoint_.name()))
 {
 }
 
@@ -172,7 +192,10 @@ void PublisherBase::publish_bytes(const SerializedMessage & bytes)
 
 void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
 {
+  detail::sent();
   if (ros_publish(endpoint_.id(), data, size)) {return;}
+  // While it waits another thread may publish, too, and the buffer is one for all.
+  const std::vector<std::uint8_t> kept(data, data + size);
   const double end = detail::now() + kMaxBlocking;
   do {
     const double left = end - detail::now();
@@ -182,7 +205,7 @@ void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
               get_topic_name() + "' have no room for more");
     }
     detail::wait(left);
-  } while (!ros_publish(endpoint_.id(), data, size));
+  } while (!ros_publish(endpoint_.id(), kept.data(), size));
 }
 
 bool PublisherBase::wait_until_sent(double milliseconds) const
@@ -190,7 +213,7 @@ bool PublisherBase::wait_until_sent(double milliseconds) const
   const double end = detail::now() + milliseconds;
   while (ros_behind(endpoint_.id())) {
     const double left = end - detail::now();
-    if (!ok() || (milliseconds >= 0 && left <= 0)) {return false;}
+    if (!is_valid() || (milliseconds >= 0 && left <= 0)) {return false;}
     detail::wait(milliseconds < 0 ? -1 : left);
   }
   return true;
@@ -201,8 +224,9 @@ SubscriptionBase::SubscriptionBase(
   const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptions & options)
 : Receiver(ROS_SUBSCRIPTION, node, topic, type.name, qos), type_(type),
   events_(
-    options.event_callbacks, options.use_default_callbacks,
-    detail::logger_name(node.get_fully_qualified_name()), name())
+    std::make_shared<detail::Events>(
+      id(), options.event_callbacks, options.use_default_callbacks,
+      detail::logger_name(node.get_fully_qualified_name()), name()))
 {
 }
 
@@ -220,6 +244,7 @@ void ServiceBase::respond(
   std::memcpy(&writer, to.writer_guid, sizeof(writer));
   const auto bytes = detail::encode(type, response);
   const auto sequence = static_cast<std::uint32_t>(to.sequence_number);
+  detail::sent();
   ros_respond(id(), writer, sequence, bytes.data, bytes.size);
 }
 
@@ -233,6 +258,7 @@ ClientBase::ClientBase(
 std::int64_t ClientBase::send(const detail::MessageMembers & type, const void * request)
 {
   const auto bytes = detail::encode(type, request);
+  detail::sent();
   return ros_request(id(), bytes.data, bytes.size);
 }
 
@@ -241,7 +267,7 @@ bool ClientBase::wait(double milliseconds)
   const double end = detail::now() + milliseconds;
   while (!service_is_ready()) {
     const double left = end - detail::now();
-    if (!ok() || (milliseconds >= 0 && left <= 0)) {return false;}
+    if (!is_valid() || (milliseconds >= 0 && left <= 0)) {return false;}
     detail::wait(milliseconds < 0 ? -1 : left);
   }
   return true;

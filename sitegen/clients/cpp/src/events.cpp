@@ -69,8 +69,9 @@ void Events::on(
 }
 
 Events::Events(
-  const PublisherEventCallbacks & callbacks, bool defaults, const std::string & logger,
-  const std::string & topic)
+  std::int32_t endpoint, const PublisherEventCallbacks & callbacks, bool defaults,
+  const std::string & logger, const std::string & topic)
+: endpoint_(endpoint)
 {
   auto on_incompatible = callbacks.incompatible_qos_callback;
   auto on_type = callbacks.incompatible_type_callback;
@@ -98,8 +99,9 @@ Events::Events(
 }
 
 Events::Events(
-  const SubscriptionEventCallbacks & callbacks, bool defaults, const std::string & logger,
-  const std::string & topic)
+  std::int32_t endpoint, const SubscriptionEventCallbacks & callbacks, bool defaults,
+  const std::string & logger, const std::string & topic)
+: endpoint_(endpoint)
 {
   auto on_incompatible = callbacks.incompatible_qos_callback;
   auto on_type = callbacks.incompatible_type_callback;
@@ -128,12 +130,15 @@ Events::Events(
   on(ROS_EVENT_MATCHED, callbacks.matched_callback, matched);
 }
 
-bool Events::execute(std::int32_t id)
+bool Events::execute_one()
 {
+  const std::uint32_t events = ros_events();
+  if (events == seen_) {return false;}
+  seen_ = events;
   bool any = false;
   for (const auto & [kind, call] : calls_) {
     ros_event event;
-    if (!ros_take_event(id, kind, &event)) {continue;}
+    if (!ros_take_event(endpoint_, kind, &event)) {continue;}
     any = true;
     call(event);
   }

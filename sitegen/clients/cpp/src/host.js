@@ -30,6 +30,10 @@ mergeInto(LibraryManager.library, {
   ros_wait: function(milliseconds) { return Module["ros"]["wait"](milliseconds); },
   // This compiler need not know JSPI: the import is wrapped here, where its name is certain.
   ros_wait__postset: '_ros_wait = new WebAssembly.Suspending(_ros_wait);',
+  ros_spawn: function(entry, argument) {
+    var run = WebAssembly.promising(wasmTable.get(entry));
+    queueMicrotask(function() { run(argument).catch(Module["ros"]["ended"]); });
+  },
 #endif
   ros_wait__sig: 'id',
   ros_wake: function() { Module["ros"]["wake"](); },

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <map>
 
-#include "rclcpp/detail/arguments.hpp"
+#include "rclcpp/contexts/default_context.hpp"
 #include "rclcpp/detail/host.h"
 #include "rclcpp/detail/rosout.hpp"
 
@@ -37,7 +37,7 @@ Logger::Level Logger::get_effective_level() const
   std::string name = name_;
   while (true) {
     int level = level_of(set_levels(), name);
-    if (!level) {level = level_of(detail::arguments().log_levels, name);}
+    if (!level) {level = level_of(contexts::get_global_default_context()->arguments().log_levels, name);}
     if (level) {return static_cast<Level>(level);}
     if (name.empty()) {return Level::Info;}
     const auto dot = name.rfind('.');

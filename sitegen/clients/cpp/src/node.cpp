@@ -1,7 +1,8 @@
 #include "rclcpp/node.hpp"
 
 #include "rclcpp/detail/arguments.hpp"
-#include "rclcpp/detail/host.h"
+#include "rclcpp/detail/node_parameters.hpp"
+#include "rclcpp/logging.hpp"
 
 namespace rclcpp
 {
@@ -9,50 +10,40 @@ namespace rclcpp
 namespace
 {
 
-std::string with_slash(const std::string & name_space)
+/// What counts for a node: its own arguments first, then those of the program.
+detail::Arguments arguments_of(const NodeOptions & options)
 {
-  return name_space.empty() || name_space[0] != '/' ? "/" + name_space : name_space;
+  std::vector<const char *> words;
+  for (const auto & word : options.arguments()) {words.push_back(word.c_str());}
+  auto own = detail::parse_arguments(static_cast<int>(words.size()), words.data());
+  if (options.use_global_arguments()) {own.append(options.context()->arguments());}
+  return own;
 }
 
 }  // namespace
-
-namespace node_interfaces
-{
-
-NodeBaseInterface::NodeBaseInterface(const std::string & name, const std::string & name_space)
-: name_(detail::remap_node(detail::arguments(), name, "__node", name)),
-  namespace_(
-    with_slash(detail::remap_node(detail::arguments(), name, "__ns", name_space))),
-  full_name_((namespace_ == "/" ? "/" : namespace_ + "/") + name_),
-  id_(0)
-{
-  detail::validate_node_name(name_);
-  detail::validate_namespace(namespace_);
-  const ros_qos none{};
-  id_ = ros_create(ROS_NODE, full_name_.c_str(), "", "", &none);
-}
-
-NodeBaseInterface::~NodeBaseInterface() {ros_destroy(id_);}
-
-std::string NodeBaseInterface::resolve(
-  const std::string & name, detail::NameKind kind) const
-{
-  return detail::resolve_name(detail::arguments(), name_, namespace_, name, kind);
-}
-
-}  // namespace node_interfaces
 
 Node::Node(const std::string & name, const NodeOptions & options)
 : Node(name, "", options)
 {
 }
 
-Node::Node(const std::string & name, const std::string & name_space, const NodeOptions &)
-: base_(std::make_shared<node_interfaces::NodeBaseInterface>(name, name_space)),
+Node::Node(
+  const std::string & name, const std::string & name_space, const NodeOptions & options)
+: options_(options),
+  base_(
+    std::make_shared<node_interfaces::NodeBaseInterface>(
+      name, name_space, options.context(), arguments_of(options))),
   logger_(detail::logger_name(base_->get_fully_qualified_name())),
   rosout_(*base_, logger_.get_name()),
-  clock_(std::make_shared<Clock>(RCL_ROS_TIME))
+  clock_(std::make_shared<Clock>(options.clock_type()))
 {
+  if (detail::make_node_parameters) {
+    parameters_ = detail::make_node_parameters(base_, options, clock_, time_source_);
+  } else if (!base_->arguments().parameters.empty()) {
+    RCLCPP_WARN(
+      logger_, "parameter '%s' has no effect: this program does not use parameters",
+      base_->arguments().parameters[0].name.c_str());
+  }
 }
 
 }  // namespace rclcpp

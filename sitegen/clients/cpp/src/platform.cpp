@@ -1,6 +1,7 @@
 #include "rclcpp/detail/platform.hpp"
 
 #include <emscripten.h>
+#include <sched.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <functional>
 #include <new>
 #include <string>
 #include <typeinfo>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "rclcpp/detail/host.h"
+#include "rclcpp/detail/stacks.hpp"
 
 extern "C" int ros_user_main(int argc, char ** argv);
 
@@ -25,12 +28,29 @@ namespace detail
 
 double now() {return ros_now();}
 
+namespace
+{
+// A busy program lets the event loop turn this often (ms): often enough for a Stop button, seldom
+// enough to cost nothing.
+constexpr double kBreath = 4;
+double last_wait = 0;
+bool ending = false;
+}  // namespace
+
 void wait(double milliseconds)
 {
-  if (const int signal = ros_wait(milliseconds)) {std::raise(signal);}
+  const int signal = suspend(milliseconds);
+  last_wait = now();
+  if (signal) {std::raise(signal);}
 }
 
-void sleep(double milliseconds, bool (* stop)())
+void breathe()
+{
+  // What runs at exit() cannot wait any more.
+  if (!ending && now() - last_wait >= kBreath) {wait(0);}
+}
+
+void sleep(double milliseconds, const std::function<bool()> & stop)
 {
   const double end = now() + milliseconds;
   // Once at least, so that a loop around a sleep of nothing lets the page breathe.
@@ -80,6 +100,12 @@ std::string describe_exception()
   }
 }
 
+[[noreturn]] void end(int code)
+{
+  ending = true;
+  std::exit(code);
+}
+
 std::vector<std::string> command_line()
 {
   std::vector<std::string> words;
@@ -93,6 +119,16 @@ std::vector<std::string> command_line()
 }
 }  // namespace
 
+void guarded(const std::function<void()> & body)
+{
+  try {
+    body();
+  } catch (...) {
+    ros_fail(describe_exception().c_str());
+    end(1);
+  }
+}
+
 }  // namespace detail
 }  // namespace rclcpp
 
@@ -105,13 +141,10 @@ EMSCRIPTEN_KEEPALIVE void ros_main(void)
   std::vector<char *> argv;
   for (auto & word : words) {argv.push_back(word.data());}
   argv.push_back(nullptr);
-  int code = 1;
-  try {
-    code = ros_user_main(static_cast<int>(words.size()), argv.data());
-  } catch (...) {
-    ros_fail(rclcpp::detail::describe_exception().c_str());
-  }
-  std::exit(code);
+  int code = 0;
+  rclcpp::detail::guarded(
+    [&] {code = ros_user_main(static_cast<int>(words.size()), argv.data());});
+  rclcpp::detail::end(code);
 }
 
 EMSCRIPTEN_KEEPALIVE void * ros_main_pointer(void)
@@ -136,6 +169,13 @@ int usleep(unsigned microseconds)
 unsigned sleep(unsigned seconds)
 {
   rclcpp::detail::sleep(seconds * 1e3, nullptr);
+  return 0;
+}
+
+// std::this_thread::yield
+int sched_yield(void)
+{
+  rclcpp::detail::wait(0);
   return 0;
 }
 

@@ -4,11 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "rclcpp/clock.hpp"
-#include "rclcpp/detail/platform.hpp"
-#include "rclcpp/rate.hpp"
-#include "rclcpp/timer.hpp"
-#include "rclcpp/utilities.hpp"
 
 namespace rclcpp
 {
@@ -52,16 +47,6 @@ MessageT split(std::int64_t nanoseconds)
   message.sec = static_cast<std::int32_t>(seconds);
   message.nanosec = static_cast<std::uint32_t>(rest);
   return message;
-}
-
-double milliseconds(std::chrono::nanoseconds duration)
-{
-  return static_cast<double>(duration.count()) / 1e6;
-}
-
-std::chrono::nanoseconds nanoseconds(double milliseconds)
-{
-  return std::chrono::nanoseconds(static_cast<std::int64_t>(milliseconds * 1e6));
 }
 
 }  // namespace
@@ -132,77 +117,5 @@ Time Time::operator-(const Duration & duration) const
 {
   return Time(subtract(nanoseconds_, duration.nanoseconds()), clock_);
 }
-
-Time Clock::now() const {return Time(nanoseconds(detail::now()).count(), clock_);}
-
-bool Clock::sleep_for(const Duration & duration) const
-{
-  return rclcpp::sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
-}
-
-bool Clock::sleep_until(const Time & until) const {return sleep_for(until - now());}
-
-TimerBase::TimerBase(
-  std::chrono::nanoseconds period, std::function<void(TimerBase &)> callback, bool autostart)
-: period_(milliseconds(period)), next_(detail::now() + period_), canceled_(!autostart),
-  callback_(std::move(callback))
-{
-  if (period_ < 0) {throw std::invalid_argument("timer period cannot be negative");}
-}
-
-void TimerBase::cancel() {canceled_ = true;}
-
-void TimerBase::reset()
-{
-  canceled_ = false;
-  next_ = detail::now() + period_;
-}
-
-bool TimerBase::is_ready() const {return !canceled_ && detail::now() >= next_;}
-
-std::chrono::nanoseconds TimerBase::time_until_trigger() const
-{
-  return canceled_ ? std::chrono::nanoseconds::max() : nanoseconds(next_ - detail::now());
-}
-
-void TimerBase::execute()
-{
-  const double now = detail::now();
-  next_ += period_;
-  if (next_ < now) {
-    const double missed = period_ > 0 ? static_cast<double>(
-      static_cast<std::int64_t>((now - next_) / period_)) + 1 : 0;
-    next_ = period_ > 0 ? next_ + missed * period_ : now;
-  }
-  callback_(*this);
-}
-
-Rate::Rate(double hertz)
-: Rate(nanoseconds(1e3 / hertz))
-{
-  if (!(hertz > 0)) {throw std::invalid_argument("rate must be greater than 0");}
-}
-
-Rate::Rate(std::chrono::nanoseconds period)
-: period_(period), last_(detail::now())
-{
-  if (period_.count() <= 0) {throw std::invalid_argument("period must be greater than 0");}
-}
-
-bool Rate::sleep()
-{
-  const double period = milliseconds(period_);
-  const double now = detail::now();
-  const double next = last_ + period;
-  if (next <= now) {
-    // Late by more than a period: start anew instead of hurrying after.
-    last_ = now > next + period ? now : next;
-    return false;
-  }
-  last_ = next;
-  return sleep_for(nanoseconds(next - now));
-}
-
-void Rate::reset() {last_ = detail::now();}
 
 }  // namespace rclcpp

@@ -3,8 +3,6 @@
 #include <csignal>
 #include <utility>
 
-#include "rclcpp/detail/arguments.hpp"
-#include "rclcpp/detail/host.h"
 #include "rclcpp/detail/platform.hpp"
 #include "rclcpp/logging.hpp"
 
@@ -14,48 +12,34 @@ namespace rclcpp
 namespace
 {
 
-struct Context
-{
-  bool valid = false;
-  detail::Arguments arguments;
-  std::vector<std::function<void()>> on_shutdown;
-};
+bool handles_signals = false;
 
-// Never destroyed: nodes with static lifetime still ask it while the program exits.
-Context & context()
+Context & context_or_default(const Context::SharedPtr & context)
 {
-  static Context * context = new Context;
-  return *context;
+  return context ? *context : *contexts::get_global_default_context();
 }
 
 void on_signal(int signal)
 {
   RCLCPP_INFO(get_logger("rclcpp"), "signal_handler(signum=%d)", signal);
-  shutdown("signal handler");
+  auto & context = *contexts::get_global_default_context();
+  if (context.get_init_options().shutdown_on_signal) {context.shutdown("signal handler");}
 }
 
 }  // namespace
 
-namespace detail
-{
-const Arguments & arguments() {return context().arguments;}
-}  // namespace detail
-
 void init(
-  int argc, char const * const * argv, const InitOptions &, SignalHandlerOptions signals)
+  int argc, char const * const * argv, const InitOptions & options, SignalHandlerOptions signals)
 {
-  context().arguments = detail::parse_arguments(argc, argv);
-  context().valid = true;
-  if (signals == SignalHandlerOptions::All || signals == SignalHandlerOptions::SigInt) {
-    std::signal(SIGINT, on_signal);
-  }
+  contexts::get_global_default_context()->init(argc, argv, options);
+  install_signal_handlers(signals);
 }
 
 std::vector<std::string> init_and_remove_ros_arguments(
   int argc, char const * const * argv, const InitOptions & options)
 {
   init(argc, argv, options);
-  return context().arguments.others;
+  return contexts::get_global_default_context()->arguments().others;
 }
 
 std::vector<std::string> remove_ros_arguments(int argc, char const * const * argv)
@@ -63,26 +47,49 @@ std::vector<std::string> remove_ros_arguments(int argc, char const * const * arg
   return detail::parse_arguments(argc, argv).others;
 }
 
-bool ok() {return context().valid;}
-
-bool shutdown(const std::string &)
+bool install_signal_handlers(SignalHandlerOptions signals)
 {
-  if (!context().valid) {return false;}
-  context().valid = false;
-  for (const auto & callback : context().on_shutdown) {callback();}
-  ros_wake();
+  if (signals != SignalHandlerOptions::All && signals != SignalHandlerOptions::SigInt) {
+    return false;
+  }
+  if (std::exchange(handles_signals, true)) {return false;}
+  std::signal(SIGINT, on_signal);
   return true;
 }
 
-void on_shutdown(std::function<void()> callback)
+bool signal_handlers_installed() {return handles_signals;}
+
+bool uninstall_signal_handlers()
 {
-  context().on_shutdown.push_back(std::move(callback));
+  if (!std::exchange(handles_signals, false)) {return false;}
+  std::signal(SIGINT, SIG_DFL);
+  return true;
 }
 
-bool sleep_for(const std::chrono::nanoseconds & duration)
+bool ok(Context::SharedPtr context)
 {
-  detail::sleep(static_cast<double>(duration.count()) / 1e6, [] {return !ok();});
-  return ok();
+  const auto & asked = context_or_default(context);
+  // A loop that only asks this would never hear of Stop.
+  if (asked.is_valid()) {detail::breathe();}
+  return asked.is_valid();
+}
+
+bool shutdown(Context::SharedPtr context, const std::string & reason)
+{
+  const bool is_default = !context || context == contexts::get_global_default_context();
+  const bool was_valid = context_or_default(context).shutdown(reason);
+  if (is_default) {uninstall_signal_handlers();}
+  return was_valid;
+}
+
+void on_shutdown(std::function<void()> callback, Context::SharedPtr context)
+{
+  context_or_default(context).on_shutdown(std::move(callback));
+}
+
+bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr context)
+{
+  return context_or_default(context).sleep_for(duration);
 }
 
 }  // namespace rclcpp

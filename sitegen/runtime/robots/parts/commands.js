@@ -1,6 +1,8 @@
 // @ts-check
 // Obey Twist messages, and stop whenever nobody commands any more.
 
+import { say } from "../../words.js";
+
 /** @import { Ros } from "../../protocol.js" */
 
 export const TWIST = "geometry_msgs/msg/Twist";
@@ -33,24 +35,24 @@ export function obey(ros, topic, drive, halt) {
     // What was on its way when the publisher ended, or the page was hidden, comes too late.
     if (document.visibilityState === "hidden" || !commanded()) return;
     if (!Number.isFinite(linear.x) || !Number.isFinite(angular.z)) {
-      stop("a command was not a number");
+      stop(say("a command was not a number"));
       return;
     }
     clearTimeout(timer);
     moving = linear.x !== 0 || angular.z !== 0;
-    if (moving) timer = setTimeout(() => stop("no command for a second"), PATIENCE);
+    if (moving) timer = setTimeout(() => stop(say("no command for a second")), PATIENCE);
     drive(linear.x, angular.z);
   });
 
   const ending = new AbortController();
   const { signal } = ending;
   ros.graph.addEventListener("change", () => {
-    if (moving && !commanded()) stop(`nobody publishes on ${topic} any more`);
+    if (moving && !commanded()) stop(say("nobody publishes on {} any more", topic));
   }, { signal });
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "hidden") stop("the page was hidden");
+    if (document.visibilityState === "hidden") stop(say("the page was hidden"));
   }, { signal });
-  window.addEventListener("pagehide", () => stop("the page was closed"), { signal });
+  window.addEventListener("pagehide", () => stop(say("the page was closed")), { signal });
   return () => {
     ending.abort();
     unsubscribe();

@@ -1,6 +1,8 @@
 // @ts-check
 // Where a robot on wheels comes to.
 
+import { say } from "../../words.js";
+
 /** @typedef {{x: number, y: number, heading: number}} Pose metres, and radians counter-clockwise from x */
 
 /**
@@ -23,8 +25,8 @@ export function drive({ x, y, heading }, speed, turn, seconds) {
 export function describe({ x, y, heading }) {
   const turn = Math.atan2(Math.sin(heading), Math.cos(heading));
   return [
-    { name: "Place", text: `${plain(x, 2)}, ${plain(y, 2)} m` },
-    { name: "Heading", text: `${plain((turn * 180) / Math.PI, 0)}°` },
+    { name: say("Place"), text: `${plain(x, 2)}, ${plain(y, 2)} m` },
+    { name: say("Heading"), text: `${plain((turn * 180) / Math.PI, 0)}°` },
   ];
 }
 

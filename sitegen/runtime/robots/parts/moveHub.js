@@ -1,6 +1,8 @@
 // @ts-check
 // A LEGO Move Hub over Web Bluetooth: what is needed of the LEGO Wireless Protocol 3.
 
+import { say } from "../../words.js";
+
 const SERVICE = "00001623-1212-efde-1623-785feabcde23";
 const CHARACTERISTIC = "00001624-1212-efde-1623-785feabcde23";
 // Messages begin with their length, a zero and one of these.
@@ -43,12 +45,12 @@ const FAREWELL = 500;
 /** Why this page cannot reach a hub, or "". */
 export function obstacle() {
   if (!window.isSecureContext) {
-    return "Browsers allow Bluetooth on pages from https:// and from this computer only. " +
-      "Open this page from such an address to reach a robot.";
+    return say("Browsers allow Bluetooth on pages from https:// and from this computer only. " +
+      "Open this page from such an address to reach a robot.");
   }
   if (!navigator.bluetooth) {
-    return "This browser has no Web Bluetooth. " +
-      "Chrome and Edge have it, on computers and on Android. The robot on this page needs none.";
+    return say("This browser has no Web Bluetooth. " +
+      "Chrome and Edge have it, on computers and on Android. The robot on this page needs none.");
   }
   return "";
 }
@@ -61,7 +63,7 @@ export function obstacle() {
 export async function connect(listener) {
   const device = await step(
     navigator.bluetooth?.requestDevice({ filters: [{ services: [SERVICE] }] }),
-    "No hub was chosen. Press the green button of the hub, so that its light blinks, and connect again.",
+    say("No hub was chosen. Press the green button of the hub, so that its light blinks, and connect again."),
   );
   // Before anything can fail: what fails later must not leave a connection behind.
   const closing = new AbortController();
@@ -71,10 +73,10 @@ export async function connect(listener) {
   };
   try {
     const server = await step(device.gatt.connect(),
-      "The hub does not answer. Is it on, near, and not connected to something else? Then connect again.");
-    const service = await step(server.getPrimaryService(SERVICE), "What was chosen is no LEGO hub. Choose another.");
+      say("The hub does not answer. Is it on, near, and not connected to something else? Then connect again."));
+    const service = await step(server.getPrimaryService(SERVICE), say("What was chosen is no LEGO hub. Choose another."));
     const characteristic = await step(service.getCharacteristic(CHARACTERISTIC),
-      "What was chosen is no LEGO hub. Choose another.");
+      say("What was chosen is no LEGO hub. Choose another."));
     const out = createOutbox(characteristic, device);
     device.addEventListener("gattserverdisconnected", () => {
       out.close(true);
@@ -84,7 +86,7 @@ export async function connect(listener) {
       const { value } = characteristic;
       if (value) read(value, listener, out);
     }, { signal: closing.signal });
-    await step(characteristic.startNotifications(), "The hub let nobody listen. Switch it off and on, and connect again.");
+    await step(characteristic.startNotifications(), say("The hub let nobody listen. Switch it off and on, and connect again."));
     out.put(`property ${BATTERY}`, [PROPERTY, BATTERY, REPORT]);
     out.put(`property ${BUTTON}`, [PROPERTY, BUTTON, REPORT]);
     out.put(`mode ${LIGHT}`, inputFormat(LIGHT, 0, false));
@@ -248,7 +250,7 @@ async function step(promise, text) {
     if (promise) return await promise;
   } catch (error) {
     if (error instanceof DOMException && error.name === "SecurityError") {
-      text = "The browser does not allow Bluetooth here. Open this page by itself, not inside of another.";
+      text = say("The browser does not allow Bluetooth here. Open this page by itself, not inside of another.");
     }
     throw new Error(text, { cause: error });
   }

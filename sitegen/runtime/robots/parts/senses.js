@@ -2,6 +2,7 @@
 // What Vernie senses: shown, and published where the page knows the type.
 
 import { plain } from "./motion.js";
+import { say } from "../../words.js";
 
 /** @import { Publisher, Ros } from "../../protocol.js" */
 /** @import { Reading } from "./robot.js" */
@@ -37,13 +38,13 @@ export function createSenses(ros, name, changed) {
   return {
     seen: distance !== undefined,
     listener: {
-      battery: (/** @type {number} */ percent) => tell("Battery", `${percent} %`),
+      battery: (/** @type {number} */ percent) => tell(say("Battery"), `${percent} %`),
       button: (/** @type {boolean} */ data) =>
-        tell("Button", data ? "pressed" : "released", pressed, { data }),
+        tell(say("Button"), data ? say("pressed") : say("released"), pressed, { data }),
       distance: (/** @type {number} */ data) =>
-        tell("Distance", Number.isFinite(data) ? `${plain(data, 2)} m` : "free", distance, { data }),
+        tell(say("Distance"), Number.isFinite(data) ? `${plain(data, 2)} m` : say("free"), distance, { data }),
       tilt: (/** @type {number} */ x, /** @type {number} */ y) =>
-        tell("Tilt", `${degrees(x)}, ${degrees(y)}`, tilt, { x, y, z: 0 }),
+        tell(say("Tilt"), `${degrees(x)}, ${degrees(y)}`, tilt, { x, y, z: 0 }),
     },
     /** @returns {Reading[]} */
     readings: () => [...said].map(([sense, text]) => ({ name: sense, text })),

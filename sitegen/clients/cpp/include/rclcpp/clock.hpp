@@ -1,11 +1,67 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "rclcpp/context.hpp"
+#include "rclcpp/contexts/default_context.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/time.hpp"
+
+enum rcl_clock_change_t
+{
+  RCL_ROS_TIME_NO_CHANGE = 1,
+  RCL_ROS_TIME_ACTIVATED = 2,
+  RCL_ROS_TIME_DEACTIVATED = 3,
+  RCL_SYSTEM_TIME_NO_CHANGE = 4
+};
+
+struct rcl_duration_t
+{
+  std::int64_t nanoseconds;
+};
+
+struct rcl_time_jump_t
+{
+  rcl_clock_change_t clock_change;
+  rcl_duration_t delta;
+};
+
+struct rcl_jump_threshold_t
+{
+  bool on_clock_change;
+  rcl_duration_t min_forward;
+  rcl_duration_t min_backward;
+};
 
 namespace rclcpp
 {
 
+class TimeSource;
+
+/// Is told when its clock jumps further than `notice_threshold`.
+class JumpHandler
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(JumpHandler)
+
+  using pre_callback_t = std::function<void ()>;
+  using post_callback_t = std::function<void (const rcl_time_jump_t &)>;
+
+  JumpHandler(
+    pre_callback_t pre_callback, post_callback_t post_callback,
+    const rcl_jump_threshold_t & threshold)
+  : pre_callback(std::move(pre_callback)), post_callback(std::move(post_callback)),
+    notice_threshold(threshold) {}
+
+  pre_callback_t pre_callback;
+  post_callback_t post_callback;
+  rcl_jump_threshold_t notice_threshold;
+};
+
+/// Of three kinds: the system's, a steady one, and ROS time, which a TimeSource may set.
 class Clock
 {
 public:
@@ -16,11 +72,35 @@ public:
 
   Time now() const;
   rcl_clock_type_t get_clock_type() const {return clock_;}
-  bool sleep_for(const Duration & duration) const;
-  bool sleep_until(const Time & until) const;
+  std::mutex & get_clock_mutex() noexcept {return mutex_;}
+  /// Whether ROS time is that of /clock. Throws RCLError for other clocks.
+  bool ros_time_is_active() const;
+  /// These return false when the program was shut down or the clock changed its source meanwhile.
+  bool sleep_for(
+    Duration duration,
+    Context::SharedPtr context = contexts::get_global_default_context());
+  bool sleep_until(
+    Time until, Context::SharedPtr context = contexts::get_global_default_context());
+  bool started() const {return now().nanoseconds() != 0;}
+  bool wait_until_started(
+    Context::SharedPtr context = contexts::get_global_default_context());
+  JumpHandler::SharedPtr create_jump_callback(
+    JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,
+    const rcl_jump_threshold_t & threshold);
 
 private:
+  friend class TimeSource;
+
+  /// Take ROS time from what `source` sets when it is called; null is the system.
+  void set_source(std::function<void()> source, std::int64_t nanoseconds);
+  void set_ros_time(std::int64_t nanoseconds);
+  void jump(std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act);
+
   rcl_clock_type_t clock_;
+  std::function<void()> source_;
+  std::int64_t ros_time_ = 0;
+  std::vector<JumpHandler::WeakPtr> handlers_;
+  std::mutex mutex_;
 };
 
 }  // namespace rclcpp

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "rclcpp/detail/executable.hpp"
 #include "rclcpp/detail/host.h"
 #include "rmw/types.h"
 
@@ -61,19 +62,19 @@ namespace detail
 {
 
 /// The event callbacks of one endpoint.
-class Events
+class Events : public Executable
 {
 public:
   /// With `defaults`, what is incompatible is logged by `logger` unless there is a callback for it.
   Events(
-    const PublisherEventCallbacks & callbacks, bool defaults, const std::string & logger,
-    const std::string & topic);
+    std::int32_t endpoint, const PublisherEventCallbacks & callbacks, bool defaults,
+    const std::string & logger, const std::string & topic);
   Events(
-    const SubscriptionEventCallbacks & callbacks, bool defaults, const std::string & logger,
-    const std::string & topic);
+    std::int32_t endpoint, const SubscriptionEventCallbacks & callbacks, bool defaults,
+    const std::string & logger, const std::string & topic);
 
-  /// Call back for what happened to the endpoint `id` since the last time; false if nothing did.
-  bool execute(std::int32_t id);
+  /// Call back for what happened to the endpoint since the last time; false if nothing did.
+  bool execute_one() override;
 
 private:
   using Call = std::function<void (const ros_event &)>;
@@ -81,6 +82,9 @@ private:
   template<class StatusT, class CallbackT>
   void on(std::int32_t kind, const CallbackT & callback, StatusT (* status)(const ros_event &));
 
+  std::int32_t endpoint_;
+  /// How many events of the program there had been when it looked the last time.
+  std::uint32_t seen_ = 0;
   std::vector<std::pair<std::int32_t, Call>> calls_;
 };
 

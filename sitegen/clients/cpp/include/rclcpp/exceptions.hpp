@@ -25,6 +25,89 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A parameter was asked for that is not declared.
+class ParameterNotDeclaredException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class ParameterAlreadyDeclaredException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class InvalidParametersException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class InvalidParameterValueException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class ParameterImmutableException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class ParameterModifiedInCallbackException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class UnsupportedEventTypeException : public RCLError
+{
+public:
+  using RCLError::RCLError;
+};
+
+class InvalidEventError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What cannot work in a page.
+class UnimplementedError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class InvalidParameterTypeException : public std::runtime_error
+{
+public:
+  InvalidParameterTypeException(const std::string & name, const std::string & message)
+  : std::runtime_error("parameter '" + name + "' has invalid type: " + message) {}
+};
+
+class ParameterUninitializedException : public std::runtime_error
+{
+public:
+  explicit ParameterUninitializedException(const std::string & name)
+  : std::runtime_error("parameter '" + name + "' is not initialized") {}
+};
+
+class NoParameterOverrideProvided : public std::runtime_error
+{
+public:
+  explicit NoParameterOverrideProvided(const std::string & name)
+  : std::runtime_error("parameter '" + name + "' requires an user provided parameter override") {}
+};
+
+class InvalidServiceTypeError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 class NameValidationError : public std::invalid_argument
 {
 public:

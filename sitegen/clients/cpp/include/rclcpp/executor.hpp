@@ -2,20 +2,20 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <future>
 #include <memory>
 #include <vector>
 
+#include "rclcpp/callback_group.hpp"
+#include "rclcpp/executor_options.hpp"
+#include "rclcpp/future_return_code.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 
 namespace rclcpp
 {
-
-enum class FutureReturnCode {SUCCESS, INTERRUPTED, TIMEOUT};
-
-struct ExecutorOptions {};
 
 /// Waits until something of its nodes is ready and calls back: timers first, then for one message of
 /// each subscription, one request of each service and one response of each client.
@@ -27,11 +27,13 @@ public:
 
   using NodeBase = node_interfaces::NodeBaseInterface::SharedPtr;
 
-  explicit Executor(const ExecutorOptions & = ExecutorOptions()) {}
-  virtual ~Executor() = default;
+  explicit Executor(const ExecutorOptions & options = ExecutorOptions());
+  virtual ~Executor();
 
-  void add_node(NodeBase node, bool notify = true);
-  void remove_node(NodeBase node, bool notify = true);
+  /// Throws std::runtime_error if the node is in an executor already.
+  virtual void add_node(NodeBase node, bool notify = true);
+  /// Throws std::runtime_error if the node is not in this executor.
+  virtual void remove_node(NodeBase node, bool notify = true);
   template<class NodeT>
   void add_node(std::shared_ptr<NodeT> node, bool notify = true)
   {
@@ -43,12 +45,37 @@ public:
     remove_node(node->get_node_base_interface(), notify);
   }
 
+  virtual void add_callback_group(
+    CallbackGroup::SharedPtr group, NodeBase node, bool notify = true);
+  virtual void remove_callback_group(CallbackGroup::SharedPtr group, bool notify = true);
+  virtual std::vector<CallbackGroup::WeakPtr> get_all_callback_groups();
+  virtual std::vector<CallbackGroup::WeakPtr> get_manually_added_callback_groups();
+  virtual std::vector<CallbackGroup::WeakPtr> get_automatically_added_callback_groups_from_nodes();
+
   virtual void spin();
   /// Call back for what is ready now, each thing once at most.
   virtual void spin_some(std::chrono::nanoseconds max_duration = std::chrono::nanoseconds(0));
+  /// Call back until nothing is ready any more.
   virtual void spin_all(std::chrono::nanoseconds max_duration);
   virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  void spin_node_some(NodeBase node);
+  void spin_node_all(NodeBase node, std::chrono::nanoseconds max_duration);
+  template<class NodeT>
+  void spin_node_some(std::shared_ptr<NodeT> node)
+  {
+    spin_node_some(node->get_node_base_interface());
+  }
+  template<class NodeT, class Rep = std::int64_t, class Period = std::milli>
+  void spin_node_once(
+    std::shared_ptr<NodeT> node,
+    std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
+  {
+    add_node(node, false);
+    spin_once(std::chrono::duration_cast<std::chrono::nanoseconds>(timeout));
+    remove_node(node, false);
+  }
   void cancel();
+  bool is_spinning() const {return spinning_;}
 
   template<class FutureT, class Rep = std::int64_t, class Period = std::milli>
   FutureReturnCode spin_until_future_complete(
@@ -61,23 +88,37 @@ public:
     return spin_until(ready, std::chrono::duration<double, std::milli>(timeout).count());
   }
 
+protected:
+  /// Throws std::runtime_error when it spins already; `name` is the function that was called.
+  void begin_spinning(const char * name);
+  void end_spinning();
+  /// Call back for the next thing that is ready; false if nothing was.
+  bool execute_next();
+  /// Suspend until something may be ready, `timeout` ms at most, negative for no limit.
+  void wait(double timeout);
+  /// Call back and wait, until it is canceled or shut down.
+  void work();
+
+  Context::SharedPtr context_;
+
 private:
+  struct Candidate
+  {
+    std::weak_ptr<CallbackGroup> group;
+    std::weak_ptr<detail::Executable> executable;
+  };
+
+  bool may_go_on() const;
   /// `timeout` in ms, negative for none.
   FutureReturnCode spin_until(const std::function<bool()> & done, double timeout);
-  /// Call back for events, or for those of one endpoint only; false if there were none.
-  bool execute_events(bool only_first);
-  /// Run one round over what is ready, or only the first; false if nothing was.
-  bool execute_ready(bool only_first);
-  /// Suspend until something may be ready, `timeout` ms at most.
-  void wait(double timeout);
-  /// Let the event loop turn when it has not for a while: messages and Stop come by it.
-  void breathe();
+  std::vector<CallbackGroup::SharedPtr> groups();
+  std::deque<Candidate> candidates();
+  bool execute(const Candidate & candidate);
 
-  std::vector<NodeBase> nodes_;
-  bool canceled_ = false;
-  double last_wait_ = 0;
-  /// How many events there had been when all of them were handled.
-  std::uint32_t events_ = 0;
+  std::vector<std::weak_ptr<node_interfaces::NodeBaseInterface>> nodes_;
+  std::vector<std::weak_ptr<CallbackGroup>> groups_;  // those that were added by hand
+  std::deque<Candidate> round_;                       // what is looked at before all is again
+  bool spinning_ = false;
 };
 
 }  // namespace rclcpp

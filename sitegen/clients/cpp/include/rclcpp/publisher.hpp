@@ -21,6 +21,7 @@ struct PublisherOptions
   PublisherEventCallbacks event_callbacks;
   /// Log what is incompatible.
   bool use_default_callbacks = true;
+  CallbackGroup::SharedPtr callback_group = nullptr;
 };
 
 class PublisherBase
@@ -48,8 +49,8 @@ public:
     return wait_until_sent(std::chrono::duration<double, std::milli>(timeout).count());
   }
 
-  /// Call back for events; false if there were none.
-  bool execute_events() {return events_.execute(endpoint_.id());}
+  /// What calls back for its events.
+  std::shared_ptr<detail::Executable> events() const {return events_;}
 
 protected:
   void publish_message(const void * message);
@@ -62,7 +63,7 @@ private:
 
   const detail::MessageMembers & type_;
   detail::Endpoint endpoint_;
-  detail::Events events_;
+  std::shared_ptr<detail::Events> events_;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "rclcpp/clock.hpp"
+#include "rclcpp/duration.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
@@ -14,28 +16,53 @@ public:
 
   virtual ~RateBase() = default;
   virtual bool sleep() = 0;
+  virtual rcl_clock_type_t get_type() const = 0;
   virtual void reset() = 0;
 };
 
-/// Sleeps for the rest of each period.
+/// Sleeps for the rest of each period of its clock.
 class Rate : public RateBase
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Rate)
 
-  explicit Rate(double hertz);
-  explicit Rate(std::chrono::nanoseconds period);
+  explicit Rate(
+    double hertz, Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
+  explicit Rate(
+    const Duration & period, Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
 
   /// Sleep until the period ends; false at once when it had ended before.
   bool sleep() override;
+  rcl_clock_type_t get_type() const override {return clock_->get_clock_type();}
   void reset() override;
-  std::chrono::nanoseconds period() const {return period_;}
+  std::chrono::nanoseconds period() const {return period_.to_chrono<std::chrono::nanoseconds>();}
 
 private:
-  std::chrono::nanoseconds period_;
-  double last_;  // ms, on the clock of ros_now
+  Clock::SharedPtr clock_;
+  Duration period_;
+  Time last_;
 };
 
-using WallRate = Rate;
+class WallRate : public Rate
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WallRate)
+
+  explicit WallRate(double hertz)
+  : Rate(hertz, std::make_shared<Clock>(RCL_STEADY_TIME)) {}
+  explicit WallRate(const Duration & period)
+  : Rate(period, std::make_shared<Clock>(RCL_STEADY_TIME)) {}
+};
+
+class ROSRate : public Rate
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(ROSRate)
+
+  explicit ROSRate(double hertz)
+  : Rate(hertz, std::make_shared<Clock>(RCL_ROS_TIME)) {}
+  explicit ROSRate(const Duration & period)
+  : Rate(period, std::make_shared<Clock>(RCL_ROS_TIME)) {}
+};
 
 }  // namespace rclcpp

@@ -19,6 +19,7 @@ struct SubscriptionOptions
   SubscriptionEventCallbacks event_callbacks;
   /// Log what is incompatible.
   bool use_default_callbacks = true;
+  CallbackGroup::SharedPtr callback_group = nullptr;
 };
 
 class SubscriptionBase : public detail::Receiver
@@ -34,14 +35,14 @@ public:
   std::size_t get_publisher_count() const {return matched();}
   QoS get_actual_qos() const {return qos();}
 
-  /// Call back for events; false if there were none.
-  bool execute_events() {return events_.execute(id());}
+  /// What calls back for its events.
+  std::shared_ptr<detail::Executable> events() const {return events_;}
 
 protected:
   const detail::MessageMembers & type_;
 
 private:
-  detail::Events events_;
+  std::shared_ptr<detail::Events> events_;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>

@@ -1,44 +1,116 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 
+#include "rclcpp/clock.hpp"
+#include "rclcpp/detail/executable.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
 {
 
+/// When a timer should have called back, and when it does; both in nanoseconds of its clock.
+struct TimerInfo
+{
+  Time expected_call_time;
+  Time actual_call_time;
+};
+
 /// Calls back once a period. A period that was missed is skipped, as in rcl.
-class TimerBase
+class TimerBase : public detail::Executable
 {
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(TimerBase)
   RCLCPP_DISABLE_COPY(TimerBase)
 
-  TimerBase(
-    std::chrono::nanoseconds period, std::function<void(TimerBase &)> callback,
-    bool autostart = true);
-  virtual ~TimerBase() = default;
+  using Callback = std::function<void (TimerBase & timer, const TimerInfo & info)>;
 
-  void cancel();
+  TimerBase(
+    Clock::SharedPtr clock, std::chrono::nanoseconds period, Callback callback,
+    bool autostart = true);
+
+  void cancel() {canceled_ = true;}
   bool is_canceled() const {return canceled_;}
   void reset();
   bool is_ready() const;
-  /// Time until the next call; max() when canceled.
+  /// Time until the next call, negative when it is late; max() when canceled.
   std::chrono::nanoseconds time_until_trigger() const;
+  Clock::SharedPtr get_clock() const {return clock_;}
+  bool is_steady() const {return clock_->get_clock_type() == RCL_STEADY_TIME;}
+  bool exchange_in_use_by_wait_set_state(bool in_use);
 
-  /// Call back and arm the timer for its next period.
-  void execute();
+  /// Arm the timer for its next period; false if it is canceled. The callback comes after it.
+  bool call();
+  void execute_callback();
+
+  bool execute_one() override;
+  std::int64_t time_left() const override {return time_until_trigger().count();}
 
 private:
-  double period_;  // ms, as next_, on the clock of ros_now
-  double next_;
+  Clock::SharedPtr clock_;
+  std::int64_t period_;  // ns, as next_, on its clock
+  std::int64_t next_;
   bool canceled_;
-  std::function<void(TimerBase &)> callback_;
+  bool in_use_by_wait_set_ = false;
+  TimerInfo info_;
+  Callback callback_;
 };
 
-template<class FunctorT>
-using WallTimer = TimerBase;
+template<class FunctorT, class = void>
+class GenericTimer : public TimerBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericTimer)
 
+  using TimerBase::TimerBase;
+};
+
+template<class FunctorT, class = void>
+class WallTimer : public GenericTimer<FunctorT>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WallTimer)
+
+  WallTimer(std::chrono::nanoseconds period, TimerBase::Callback callback, bool autostart = true)
+  : GenericTimer<FunctorT>(
+      std::make_shared<Clock>(RCL_STEADY_TIME), period, std::move(callback), autostart) {}
+};
+
+namespace detail
+{
+
+/// `callback` of any form that a timer takes.
+template<class CallbackT>
+TimerBase::Callback timer_callback(CallbackT callback)
+{
+  if constexpr (std::is_invocable_v<CallbackT &, TimerBase &>) {
+    return [callback = std::move(callback)](TimerBase & timer, const TimerInfo &) mutable {
+             callback(timer);
+           };
+  } else if constexpr (std::is_invocable_v<CallbackT &, const TimerInfo &>) {
+    return [callback = std::move(callback)](TimerBase &, const TimerInfo & info) mutable {
+             callback(info);
+           };
+  } else {
+    return [callback = std::move(callback)](TimerBase &, const TimerInfo &) mutable {callback();};
+  }
+}
+
+/// A period in nanoseconds. Throws std::invalid_argument if it is negative or too long.
+template<class Rep, class Period>
+std::chrono::nanoseconds timer_period(std::chrono::duration<Rep, Period> period)
+{
+  if (period < std::chrono::duration<Rep, Period>::zero()) {
+    throw std::invalid_argument("timer period cannot be negative");
+  }
+  if (std::chrono::duration<double, std::nano>(period).count() >= 9.2e18) {
+    throw std::invalid_argument("timer period must be less than std::chrono::nanoseconds::max()");
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
+}
+
+}  // namespace detail
 }  // namespace rclcpp

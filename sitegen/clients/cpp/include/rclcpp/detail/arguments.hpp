@@ -20,15 +20,31 @@ struct RemapRule
   std::string to;
 };
 
+/// `--ros-args -p [node:]name:=value`
+struct ParameterRule
+{
+  std::string node;  // empty: of every node
+  std::string name;
+  std::string value;
+};
+
 struct Arguments
 {
   std::vector<RemapRule> remaps;
+  std::vector<ParameterRule> parameters;
   std::map<std::string, int> log_levels;  // by logger, "" for all others
   std::vector<std::string> others;        // what is not for ROS
+
+  /// Let the rules of `later` count after these.
+  void append(const Arguments & later);
 };
 
 /// Read a command line; throws UnknownROSArgsError for what this release does not know.
 Arguments parse_arguments(int argc, char const * const * argv);
+
+/// Whether a rule for `rule` is one for the node with these names; `/**` is every node.
+bool applies_to(
+  const std::string & rule, const std::string & name, const std::string & full_name);
 
 /// The rule for `from`, one of "__node" and "__ns", as the node `node` sees it; else `name`.
 std::string remap_node(
@@ -39,9 +55,6 @@ std::string remap_node(
 std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
   const std::string & name, NameKind kind);
-
-/// Those of the running program, since rclcpp::init.
-const Arguments & arguments();
 
 }  // namespace detail
 }  // namespace rclcpp

@@ -78,6 +78,9 @@ void ros_take(int32_t id, uint8_t * to);
 int32_t ros_wait(double milliseconds);
 /* End all waits of this program. */
 void ros_wake(void);
+/* Call `entry` with `argument` as soon as the caller waits. It may wait as well: JSPI gives it a stack
+ * of its own. Of the engine jspi only. */
+void ros_spawn(void (* entry)(void * argument), void * argument);
 /* Milliseconds since 1970, with fractions; never steps back. */
 double ros_now(void);
 /* One line of the log; severity as in rcutils (10 debug … 50 fatal). */

@@ -1,6 +1,8 @@
 // The one place where the program waits; everything that blocks comes here.
 #pragma once
 
+#include <functional>
+
 namespace rclcpp
 {
 namespace detail
@@ -13,9 +15,15 @@ double now();
 /// event loop turn once; negative: no limit). A signal that came is raised before it returns.
 void wait(double milliseconds);
 
+/// Let the event loop turn when it has not for a while: messages and Stop come by it.
+void breathe();
+
+/// Run `body`; an exception that leaves it ends the program with its text.
+void guarded(const std::function<void()> & body);
+
 /// Suspend the caller until `milliseconds` passed, whatever happens in the graph, or until
 /// `stop` says so.
-void sleep(double milliseconds, bool (* stop)());
+void sleep(double milliseconds, const std::function<bool()> & stop);
 
 }  // namespace detail
 }  // namespace rclcpp

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "rclcpp/detail/executable.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/message_info.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
@@ -43,13 +44,18 @@ private:
 };
 
 /// An endpoint at which messages wait until an executor comes for them.
-class Receiver : public Endpoint
+class Receiver : public Endpoint, public Executable
 {
 public:
   using Endpoint::Endpoint;
 
   /// Handle the oldest message that waits; false if none did.
-  bool execute_one();
+  bool execute_one() override;
+  /// Whether a message waits.
+  bool is_ready() const;
+  /// Remove the oldest message and return it in `bytes`, with what is known of it and the endpoint
+  /// that sent it; false if none waits.
+  bool take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer);
 
 protected:
   /// `writer` is the endpoint that sent the message.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "class_loader/class_loader.hpp"
+
+#define CLASS_LOADER_JOIN_(first, second) first ## second
+#define CLASS_LOADER_JOIN(first, second) CLASS_LOADER_JOIN_(first, second)
+
+#define CLASS_LOADER_REGISTER_CLASS(Derived, Base) \
+  namespace \
+  { \
+  const class_loader::impl::Registration<Derived, Base> \
+  CLASS_LOADER_JOIN(registration_, __COUNTER__)(#Derived); \
+  }

@@ -1,0 +1,33 @@
+#include "rclcpp/callback_group.hpp"
+
+#include <algorithm>
+
+namespace rclcpp
+{
+
+std::size_t CallbackGroup::size() const
+{
+  std::size_t all = 0;
+  for (const auto & kind : members_) {all += kind.size();}
+  return all;
+}
+
+void CallbackGroup::add(detail::ExecutableKind kind, std::weak_ptr<detail::Executable> executable)
+{
+  members_[static_cast<std::size_t>(kind)].push_back(std::move(executable));
+}
+
+std::vector<std::shared_ptr<detail::Executable>> CallbackGroup::living(detail::ExecutableKind kind)
+{
+  auto & members = members_[static_cast<std::size_t>(kind)];
+  std::vector<std::shared_ptr<detail::Executable>> living;
+  const auto gone = [&living](const std::weak_ptr<detail::Executable> & member) {
+      auto locked = member.lock();
+      if (locked) {living.push_back(std::move(locked));}
+      return member.expired();
+    };
+  members.erase(std::remove_if(members.begin(), members.end(), gone), members.end());
+  return living;
+}
+
+}  // namespace rclcpp

@@ -1,0 +1,67 @@
+"""Actions of compiled nodes, which are components: alone, each in its program, and both in one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left
+from playwright.sync_api import BrowserContext
+
+pytestmark = pytest.mark.firefox
+
+SITE = Path(__file__).parent / "sites" / "rclcpp"
+CLIENT = [
+    "accepted",
+    "result 4 0 1 1 2 3 5 8 after feedback",
+    "refused",
+    "accepted",
+    "result 6 0 1 ",
+    "accepted",
+    "canceling 1, 0",
+    "result 5 after feedback",
+    "none left: 0",
+]
+SERVER = [
+    "asked for 6",
+    "asked for 41",
+    "asked for -1",
+    "asked for 40",
+    "asked to cancel",
+    "canceled",
+]
+
+
+@pytest.mark.parametrize("first", ["server", "client"])
+def test_goals_are_executed_refused_aborted_and_canceled(
+    context: BrowserContext, serve: Serve, built: Built, first: str
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}actions/")
+    server, client = Panel(page, "fibonacci_server"), Panel(page, "fibonacci_client")
+    both = (server, client) if first == "server" else (client, server)
+    for panel in both:
+        panel.start()
+        panel.expect_running()
+    client.expect_state("stopped")
+    assert client.messages() == CLIENT
+    server.wait_for("canceled")
+    assert server.messages() == SERVER
+    server.stop()
+    expect_nothing_left(page)
+
+
+def test_components_of_one_program_are_found_by_name(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}actions/")
+    composed = Panel(page, "composed")
+    composed.start()
+    composed.expect_state("stopped")
+    lines = composed.lines()
+    factory = "Load rclcpp_components::NodeFactoryTemplate<components::Fibonacci{}>"
+    assert lines[:2] == [factory.format("Client"), factory.format("Server")]
+    said = [line.split("]: ")[1] for line in lines if "[fibonacci_client]: " in line]
+    assert said == CLIENT

@@ -1,0 +1,43 @@
+"""Executors, callback groups and contexts of C++ in the page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import Panel
+from playwright.sync_api import BrowserContext
+
+pytestmark = pytest.mark.firefox
+
+SITE = Path(__file__).parent / "sites" / "rclcpp"
+WAYS = (
+    "125 waited TIMEOUT (2); Node '/ways' has already been added to an executor."
+    "; max_duration must be greater than or equal to 0"
+    "; spin() called while already spinning"
+    "; Node needs to be associated with an executor."
+)
+
+
+def test_executors_call_back_as_their_groups_allow(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}executors/")
+    executors = Panel(page, "executors")
+    executors.start()
+    executors.expect_state("stopped")
+    assert executors.lines() == [
+        "overlap 0",
+        "overlap 1, several threads",
+        "overlap 1, several threads",
+        "inside 1 42",
+        "own SUCCESS (0), in its thread 1",
+        f"single: {WAYS}",
+        f"static: {WAYS}",
+        f"events: {WAYS}",
+        "contexts renamed named: before after, enough, still 1",
+        "guard 3",
+        "done",
+    ]
