@@ -90,7 +90,8 @@ WRONG = [
             "site.yaml:8: pages[0].frobnicate: unknown key; "
             "known: content, date, description, file, folder, level, nodes, path, tags, theme, "
             "title",
-            "site.yaml:9: color: unknown key; known: deploy, nav, nodes, pages, site, workspace",
+            "site.yaml:9: color: unknown key; known: deploy, nav, nodes, pages, pyodide, site, "
+            "workspace",
         ],
     ),
     Wrong(
@@ -425,7 +426,7 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
-            "topics, nodes, services, publish, graph, log, robot, found the text 'topics'; "
+            "prompt, topics, nodes, services, publish, graph, log, robot, found the text 'topics'; "
             "write it like 'topics:'",
             "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
             "nothing, found the text '/chatter'; write it like 'topics:'",
@@ -476,11 +477,11 @@ WRONG = [
         "a level of another release",
         TALKERS
         + """\
-    level: I5
+    level: I6
     content: [console: talker]
 """,
         [
-            "site.yaml:8: pages[0].level: no level 'I5', the page offers I1 (consoles only); "
+            "site.yaml:8: pages[0].level: no level 'I6', the page offers I1 (consoles only); "
             "write 'level: I1'",
         ],
     ),
@@ -575,7 +576,7 @@ WRONG = [
         "- site\n",
         [
             "site.yaml:1: yaml: expected keys and values, found a list; "
-            "the keys are site, workspace, nodes, pages, nav, deploy",
+            "the keys are site, workspace, nodes, pages, nav, pyodide, deploy",
         ],
     ),
     Wrong(
@@ -634,11 +635,10 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
-            "topics, nodes, services, publish, graph, log, robot, found the text 'talker'; "
+            "prompt, topics, nodes, services, publish, graph, log, robot, found the text 'talker'; "
             "write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
-            "known: buttons, console, graph, log, markdown, nodes, publish, robot, services, "
-            "source, topics",
+            "did you mean 'prompt'?",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
             "begin every widget with '- '",
             "site.yaml:12: pages[0].content[3].console: expected text, found nothing; "
@@ -663,7 +663,8 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console, graph, log, nodes, publish, robot, services, source, topics",
+            "known: buttons, console, graph, log, nodes, prompt, publish, robot, services, source, "
+            "topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "
