@@ -1,4 +1,4 @@
-"""Threads of C++ in the page: those of the standard library, and beside a node that spins."""
+"""Threads of C++ in the page: the standard library's, and a loop beside a node that spins."""
 
 from __future__ import annotations
 

@@ -163,7 +163,7 @@ std::string service_type(const MessageMembers & request)
 
 PublisherBase::PublisherBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-  const detail::MessageMembers & type, const QoS & qos, const PublisherOptions & options)
+  const detail::MessageMembers & type, const QoS & qos, const PublisherOptionsBase & options)
 : type_(type), endpoint_(ROS_PUBLISHER, node, topic, type.name, qos),
   events_(
     std::make_shared<detail::Events>(
@@ -221,7 +221,7 @@ bool PublisherBase::wait_until_sent(double milliseconds) const
 
 SubscriptionBase::SubscriptionBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-  const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptions & options)
+  const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptionsBase & options)
 : Receiver(ROS_SUBSCRIPTION, node, topic, type.name, qos), type_(type),
   events_(
     std::make_shared<detail::Events>(

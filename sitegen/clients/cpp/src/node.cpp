@@ -34,7 +34,9 @@ Node::Node(
     std::make_shared<node_interfaces::NodeBaseInterface>(
       name, name_space, options.context(), arguments_of(options))),
   logger_(detail::logger_name(base_->get_fully_qualified_name())),
-  rosout_(*base_, logger_.get_name()),
+  rosout_(
+    options.enable_rosout() ?
+    std::make_shared<detail::Rosout>(*base_, logger_.get_name()) : nullptr),
   clock_(std::make_shared<Clock>(options.clock_type()))
 {
   if (detail::make_node_parameters) {
@@ -44,6 +46,36 @@ Node::Node(
       logger_, "parameter '%s' has no effect: this program does not use parameters",
       base_->arguments().parameters[0].name.c_str());
   }
+}
+
+Node::Node(const Node & other, const std::string & sub_namespace)
+: options_(other.options_), sub_namespace_(other.extend_name(sub_namespace)), base_(other.base_),
+  logger_(other.logger_), rosout_(other.rosout_), clock_(other.clock_),
+  parameters_(other.parameters_), time_source_(other.time_source_)
+{
+}
+
+Node::SharedPtr Node::create_sub_node(const std::string & sub_namespace)
+{
+  if (sub_namespace.empty() || sub_namespace[0] == '/' || sub_namespace[0] == '~') {
+    throw exceptions::NameValidationError(
+            "sub_namespace", sub_namespace.c_str(),
+            "a sub-namespace should not have a leading /", 0);
+  }
+  return SharedPtr(new Node(*this, sub_namespace));
+}
+
+std::string Node::get_effective_namespace() const
+{
+  const std::string space = get_namespace();
+  if (sub_namespace_.empty()) {return space;}
+  return (space == "/" ? space : space + "/") + sub_namespace_;
+}
+
+std::string Node::extend_name(const std::string & name) const
+{
+  const bool relative = !name.empty() && name[0] != '/' && name[0] != '~';
+  return relative && !sub_namespace_.empty() ? sub_namespace_ + "/" + name : name;
 }
 
 }  // namespace rclcpp

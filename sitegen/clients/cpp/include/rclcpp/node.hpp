@@ -13,10 +13,13 @@
 #include "rclcpp/client.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/rosout.hpp"
+#include "rclcpp/generic_publisher.hpp"
+#include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_parameters_interface.hpp"
+#include "rclcpp/node_interfaces/node_parts.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/qos.hpp"
@@ -61,25 +64,85 @@ public:
   }
   const NodeOptions & get_node_options() const {return options_;}
 
+  /// A node that is this one, with `sub_namespace` before its relative names.
+  SharedPtr create_sub_node(const std::string & sub_namespace);
+  const std::string & get_sub_namespace() const {return sub_namespace_;}
+  std::string get_effective_namespace() const;
+
+  node_interfaces::NodeClockInterface::SharedPtr get_node_clock_interface()
+  {
+    return std::make_shared<node_interfaces::NodeClockInterface>(clock_);
+  }
+  node_interfaces::NodeLoggingInterface::SharedPtr get_node_logging_interface()
+  {
+    return std::make_shared<node_interfaces::NodeLoggingInterface>(logger_);
+  }
+  node_interfaces::NodeServicesInterface::SharedPtr get_node_services_interface()
+  {
+    return std::make_shared<node_interfaces::NodeServicesInterface>(base_);
+  }
+  node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface()
+  {
+    return std::make_shared<node_interfaces::NodeTimersInterface>(base_);
+  }
+  node_interfaces::NodeTopicsInterface::SharedPtr get_node_topics_interface()
+  {
+    return std::make_shared<node_interfaces::NodeTopicsInterface>(base_);
+  }
+  node_interfaces::NodeWaitablesInterface::SharedPtr get_node_waitables_interface()
+  {
+    return std::make_shared<node_interfaces::NodeWaitablesInterface>(base_);
+  }
+  node_interfaces::NodeTimeSourceInterface::SharedPtr get_node_time_source_interface()
+  {
+    return std::make_shared<node_interfaces::NodeTimeSourceInterface>(base_);
+  }
+
   template<class MessageT, class AllocatorT = std::allocator<void>>
   std::shared_ptr<Publisher<MessageT, AllocatorT>> create_publisher(
     const std::string & topic, const QoS & qos,
-    const PublisherOptions & options = PublisherOptions())
+    const PublisherOptionsWithAllocator<AllocatorT> & options =
+    PublisherOptionsWithAllocator<AllocatorT>())
   {
     auto publisher = std::make_shared<Publisher<MessageT, AllocatorT>>(
-      *base_, topic, qos, options);
+      *base_, extend_name(topic), qos, options);
     base_->add(
       detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
     return publisher;
   }
 
-  template<class MessageT, class CallbackT>
+  template<class MessageT, class CallbackT, class AllocatorT = std::allocator<void>>
   std::shared_ptr<Subscription<MessageT>> create_subscription(
     const std::string & topic, const QoS & qos, CallbackT && callback,
-    const SubscriptionOptions & options = SubscriptionOptions())
+    const SubscriptionOptionsWithAllocator<AllocatorT> & options =
+    SubscriptionOptionsWithAllocator<AllocatorT>())
   {
     auto subscription = std::make_shared<Subscription<MessageT>>(
-      *base_, topic, qos, std::forward<CallbackT>(callback), options);
+      *base_, extend_name(topic), qos, std::forward<CallbackT>(callback), options);
+    base_->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);
+    base_->add(
+      detail::ExecutableKind::kWaitable, subscription->events(), options.callback_group);
+    return subscription;
+  }
+
+  std::shared_ptr<GenericPublisher> create_generic_publisher(
+    const std::string & topic, const std::string & type, const QoS & qos,
+    const PublisherOptionsBase & options = PublisherOptions())
+  {
+    auto publisher = std::make_shared<GenericPublisher>(
+      *base_, extend_name(topic), type, qos, options);
+    base_->add(
+      detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
+    return publisher;
+  }
+
+  template<class CallbackT>
+  std::shared_ptr<GenericSubscription> create_generic_subscription(
+    const std::string & topic, const std::string & type, const QoS & qos, CallbackT && callback,
+    const SubscriptionOptionsBase & options = SubscriptionOptions())
+  {
+    auto subscription = std::make_shared<GenericSubscription>(
+      *base_, extend_name(topic), type, qos, std::forward<CallbackT>(callback), options);
     base_->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);
     base_->add(
       detail::ExecutableKind::kWaitable, subscription->events(), options.callback_group);
@@ -92,9 +155,18 @@ public:
     CallbackGroup::SharedPtr group = nullptr)
   {
     auto service = std::make_shared<Service<ServiceT>>(
-      *base_, name, qos, std::forward<CallbackT>(callback));
+      *base_, extend_name(name), qos, std::forward<CallbackT>(callback));
     base_->add(detail::ExecutableKind::kService, service, group);
     return service;
+  }
+  /// The form of Humble.
+  template<class ServiceT, class CallbackT>
+  std::shared_ptr<Service<ServiceT>> create_service(
+    const std::string & name, CallbackT && callback, const rmw_qos_profile_t & qos,
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    return create_service<ServiceT>(
+      name, std::forward<CallbackT>(callback), QoS(QoSInitialization::from_rmw(qos), qos), group);
   }
 
   template<class ServiceT>
@@ -102,9 +174,17 @@ public:
     const std::string & name, const QoS & qos = ServicesQoS(),
     CallbackGroup::SharedPtr group = nullptr)
   {
-    auto client = std::make_shared<Client<ServiceT>>(*base_, name, qos);
+    auto client = std::make_shared<Client<ServiceT>>(*base_, extend_name(name), qos);
     base_->add(detail::ExecutableKind::kClient, client, group);
     return client;
+  }
+  /// The form of Humble.
+  template<class ServiceT>
+  std::shared_ptr<Client<ServiceT>> create_client(
+    const std::string & name, const rmw_qos_profile_t & qos,
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    return create_client<ServiceT>(name, QoS(QoSInitialization::from_rmw(qos), qos), group);
   }
 
   template<class Rep, class Period, class CallbackT>
@@ -322,11 +402,17 @@ public:
     return node_interfaces::NodeParametersInterface::linked(parameters_);
   }
 
+protected:
+  /// Make a node that is `other` with more of a namespace.
+  Node(const Node & other, const std::string & sub_namespace);
+  std::string extend_name(const std::string & name) const;
+
 private:
   NodeOptions options_;
+  std::string sub_namespace_;
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   Logger logger_;
-  detail::Rosout rosout_;
+  std::shared_ptr<detail::Rosout> rosout_;
   Clock::SharedPtr clock_;
   node_interfaces::NodeParametersInterface::SharedPtr parameters_;
   TimeSource::SharedPtr time_source_;

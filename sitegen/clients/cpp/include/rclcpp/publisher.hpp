@@ -3,26 +3,57 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/event_handler.hpp"
+#include "rclcpp/loaned_message.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 #include "rclcpp/qos.hpp"
+#include "rclcpp/qos_overriding_options.hpp"
 #include "rclcpp/serialized_message.hpp"
+#include "rclcpp/type_adapter.hpp"
+
+enum rmw_unique_network_flow_endpoints_requirement_t
+{
+  RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED,
+  RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED,
+  RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_OPTIONALLY_REQUIRED,
+  RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_SYSTEM_DEFAULT
+};
 
 namespace rclcpp
 {
 
-struct PublisherOptions
+enum class IntraProcessSetting {Enable, Disable, NodeDefault};
+
+struct PublisherOptionsBase
 {
   PublisherEventCallbacks event_callbacks;
   /// Log what is incompatible.
   bool use_default_callbacks = true;
   CallbackGroup::SharedPtr callback_group = nullptr;
+  /// Kept: messages between nodes of a program never leave it anyway.
+  IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+  rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
+    RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
+  QosOverridingOptions qos_overriding_options;
 };
+
+/// The allocator is kept and not asked: messages are made by the standard one.
+template<typename AllocatorT>
+struct PublisherOptionsWithAllocator : PublisherOptionsBase
+{
+  std::shared_ptr<AllocatorT> allocator = nullptr;
+};
+
+using PublisherOptions = PublisherOptionsWithAllocator<std::allocator<void>>;
 
 class PublisherBase
 {
@@ -31,13 +62,17 @@ public:
 
   PublisherBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-    const detail::MessageMembers & type, const QoS & qos, const PublisherOptions & options);
+    const detail::MessageMembers & type, const QoS & qos, const PublisherOptionsBase & options);
   virtual ~PublisherBase() = default;
 
   const char * get_topic_name() const {return endpoint_.name().c_str();}
   std::size_t get_queue_size() const {return endpoint_.qos().depth();}
   std::size_t get_subscription_count() const {return endpoint_.matched();}
+  std::size_t get_intra_process_subscription_count() const {return 0;}
   QoS get_actual_qos() const {return endpoint_.qos();}
+  bool can_loan_messages() const {return false;}
+  /// There is no network below a page.
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   /// Say that it is alive, where liveliness is manual.
   bool assert_liveliness() const;
   /// Wait until all reliable subscriptions have got all; false if they had not within `timeout`, which
@@ -72,15 +107,43 @@ class Publisher : public PublisherBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Publisher<MessageT, AllocatorT>)
 
+  /// What is published, and what of it travels; they differ with a TypeAdapter.
+  using PublishedType = detail::custom_type<MessageT>;
+  using ROSMessageType = detail::ros_type<MessageT>;
+
   Publisher(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic, const QoS & qos,
-    const PublisherOptions & options = PublisherOptions())
+    const PublisherOptionsBase & options = PublisherOptions())
   : PublisherBase(
-      node, topic, rosidl_typesupport_sitegen_cpp::members_of<MessageT>(), qos, options) {}
+      node, topic, rosidl_typesupport_sitegen_cpp::members_of<ROSMessageType>(), qos, options) {}
 
-  void publish(const MessageT & message) {publish_message(&message);}
-  void publish(std::unique_ptr<MessageT> message) {publish_message(message.get());}
+  void publish(const PublishedType & message)
+  {
+    if constexpr (detail::is_adapted<MessageT>) {
+      ROSMessageType converted;
+      detail::Adapter<MessageT>::convert_to_ros_message(message, converted);
+      publish_message(&converted);
+    } else {
+      publish_message(&message);
+    }
+  }
+  void publish(std::unique_ptr<PublishedType> message) {publish(*message);}
+  template<
+    class T, std::enable_if_t<
+      std::is_same_v<T, ROSMessageType> && !std::is_same_v<T, PublishedType>, int> = 0>
+  void publish(const T & message)
+  {
+    publish_message(&message);
+  }
   void publish(const SerializedMessage & bytes) {publish_bytes(bytes);}
+  void publish(const rcl_serialized_message_t & bytes)
+  {
+    SerializedMessage copy;
+    std::memcpy(copy.resize(bytes.buffer_length), bytes.buffer, bytes.buffer_length);
+    publish_bytes(copy);
+  }
+  void publish(LoanedMessage<ROSMessageType> && loaned) {publish_message(&loaned.get());}
+  LoanedMessage<ROSMessageType> borrow_loaned_message() {return LoanedMessage<ROSMessageType>();}
 };
 
 }  // namespace rclcpp

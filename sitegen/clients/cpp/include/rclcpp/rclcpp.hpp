@@ -4,6 +4,7 @@
 #include <csignal>
 #include <memory>
 
+#include "rclcpp/create_timer.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/guard_condition.hpp"
@@ -12,5 +13,7 @@
 #include "rclcpp/parameter_client.hpp"
 #include "rclcpp/parameter_event_handler.hpp"
 #include "rclcpp/rate.hpp"
+#include "rclcpp/serialization.hpp"
 #include "rclcpp/time.hpp"
 #include "rclcpp/utilities.hpp"
+#include "rclcpp/visibility_control.hpp"

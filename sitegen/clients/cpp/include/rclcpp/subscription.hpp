@@ -1,26 +1,63 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 #include <utility>
 
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/event_handler.hpp"
+#include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/publisher.hpp"
 
 namespace rclcpp
 {
 
-struct SubscriptionOptions
+enum class TopicStatisticsState {Enable, Disable, NodeDefault};
+
+struct ContentFilterOptions
+{
+  std::string filter_expression;
+  std::vector<std::string> expression_parameters;
+};
+
+struct SubscriptionOptionsBase
 {
   SubscriptionEventCallbacks event_callbacks;
   /// Log what is incompatible.
   bool use_default_callbacks = true;
+  bool ignore_local_publications = false;
   CallbackGroup::SharedPtr callback_group = nullptr;
+  /// Kept: messages between nodes of a program never leave it anyway.
+  IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+  rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
+    RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
+  /// Kept: a page gathers no statistics.
+  struct TopicStatisticsOptions
+  {
+    TopicStatisticsState state = TopicStatisticsState::NodeDefault;
+    std::string publish_topic = "/statistics";
+    std::chrono::milliseconds publish_period{std::chrono::seconds(1)};
+    QoS qos = SystemDefaultsQoS();
+  } topic_stats_options;
+  QosOverridingOptions qos_overriding_options;
+  /// Not supported, as with most middlewares: is_cft_enabled() is false, and all messages arrive.
+  ContentFilterOptions content_filter_options;
 };
+
+/// The allocator is kept and not asked: messages are made by the standard one.
+template<typename AllocatorT>
+struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
+{
+  std::shared_ptr<AllocatorT> allocator = nullptr;
+};
+
+using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void>>;
 
 class SubscriptionBase : public detail::Receiver
 {
@@ -29,11 +66,34 @@ public:
 
   SubscriptionBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
-    const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptions & options);
+    const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptionsBase & options);
 
   const char * get_topic_name() const {return name().c_str();}
   std::size_t get_publisher_count() const {return matched();}
   QoS get_actual_qos() const {return qos();}
+  bool is_cft_enabled() const {return false;}
+  /// Throws RCLError: the page has no content filters.
+  void set_content_filter(const std::string & expression, const std::vector<std::string> &)
+  {
+    throw exceptions::RCLError("failed to set cft expression parameters: " + expression);
+  }
+  ContentFilterOptions get_content_filter() const
+  {
+    throw exceptions::RCLError("failed to get cft expression parameters: not supported");
+  }
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
+  bool can_loan_messages() const {return false;}
+  bool is_serialized() const {return false;}
+  bool take_serialized(SerializedMessage & bytes, MessageInfo & info)
+  {
+    double writer;
+    return take_bytes(bytes, info.get_rmw_message_info(), writer);
+  }
+  /// What callers that do not know the type take, handle and let go of a message by.
+  virtual std::shared_ptr<void> create_message() = 0;
+  virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
+  virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
+  void return_message(std::shared_ptr<void> & message) {message.reset();}
 
   /// What calls back for its events.
   std::shared_ptr<detail::Executable> events() const {return events_;}
@@ -51,13 +111,33 @@ class Subscription : public SubscriptionBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Subscription<MessageT, AllocatorT>)
 
+  /// What the callback takes, and what travels; they differ with a TypeAdapter.
+  using SubscribedType = detail::custom_type<MessageT>;
+  using ROSMessageType = detail::ros_type<MessageT>;
+
   template<class CallbackT>
   Subscription(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic, const QoS & qos,
-    CallbackT && callback, const SubscriptionOptions & options = SubscriptionOptions())
+    CallbackT && callback, const SubscriptionOptionsBase & options = SubscriptionOptions())
   : SubscriptionBase(
-      node, topic, rosidl_typesupport_sitegen_cpp::members_of<MessageT>(), qos, options),
+      node, topic, rosidl_typesupport_sitegen_cpp::members_of<ROSMessageType>(), qos, options),
     callback_(std::forward<CallbackT>(callback)) {}
+
+  /// Take the oldest message that waits; false if none does.
+  bool take(ROSMessageType & message, MessageInfo & info)
+  {
+    return take_type_erased(&message, info);
+  }
+  std::shared_ptr<void> create_message() override {return std::make_shared<ROSMessageType>();}
+  bool take_type_erased(void * message, MessageInfo & info) override
+  {
+    SerializedMessage bytes;
+    return take_serialized(bytes, info) && decode(type_, bytes, message);
+  }
+  void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
+  {
+    dispatch(std::static_pointer_cast<ROSMessageType>(message), info);
+  }
 
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
@@ -66,14 +146,23 @@ protected:
       callback_.dispatch_bytes(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
       return;
     }
-    auto message = std::make_shared<MessageT>();
-    if (decode(type_, bytes, message.get())) {
-      callback_.dispatch(std::move(message), MessageInfo(info));
-    }
+    auto message = std::make_shared<ROSMessageType>();
+    if (decode(type_, bytes, message.get())) {dispatch(std::move(message), MessageInfo(info));}
   }
 
 private:
-  AnySubscriptionCallback<MessageT> callback_;
+  void dispatch(std::shared_ptr<ROSMessageType> message, const MessageInfo & info)
+  {
+    if constexpr (detail::is_adapted<MessageT>) {
+      auto custom = std::make_shared<SubscribedType>();
+      detail::Adapter<MessageT>::convert_to_custom(*message, *custom);
+      callback_.dispatch(std::move(custom), info);
+    } else {
+      callback_.dispatch(std::move(message), info);
+    }
+  }
+
+  AnySubscriptionCallback<SubscribedType> callback_;
 };
 
 }  // namespace rclcpp

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "rclcpp/publisher.hpp"
+
+namespace rclcpp
+{
+
+namespace detail
+{
+
+/// A type of which only the name is known.
+struct NamedType
+{
+  explicit NamedType(std::string type)
+  : name(std::move(type)), members{name.c_str(), "", nullptr, nullptr, nullptr} {}
+  RCLCPP_DISABLE_COPY(NamedType)
+
+  std::string name;
+  MessageMembers members;
+};
+
+}  // namespace detail
+
+/// Publishes bytes of messages whose type is known when the program runs.
+class GenericPublisher : private detail::NamedType, public PublisherBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericPublisher)
+
+  GenericPublisher(
+    const node_interfaces::NodeBaseInterface & node, const std::string & topic,
+    const std::string & type, const QoS & qos,
+    const PublisherOptionsBase & options = PublisherOptions())
+  : NamedType(type), PublisherBase(node, topic, members, qos, options) {}
+
+  void publish(const SerializedMessage & bytes) {publish_bytes(bytes);}
+};
+
+}  // namespace rclcpp

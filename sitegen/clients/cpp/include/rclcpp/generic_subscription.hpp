@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/generic_publisher.hpp"
+#include "rclcpp/subscription.hpp"
+
+namespace rclcpp
+{
+
+/// Gives its callback the bytes of messages whose type is known when the program runs.
+class GenericSubscription : private detail::NamedType, public SubscriptionBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericSubscription)
+
+  using Callback = AnySubscriptionCallback<SerializedMessage>;
+
+  template<class CallbackT>
+  GenericSubscription(
+    const node_interfaces::NodeBaseInterface & node, const std::string & topic,
+    const std::string & type, const QoS & qos, CallbackT && callback,
+    const SubscriptionOptionsBase & options = SubscriptionOptions())
+  : NamedType(type), SubscriptionBase(node, topic, members, qos, options),
+    callback_(std::forward<CallbackT>(callback)) {}
+
+  std::shared_ptr<void> create_message() override {return std::make_shared<SerializedMessage>();}
+  bool take_type_erased(void * message, MessageInfo & info) override
+  {
+    return take_serialized(*static_cast<SerializedMessage *>(message), info);
+  }
+  void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
+  {
+    callback_.dispatch(std::static_pointer_cast<SerializedMessage>(message), info);
+  }
+
+protected:
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
+  {
+    callback_.dispatch(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
+  }
+
+private:
+  Callback callback_;
+};
+
+}  // namespace rclcpp

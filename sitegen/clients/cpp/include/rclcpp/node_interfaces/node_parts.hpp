@@ -1,0 +1,67 @@
+// The interfaces of a node that templates ask for, as far as they are not classes of their own.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "rclcpp/clock.hpp"
+#include "rclcpp/logger.hpp"
+#include "rclcpp/macros.hpp"
+#include "rclcpp/node_interfaces/node_base_interface.hpp"
+
+namespace rclcpp
+{
+namespace node_interfaces
+{
+
+/// They lead to the node, and nothing else: what is made of them is made of the node.
+#define ROS_NODE_PART(Name) \
+  class Name \
+  { \
+public: \
+    RCLCPP_SMART_PTR_ALIASES_ONLY(Name) \
+    explicit Name(NodeBaseInterface::SharedPtr base) \
+    : base_(std::move(base)) {} \
+    NodeBaseInterface::SharedPtr get_node_base_interface() const {return base_;} \
+private: \
+    NodeBaseInterface::SharedPtr base_; \
+  };
+
+ROS_NODE_PART(NodeServicesInterface)
+ROS_NODE_PART(NodeTimersInterface)
+ROS_NODE_PART(NodeTopicsInterface)
+ROS_NODE_PART(NodeWaitablesInterface)
+ROS_NODE_PART(NodeTimeSourceInterface)
+
+#undef ROS_NODE_PART
+
+class NodeClockInterface
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(NodeClockInterface)
+
+  explicit NodeClockInterface(Clock::SharedPtr clock)
+  : clock_(std::move(clock)) {}
+  Clock::SharedPtr get_clock() {return clock_;}
+  Clock::ConstSharedPtr get_clock() const {return clock_;}
+
+private:
+  Clock::SharedPtr clock_;
+};
+
+class NodeLoggingInterface
+{
+public:
+  RCLCPP_SMART_PTR_ALIASES_ONLY(NodeLoggingInterface)
+
+  explicit NodeLoggingInterface(Logger logger)
+  : logger_(std::move(logger)) {}
+  Logger get_logger() const {return logger_;}
+  const char * get_logger_name() const {return logger_.get_name();}
+
+private:
+  Logger logger_;
+};
+
+}  // namespace node_interfaces
+}  // namespace rclcpp

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace rcpputils
+{
+
+class IllegalStateException : public std::runtime_error
+{
+public:
+  explicit IllegalStateException(const char * message)
+  : std::runtime_error(message) {}
+};
+
+class AssertionException : public std::runtime_error
+{
+public:
+  explicit AssertionException(const char * message)
+  : std::runtime_error(message) {}
+};
+
+inline void require_true(
+  bool condition, const std::string & message = "invalid argument passed in")
+{
+  if (!condition) {throw std::invalid_argument{message};}
+}
+
+inline void check_true(bool condition, const std::string & message = "check reported invalid state")
+{
+  if (!condition) {throw IllegalStateException{message.c_str()};}
+}
+
+}  // namespace rcpputils

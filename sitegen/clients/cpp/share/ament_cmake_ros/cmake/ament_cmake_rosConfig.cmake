@@ -1,0 +1,3 @@
+# What it has beside ament_cmake concerns shared libraries and tests.
+include_guard(GLOBAL)
+find_package(ament_cmake REQUIRED)

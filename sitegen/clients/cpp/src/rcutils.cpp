@@ -1,0 +1,110 @@
+// What programs call of rcutils; its headers are upstream's.
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "rclcpp/logging.hpp"
+#include "rcutils/allocator.h"
+#include "rcutils/cmdline_parser.h"
+#include "rcutils/error_handling.h"
+#include "rcutils/logging.h"
+
+namespace
+{
+
+rclcpp::Logger logger(const char * name) {return rclcpp::Logger(name ? name : "");}
+
+void log(int severity, const char * name, const char * format, va_list arguments)
+{
+  va_list again;
+  va_copy(again, arguments);
+  const int size = std::vsnprintf(nullptr, 0, format, again);
+  va_end(again);
+  std::string text(static_cast<std::size_t>(size < 0 ? 0 : size), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, arguments);
+  rclcpp::detail::log(rclcpp::Logger::Level(severity), logger(name), text);
+}
+
+}  // namespace
+
+extern "C" {
+
+bool g_rcutils_logging_initialized = true;
+
+rcutils_ret_t rcutils_logging_initialize(void) {return RCUTILS_RET_OK;}
+
+rcutils_ret_t rcutils_logging_initialize_with_allocator(rcutils_allocator_t)
+{
+  return RCUTILS_RET_OK;
+}
+
+rcutils_ret_t rcutils_logging_shutdown(void) {return RCUTILS_RET_OK;}
+
+rcutils_allocator_t rcutils_get_default_allocator(void)
+{
+  return {
+    [](std::size_t size, void *) {return std::malloc(size);},
+    [](void * pointer, void *) {std::free(pointer);},
+    [](void * pointer, std::size_t size, void *) {return std::realloc(pointer, size);},
+    [](std::size_t count, std::size_t size, void *) {return std::calloc(count, size);}, nullptr};
+}
+
+// Nothing of what is here fails with an error that is kept.
+rcutils_error_string_t rcutils_get_error_string(void) {return {"error not set"};}
+
+void rcutils_reset_error(void) {}
+
+bool rcutils_logging_logger_is_enabled_for(const char * name, int severity)
+{
+  return rclcpp::detail::log_enabled(rclcpp::Logger::Level(severity), logger(name));
+}
+
+int rcutils_logging_get_logger_effective_level(const char * name)
+{
+  return static_cast<int>(logger(name).get_effective_level());
+}
+
+rcutils_ret_t rcutils_logging_set_logger_level(const char * name, int level)
+{
+  logger(name).set_level(rclcpp::Logger::Level(level));
+  return RCUTILS_RET_OK;
+}
+
+void rcutils_log(
+  const rcutils_log_location_t *, int severity, const char * name, const char * format, ...)
+{
+  if (!rcutils_logging_logger_is_enabled_for(name, severity)) {return;}
+  va_list arguments;
+  va_start(arguments, format);
+  log(severity, name, format, arguments);
+  va_end(arguments);
+}
+
+void rcutils_log_internal(
+  const rcutils_log_location_t *, int severity, const char * name, const char * format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  log(severity, name, format, arguments);
+  va_end(arguments);
+}
+
+bool rcutils_cli_option_exist(char ** begin, char ** end, const char * option)
+{
+  for (char ** word = begin; word != end; ++word) {
+    if (std::strcmp(*word, option) == 0) {return true;}
+  }
+  return false;
+}
+
+char * rcutils_cli_get_option(char ** begin, char ** end, const char * option)
+{
+  for (char ** word = begin; word != end; ++word) {
+    if (std::strcmp(*word, option) == 0) {return word + 1 == end ? nullptr : word[1];}
+  }
+  return nullptr;
+}
+
+}  // extern "C"

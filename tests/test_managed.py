@@ -1,0 +1,75 @@
+"""Managed nodes, and nodes in the other forms that packages use them in."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import LINE, Panel
+from playwright.sync_api import BrowserContext
+
+pytestmark = pytest.mark.firefox
+
+SITE = Path(__file__).parent / "sites" / "rclcpp"
+INACTIVE = (
+    "Trying to publish message on the topic '/lifecycle_chatter', "
+    "but the publisher is not activated"
+)
+
+
+def said(panel: Panel) -> list[str]:
+    """What a node printed, and of what it logged the text."""
+    matches = [(LINE.match(line), line) for line in panel.lines()]
+    return [match[3] if match else line for match, line in matches]
+
+
+def test_a_managed_node_changes_its_state(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}forms/")
+    managed = Panel(page, "managed")
+    managed.start()
+    managed.expect_state("stopped")
+    assert said(managed) == [
+        "configure from unconfigured",
+        "1 inactive",
+        INACTIVE,
+        "1 active",
+        "heard in time",
+        "Unable to change state from state machine: no transition 1 from state active",
+        "0 active",
+        "1 inactive",
+        INACTIVE,
+        "0 inactive",
+        "Caught exception in callback for transition 11",
+        "Original error: stuck",
+        "0 unconfigured",
+        "2 transitions",
+        "finalized",
+    ]
+
+
+def test_a_node_has_its_other_forms(context: BrowserContext, serve: Serve, built: Built) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}forms/")
+    forms = Panel(page, "forms")
+    forms.start()
+    forms.expect_state("stopped")
+    lines = said(forms)
+    words = lines.pop(2).split(", ")
+    forms_of = [f"{kind} {word}" for word in ("one", "two", "three") for kind in KINDS]
+    assert sorted(words) == sorted(forms_of)
+    assert lines == [
+        "/space/part forms",
+        "/space/part/words",
+        "timer 1",
+        "# the robot of this test",
+        "package 'nowhere' not found, searching: [/ros]",
+        "logged 1",
+        "option 0 topic",
+    ]
+
+
+KINDS = ("custom", "plain", "generic")
