@@ -55,7 +55,7 @@ def _wanted(names: Sequence[str], packages: Mapping[str, Package]) -> dict[str, 
         if fault:
             problems.append(fault)
         elif package:
-            chosen = [executable] if executable else package.executables or ()
+            chosen = [executable] if executable else _programs(package)
             known = wanted.setdefault(package_name, [])
             known += (one for one in chosen if one not in known)
     if problems:
@@ -68,17 +68,21 @@ def _fault(
 ) -> str:
     if package is None:
         return f"no package '{name}' in the workspace; {nearest(name, packages)}"
-    if package.setup:
-        return f"package '{name}' is in Python, which is not compiled; add it to your workspace"
+    if package.setup and (not _programs(package) or executable in package.setup.scripts):
+        what = f"'{name}/{executable}'" if executable else f"package '{name}'"
+        return f"{what} is in Python, which is not compiled; add the package to the workspace"
     if package.build_type != "ament_cmake":
         return f"package '{name}' is of build type '{package.build_type}'; only ament_cmake is C++"
     if package.executables is None:
-        return (
-            ""
-            if executable
-            else f"only CMake can tell the executables of '{name}'; name one: {name}/…"
-        )
+        told = f"only CMake can tell the executables of '{name}'; name one: {name}/…"
+        return "" if executable else told
     if executable and executable not in package.executables:
         hint = nearest(executable, package.executables)
         return f"package '{name}' has no executable '{executable}'; {hint}"
     return "" if package.executables else f"package '{name}' has no executables"
+
+
+def _programs(package: Package) -> list[str]:
+    """Return the executables of a package that are compiled."""
+    scripts = package.setup.scripts if package.setup else {}
+    return [name for name in package.executables or () if name not in scripts]

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sitegen import config
-from sitegen.build import build, count, shown
+from sitegen.build import build, count, make, shown, write
 from sitegen.errors import SiteError
 from sitegen.git import Repository
 from sitegen.model import Site
@@ -39,7 +39,10 @@ def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
         raise SiteError([f"{message}; name another one in site.yaml: deploy: {{branch: …}}"])
     with tempfile.TemporaryDirectory(prefix="sitegen-") as temporary:
         output = Path(temporary) / "dist" if dry_run else folder / "dist"
-        build(folder, output=output, report=report)
+        if dry_run:
+            write(make(folder, report).artifacts, output)
+        else:
+            build(folder, output=output, report=report)
         built = {
             file.relative_to(output).as_posix(): file.read_bytes()
             for file in sorted(output.rglob("*"))

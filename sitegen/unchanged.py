@@ -56,8 +56,16 @@ def _read(folder: Path, roots: Sequence[Path], output: Path) -> str:
     tools = [Path(tool) for tool in (shutil.which("em++"), shutil.which("git")) if tool]
     folder = folder.resolve()
     above = next((at for at in (folder, *folder.parents) if (at / ".git").exists()), folder)
-    history = above / ".git/logs/HEAD"
+    history = _repository(above / ".git") / "logs/HEAD"
     return _digest([folder, *roots, *OWN, *tools, history], without=output.resolve())
+
+
+def _repository(git: Path) -> Path:
+    """Return the folder that git keeps a working tree's history in: of some, a file names it."""
+    if not git.is_file():
+        return git
+    name = git.read_text(encoding="utf-8", errors="surrogateescape").removeprefix("gitdir:")
+    return git.parent / name.strip()
 
 
 def _digest(roots: Sequence[Path], without: Path | None = None) -> str:

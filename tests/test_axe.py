@@ -74,3 +74,30 @@ def test_nothing_serious_where_nodes_run(tab: Tab, built: Built, serve: Serve) -
         tab.get_by_role("group", name=name).get_by_role("button", name="Start").click()
     tab.wait_for_function("document.querySelectorAll('.ros-console [role=log] *').length > 5")
     assert serious(tab) == []
+
+
+def test_nothing_serious_in_what_is_shared(tab: Tab, built: Built, serve: Serve) -> None:
+    # A link of another version, so that the page says so.
+    tab.goto(f"{serve(built(EVERYTHING))}guide/nodes/#share=0.")
+    tab.wait_for_selector(".ros-word")
+    assert serious(tab) == []
+    tab.get_by_role("button", name="Share").click()
+    tab.wait_for_selector("dialog.share[open]")
+    assert serious(tab) == []
+    # All of it by the keyboard.
+    for name in ("Copy", "Copy"):
+        tab.keyboard.press("Tab")
+        while tab.evaluate("document.activeElement.textContent.trim()") != name:
+            tab.keyboard.press("Tab")
+    tab.keyboard.press("Escape")
+    assert not tab.is_visible("dialog.share")
+
+
+def test_nothing_serious_in_a_frame_and_where_nothing_is(
+    tab: Tab, built: Built, serve: Serve
+) -> None:
+    url = serve(built(EVERYTHING))
+    for path in ("guide/nodes/?embed", "404.html"):
+        tab.goto(url + path)
+        tab.wait_for_load_state("networkidle")
+        assert serious(tab) == []

@@ -192,7 +192,10 @@ def test_nothing_is_said_of_cpp_where_nothing_is_known(way: str, tmp_path: Path)
     ("old", "new"),
     [
         ('"chatter"\n', "input()\n"),
-        ("import rclpy\n", "import rclpy\nimport tf2_ros\n"),
+        (
+            "import rclpy\n",
+            "import rclpy\ntry:\n    import tf2_ros\nexcept ImportError:\n    tf2_ros = None\n",
+        ),
         ('super().__init__("listener")', 'super().__init__("listener", namespace=where())'),
         ("self.create_subscription(String, TOPIC", "make = self.create_subscription; make(TOPIC"),
         ("rclpy.init()", 'rclpy.init(args=["--ros-args", "-r", "a:=chatter"])'),
@@ -206,6 +209,26 @@ def test_nothing_is_said_of_python_where_nothing_is_known(
     assert old in PYTHON
     found = warnings(write(tmp_path, cpp=cpp, listener=PYTHON.replace(old, new)))
     assert [line for line in found if "topic" in line] == []
+
+
+def test_a_program_of_a_package_with_cmake(tmp_path: Path) -> None:
+    """Its `main` is what stands below `if __name__ == "__main__"`."""
+    listener = (
+        PYTHON.replace('"chatter"', '"chater"') + '\n\nif __name__ == "__main__":\n    main()\n'
+    )
+    folder = write(
+        tmp_path, site=SITE.replace("{package: py, executable: l", "{package: cpp, executable: l")
+    )
+    (folder / "src/cpp/listener").write_text(f"#!/usr/bin/env python3\n{listener}")
+    (folder / "src/cpp/CMakeLists.txt").write_text(
+        "find_package(ament_cmake_python)\nadd_executable(talker talker.cpp)\n"
+        "install(PROGRAMS listener DESTINATION lib/${PROJECT_NAME})\n"
+    )
+    found = warnings(folder)
+    assert [line.partition(" on page")[0] for line in found] == [
+        "src/cpp/listener:12: topic: 'listener' subscribes to '/chater'",
+        "src/cpp/talker.cpp:11: topic: 'talker' publishes '/chatter'",
+    ]
 
 
 def test_types_are_not_compared_where_names_may_change(tmp_path: Path) -> None:

@@ -122,10 +122,11 @@ def test_names_that_cannot_be_compiled(
 
 
 def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["compile", "py_pubsub", "-o", str(tmp_path / "nodes.zip")]
+    words = ["compile", "py_pubsub", "py_pubsub/talker", "-o", str(tmp_path / "nodes.zip")]
     assert main([*words, "--workspace", str(ROOT / "demos" / "demo06")]) == 1
-    expected = "package 'py_pubsub' is in Python, which is not compiled; add it to your workspace"
-    assert expected in capsys.readouterr().err
+    why = "is in Python, which is not compiled; add the package to the workspace"
+    lines = capsys.readouterr().err.splitlines()[:-1]
+    assert lines == [f"package 'py_pubsub' {why}", f"'py_pubsub/talker' {why}"]
 
 
 @pytest.mark.usefixtures("without_compiler")

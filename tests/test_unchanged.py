@@ -86,6 +86,19 @@ def test_whatever_changes_is_built(site: Path, run: Run, change: Callable[[Path]
     assert run().startswith("nothing has changed")
 
 
+def test_the_history_of_a_second_working_tree_counts(site: Path, run: Run) -> None:
+    origin = site.parent / "origin"
+    commands = f"mkdir {origin} && cd {origin} && echo a > a && {COMMIT}"
+    subprocess.run(commands, shell=True, check=True)
+    tree = site.parent / "tree"
+    subprocess.run(["git", "-C", origin, "worktree", "add", "-q", tree], check=True)
+    (tree / ".git").rename(site / ".git")
+    run()
+    assert run().startswith("nothing has changed")
+    subprocess.run(COMMIT, cwd=site, shell=True, check=True)
+    assert run().startswith("built 2 pages")
+
+
 def test_an_edit_renders_that_page_alone(site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     said = io.StringIO()
     live = LiveSite(site, Report(said))

@@ -67,8 +67,9 @@ def _program(site: Site, node: Node) -> Program:
     package = site.packages.get(node.package)
     if node.ros2wasm or node.compiled or package is None:
         return Program(open=True)
-    if package.setup:
-        return python.read(package.setup, node.executable)
+    setup = site.setup_of(node)
+    if setup:
+        return python.read(setup, node.executable)
     return cpp.read(package, node.executable)
 
 

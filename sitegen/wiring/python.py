@@ -35,11 +35,12 @@ class _Module:
 
 
 def read(setup: Setup, executable: str) -> Program:
-    """Return what the module of an entry point and those that it imports tell."""
+    """Return what the module of an entry point, or a program, and those that it imports tell."""
     program = Program()
-    name, _, attribute = setup.scripts[executable].partition(":")
+    target = setup.scripts[executable]
+    name, _, attribute = (target, "", "") if target in setup.files else target.partition(":")
     modules = _modules(name, setup, program)
-    used = _used(modules, attribute)
+    used = _used(modules, name, attribute)
     for module in modules.values():
         for statement in module.tree.body:
             sure = not isinstance(statement, _Definition) or statement.name in used
@@ -54,7 +55,7 @@ def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
     while waiting:
         name = waiting.pop()
         stem = f"python/{name.replace('.', '/')}"
-        places = (f"{stem}.py", f"{stem}/__init__.py")
+        places = (name, f"{stem}.py", f"{stem}/__init__.py")
         file = next((setup.files[place] for place in places if place in setup.files), None)
         if name in found or file is None:
             program.open |= name == first and file is None
@@ -110,16 +111,20 @@ def _texts(tree: ast.Module) -> Iterator[tuple[str, str]]:
                 yield from ((name, value.value) for name in names if stored[name] == 1)
 
 
-def _used(modules: dict[str, _Module], entry: str) -> set[str]:
-    """Return the definitions that the entry point may come to, by their names in any module."""
+def _used(modules: dict[str, _Module], first: str, entry: str) -> set[str]:
+    """Return the definitions that the program may come to, by their names in any module.
+
+    It begins with the function `entry` of the module `first`, or as that module, if that is empty.
+    """
     definitions: dict[str, list[_Definition]] = {}
     used: set[str] = set()
     waiting = {entry.partition(".")[0]}
-    for module in modules.values():
+    for name, module in modules.items():
+        runs = name == first and not entry
         for statement in module.tree.body:
             if isinstance(statement, _Definition):
                 definitions.setdefault(statement.name, []).append(statement)
-            elif "__name__" not in _mentioned([statement]):
+            elif runs or "__name__" not in _mentioned([statement]):
                 waiting |= _mentioned([statement])
     while waiting:
         name = waiting.pop()

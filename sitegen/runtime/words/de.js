@@ -13,7 +13,7 @@ export const words = {
   "Stop": "Stopp",
   "Clear": "Leeren",
   "Newest": "Neueste",
-  "Press Start to run {}": "Mit Start läuft {} los",
+  "Press Start to run {}": "Start drücken, damit {} läuft",
   "Not running": "Läuft nicht",
   "Starting…": "Startet …",
   "Running, nothing printed yet": "Läuft, noch ist nichts ausgegeben",
