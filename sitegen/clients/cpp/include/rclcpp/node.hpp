@@ -373,21 +373,20 @@ public:
   {
     return parameters_->list_parameters(prefixes, depth);
   }
-  template<class CallbackT>
-  PreSetParametersCallbackHandle::SharedPtr add_pre_set_parameters_callback(CallbackT && callback)
+  PreSetParametersCallbackHandle::SharedPtr add_pre_set_parameters_callback(
+    PreSetParametersCallbackType callback)
   {
-    return parameters_->add_pre_set_parameters_callback(std::forward<CallbackT>(callback));
+    return parameters_->add_pre_set_parameters_callback(std::move(callback));
   }
-  template<class CallbackT>
-  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(CallbackT && callback)
+  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(
+    OnSetParametersCallbackType callback)
   {
-    return parameters_->add_on_set_parameters_callback(std::forward<CallbackT>(callback));
+    return parameters_->add_on_set_parameters_callback(std::move(callback));
   }
-  template<class CallbackT>
   PostSetParametersCallbackHandle::SharedPtr add_post_set_parameters_callback(
-    CallbackT && callback)
+    PostSetParametersCallbackType callback)
   {
-    return parameters_->add_post_set_parameters_callback(std::forward<CallbackT>(callback));
+    return parameters_->add_post_set_parameters_callback(std::move(callback));
   }
   void remove_pre_set_parameters_callback(const PreSetParametersCallbackHandle * handle)
   {
