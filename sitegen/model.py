@@ -59,6 +59,7 @@ class Node:
     place: Place
     namespace: str = ""
     remap: Mapping[str, str] = field(default_factory=dict)
+    parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
@@ -69,6 +70,8 @@ class Node:
         if self.namespace:
             rules.append(f"__ns:={self.namespace}")
         ros = [word for rule in rules for word in ("-r", rule)]
+        for name, value in self.parameters.items():
+            ros += ["-p", f"{name}:={value}"]
         return [*self.arguments, *(["--ros-args", *ros] if ros else [])]
 
 

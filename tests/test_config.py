@@ -153,7 +153,7 @@ WRONG = [
             "site.yaml:8: nodes.talker.remap.chatter: expected text, found the number 5; "
             'put it in quotes: "5"',
             "site.yaml:9: nodes.listener: expected keys and values, found the text 'cpp_pubsub'; "
-            "the keys are package, executable, namespace, remap, arguments",
+            "the keys are package, executable, namespace, remap, parameters, arguments",
         ],
     ),
     Wrong(

@@ -41,3 +41,22 @@ def test_executors_call_back_as_their_groups_allow(
         "guard 3",
         "done",
     ]
+
+
+def test_wait_sets_find_what_is_ready(context: BrowserContext, serve: Serve, built: Built) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}executors/")
+    waits = Panel(page, "waits")
+    waits.start()
+    waits.expect_state("stopped")
+    assert waits.lines() == [
+        "empty 1",
+        "timeout 1",
+        "ready 1: 1 0",
+        "took 1 first, no more 0",
+        "handled first",
+        "guard 1",
+        "timer",
+        "guard condition already associated with a wait set",
+        "invalid 1",
+    ]

@@ -43,7 +43,7 @@ def test_parameters_are_checked_watched_and_served(
         "1 ",
         "1 ",
         "or 1 1.5 0 else",
-        "arm 6",
+        "arm 7",
         "any arm.joints even list name serial speed typed unset use_sim_time wheels ",
         "1 0",
         "r2 7",

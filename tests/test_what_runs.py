@@ -13,7 +13,6 @@ INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"
 HEADERS = re.findall(r"`([\w/]+\.hp?p?)`", PAGE)
 MISSING = {
-    "No wait sets": "rclcpp/wait_set.hpp",
     "`tf2`": "tf2",
     "`message_filters`": "message_filters",
 }

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from sitegen.config import compiled, ros2wasm
+from sitegen.config import compiled, parameters, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
@@ -96,6 +96,7 @@ def _has_executable(package: Package, executable: str) -> bool:
 
 def _node(name: str, section: Section, problems: Problems) -> Node:
     remap, arguments = section.get("remap"), section.get("arguments")
+    given = section.get("parameters")
     return Node(
         name=name,
         package=section.text("package"),
@@ -103,6 +104,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         place=section.value.place,
         namespace=section.text("namespace"),
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
+        parameters=parameters.read(given, problems) if given else {},
         arguments=tuple(item.text for item in arguments.items()) if arguments else (),
     )
 

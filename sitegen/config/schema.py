@@ -35,6 +35,7 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
+    "parameters": ("mapping", "names with a value each"),
     "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
@@ -166,6 +167,7 @@ NODE = (
         "names that it uses, and what they become",
         "remap: {chatter: /demo/chatter}",
     ),
+    Key("parameters", "parameters", "its parameters, by name", "parameters: {speed: 2.5}"),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
 )
 

@@ -72,6 +72,19 @@ rcutils_ret_t rcutils_logging_set_logger_level(const char * name, int level)
   return RCUTILS_RET_OK;
 }
 
+rcutils_ret_t rcutils_logging_severity_level_from_string(
+  const char * name, rcutils_allocator_t, int * severity)
+{
+  static const char * const kNames[] = {"UNSET", "DEBUG", "INFO", "WARN", "ERROR", "FATAL"};
+  for (int i = 0; i < 6; ++i) {
+    if (strcasecmp(name, kNames[i]) == 0) {
+      *severity = i * 10;
+      return RCUTILS_RET_OK;
+    }
+  }
+  return RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID;
+}
+
 void rcutils_log(
   const rcutils_log_location_t *, int severity, const char * name, const char * format, ...)
 {

@@ -73,6 +73,10 @@ public:
   {
     return std::make_shared<node_interfaces::NodeClockInterface>(clock_);
   }
+  node_interfaces::NodeGraphInterface::SharedPtr get_node_graph_interface()
+  {
+    return std::make_shared<node_interfaces::NodeGraphInterface>(base_);
+  }
   node_interfaces::NodeLoggingInterface::SharedPtr get_node_logging_interface()
   {
     return std::make_shared<node_interfaces::NodeLoggingInterface>(logger_);

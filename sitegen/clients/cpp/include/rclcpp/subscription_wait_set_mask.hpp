@@ -1,0 +1,15 @@
+#pragma once
+
+namespace rclcpp
+{
+
+/// What of a subscription a wait set waits for.
+class SubscriptionWaitSetMask
+{
+public:
+  bool include_subscription = true;
+  bool include_events = true;
+  bool include_intra_process_waitable = true;
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "rclcpp/client.hpp"
+#include "rclcpp/context.hpp"
+#include "rclcpp/guard_condition.hpp"
+#include "rclcpp/service.hpp"
+#include "rclcpp/subscription.hpp"
+#include "rclcpp/subscription_wait_set_mask.hpp"
+#include "rclcpp/timer.hpp"
+#include "rclcpp/wait_result.hpp"
+
+/// In the order in which they were added; null where one is not ready.
+struct rcl_wait_set_t
+{
+  std::vector<const void *> subscriptions;
+  std::vector<const void *> guard_conditions;
+  std::vector<const void *> timers;
+  std::vector<const void *> clients;
+  std::vector<const void *> services;
+};
+
+namespace rclcpp
+{
+
+/// Waits until something of what it was given is ready. Nothing is called back.
+class WaitSet
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WaitSet)
+  RCLCPP_DISABLE_COPY(WaitSet)
+
+  struct SubscriptionEntry
+  {
+    SubscriptionEntry(
+      SubscriptionBase::SharedPtr subscription = nullptr,  // NOLINT: implicit upstream
+      const SubscriptionWaitSetMask & mask = {})
+    : subscription(std::move(subscription)), mask(mask) {}
+    template<class MessageT>
+    SubscriptionEntry(std::shared_ptr<Subscription<MessageT>> subscription)  // NOLINT
+    : subscription(std::move(subscription)) {}
+
+    SubscriptionBase::SharedPtr subscription;
+    SubscriptionWaitSetMask mask;
+  };
+  using Subscriptions = std::vector<SubscriptionEntry>;
+  using GuardConditions = std::vector<GuardCondition::SharedPtr>;
+  using Timers = std::vector<TimerBase::SharedPtr>;
+  using Clients = std::vector<ClientBase::SharedPtr>;
+  using Services = std::vector<ServiceBase::SharedPtr>;
+  using Waitables = std::vector<std::shared_ptr<detail::Executable>>;
+
+  explicit WaitSet(
+    const Subscriptions & subscriptions = {}, const GuardConditions & guard_conditions = {},
+    const Timers & timers = {}, const Clients & clients = {}, const Services & services = {},
+    const Waitables & waitables = {},
+    Context::SharedPtr context = contexts::get_global_default_context());
+
+  /// These throw std::runtime_error for what is in it already.
+  void add_subscription(
+    SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
+  void add_guard_condition(GuardCondition::SharedPtr guard_condition);
+  void add_timer(TimerBase::SharedPtr timer);
+  void add_client(ClientBase::SharedPtr client);
+  void add_service(ServiceBase::SharedPtr service);
+  /// And these for what is not.
+  void remove_subscription(
+    SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
+  void remove_guard_condition(GuardCondition::SharedPtr guard_condition);
+  void remove_timer(TimerBase::SharedPtr timer);
+  void remove_client(ClientBase::SharedPtr client);
+  void remove_service(ServiceBase::SharedPtr service);
+  void prune_deleted_entities() {}
+
+  const rcl_wait_set_t & get_rcl_wait_set() const {return ready_;}
+
+  template<class Rep = std::int64_t, class Period = std::milli>
+  WaitResult<WaitSet> wait(
+    std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1))
+  {
+    const auto kind = wait_for(std::chrono::duration<double, std::milli>(time_to_wait).count());
+    return WaitResult<WaitSet>(kind, *this);
+  }
+
+  TimerBase::SharedPtr next_ready_timer();
+  SubscriptionBase::SharedPtr next_ready_subscription();
+  ServiceBase::SharedPtr next_ready_service();
+  ClientBase::SharedPtr next_ready_client();
+
+private:
+  WaitResultKind wait_for(double milliseconds);
+  /// Note what is ready; false if nothing is.
+  bool look();
+
+  Context::SharedPtr context_;
+  std::vector<SubscriptionBase::SharedPtr> subscriptions_;
+  GuardConditions guard_conditions_;
+  Timers timers_;
+  Clients clients_;
+  Services services_;
+  rcl_wait_set_t ready_;
+};
+
+/// Threads take turns, so every wait set may be used by several.
+using ThreadSafeWaitSet = WaitSet;
+
+/// A wait set whose sizes are known when it is compiled.
+template<
+  std::size_t NumberOfSubscriptions, std::size_t NumberOfGuardConditions,
+  std::size_t NumberOfTimers, std::size_t NumberOfClients, std::size_t NumberOfServices,
+  std::size_t NumberOfWaitables>
+class StaticWaitSet : public WaitSet
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(
+    StaticWaitSet<
+      NumberOfSubscriptions, NumberOfGuardConditions, NumberOfTimers, NumberOfClients,
+      NumberOfServices, NumberOfWaitables>)
+
+  explicit StaticWaitSet(
+    const std::array<SubscriptionEntry, NumberOfSubscriptions> & subscriptions = {},
+    const std::array<GuardCondition::SharedPtr, NumberOfGuardConditions> & guard_conditions = {},
+    const std::array<TimerBase::SharedPtr, NumberOfTimers> & timers = {},
+    const std::array<ClientBase::SharedPtr, NumberOfClients> & clients = {},
+    const std::array<ServiceBase::SharedPtr, NumberOfServices> & services = {},
+    const std::array<std::shared_ptr<detail::Executable>, NumberOfWaitables> & = {},
+    Context::SharedPtr context = contexts::get_global_default_context())
+  : WaitSet(
+      Subscriptions(subscriptions.begin(), subscriptions.end()),
+      GuardConditions(guard_conditions.begin(), guard_conditions.end()),
+      Timers(timers.begin(), timers.end()), Clients(clients.begin(), clients.end()),
+      Services(services.begin(), services.end()), {}, std::move(context)) {}
+};
+
+}  // namespace rclcpp

@@ -1,0 +1,59 @@
+"""Turn the parameters of a node in site.yaml into those of its command line."""
+
+from __future__ import annotations
+
+import re
+
+import yaml
+
+from sitegen.config.document import Value
+from sitegen.errors import Problems
+
+NUMBER = re.compile(r"[-+]?(\d+|\d+\.\d*|\.\d+|\d+(\.\d*)?[eE][-+]?\d+|\.inf|\.nan)", re.IGNORECASE)
+NAME = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
+
+
+def read(value: Value, problems: Problems) -> dict[str, str]:
+    """Return the parameters by name as `-p name:=value` wants them, those in mappings with dots.
+
+    Notes names and values that no parameter has.
+    """
+    found: dict[str, str] = {}
+    for name, entry in value.entries(problems).items():
+        if not NAME.fullmatch(name):
+            message = f"'{name}' is no name of a parameter; use letters, digits, '_' and '.'"
+            problems.add(entry.place, entry.key, message)
+        elif entry.kind == "mapping":
+            nested = read(entry, problems)
+            found |= {f"{name}.{inner}": text for inner, text in nested.items()}
+        elif entry.kind == "list":
+            found[name] = _list(entry, problems)
+        else:
+            found[name] = _scalar(entry, problems)[1]
+    return found
+
+
+def _list(value: Value, problems: Problems) -> str:
+    items = [_scalar(item, problems) for item in value.items()]
+    kinds = {kind for kind, _ in items}
+    if not items:
+        problems.add(value.place, value.key, "an empty list has no type; leave it out")
+    elif len(kinds) > 1 and "" not in kinds:
+        message = f"a list has values of one type, found {' and '.join(sorted(kinds))}"
+        problems.add(value.place, value.key, message)
+    return f"[{', '.join(text for _, text in items)}]"
+
+
+def _scalar(value: Value, problems: Problems) -> tuple[str, str]:
+    """Return the type of a value and its text; no type where it has none that parameters have."""
+    plain = isinstance(value.node, yaml.ScalarNode) and not value.node.style
+    if value.kind == "flag":
+        return "flags", value.text
+    if plain and NUMBER.fullmatch(value.text):
+        whole = re.fullmatch(r"[-+]?\d+", value.text)
+        return "whole numbers" if whole else "numbers with a point", value.text
+    if value.kind != "text":
+        message = f"expected a flag, a number, a text or a list of these, found {value.found}"
+        problems.add(value.place, value.key, message)
+        return "", ""
+    return "text", "'" + value.text.replace("'", "''") + "'"

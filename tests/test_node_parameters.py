@@ -1,0 +1,65 @@
+"""Parameters of nodes in site.yaml."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sitegen.config import parameters
+from sitegen.config.document import Value, parse
+from sitegen.errors import Place, Problems
+
+
+def value(text: str, problems: Problems) -> Value:
+    found = parse(text, Place(Path("site.yaml"), 1), problems, key="parameters")
+    assert found
+    return found
+
+
+def read(text: str) -> tuple[dict[str, str], list[str]]:
+    problems = Problems(Path())
+    found = parameters.read(value(text, problems), problems)
+    return found, problems.lines
+
+
+def test_values_are_what_ros_reads_from_a_command_line() -> None:
+    found, wrong = read(
+        """\
+        speed: 2.5
+        count: -3
+        small: 1e-3
+        fast: true
+        name: it's r2
+        quoted: "4"
+        list: [1, 2]
+        words: [a, "b"]
+        arm: {joints: 6, limits: {upper: 1.5}}
+        """
+    )
+    assert wrong == []
+    assert found == {
+        "speed": "2.5",
+        "count": "-3",
+        "small": "1e-3",
+        "fast": "true",
+        "name": "'it''s r2'",
+        "quoted": "'4'",
+        "list": "[1, 2]",
+        "words": "['a', 'b']",
+        "arm.joints": "6",
+        "arm.limits.upper": "1.5",
+    }
+
+
+def test_what_is_no_parameter_is_told_with_its_line() -> None:
+    _, wrong = read("a b: 1\nnone:\nmixed: [1, two]\nempty: []\nnested: [[1]]\n")
+    assert wrong == [
+        "site.yaml:1: parameters.a b: "
+        "'a b' is no name of a parameter; use letters, digits, '_' and '.'",
+        "site.yaml:2: parameters.none: "
+        "expected a flag, a number, a text or a list of these, found nothing",
+        "site.yaml:3: parameters.mixed: "
+        "a list has values of one type, found text and whole numbers",
+        "site.yaml:4: parameters.empty: an empty list has no type; leave it out",
+        "site.yaml:5: parameters.nested[0]: "
+        "expected a flag, a number, a text or a list of these, found a list",
+    ]
