@@ -83,7 +83,8 @@ class Compiler:
     """Compiles with one toolchain into one cache.
 
     In the cache, `nodes/<digest>/` holds finished programs by a digest of all that went into them;
-    `work/<digest>/` holds what CMake makes on the way, for one state of tools and library.
+    `work/<digest>/` holds what CMake makes on the way, for one state of tools and library in one
+    place.
     """
 
     def __init__(self, tools: Toolchain, root: Path, cache: Path, report: Report) -> None:
@@ -98,7 +99,8 @@ class Compiler:
         ]
         self._base = digest_of(paths, tools.identity)
         self._nodes = cache / "nodes"
-        self._work = cache / "work" / self._base
+        # What CMake makes names the files of this installation, and breaks where they are not.
+        self._work = cache / "work" / digest_of([], self._base, str(HERE))
         self._digests: dict[Path, str] = {}
 
     def builds(self, job: Job, engines: Iterable[str]) -> list[Build]:
