@@ -27,7 +27,7 @@ onmessage = async ({ data: [program, input] }) => {
   try {
     const { default: load } = await import(`${program}.js`);
     const module = await load({
-      ros: { argument: () => -1, fail: end, wait: async () => 0, now: () => Date.now() },
+      ros: { argument: () => -1, fail: end, wait: async () => 0, wake() {}, now: () => Date.now() },
       locateFile: () => `${program}.wasm`,
       stdin: () => (at < bytes.length ? bytes[at++] : null),
       print: (line) => output.push(line),
