@@ -88,8 +88,8 @@ WRONG = [
         [
             "site.yaml:2: site.titel: unknown key; did you mean 'title'?",
             "site.yaml:8: pages[0].frobnicate: unknown key; "
-            "known: content, date, description, file, folder, level, nodes, path, tags, theme, "
-            "title",
+            "known: content, date, description, file, folder, launch, launch_arguments, level, "
+            "nodes, path, tags, theme, title",
             "site.yaml:9: color: unknown key; known: deploy, nav, nodes, pages, pyodide, site, "
             "workspace",
         ],
@@ -127,8 +127,8 @@ WRONG = [
             "site.yaml:11: pages[0].content: expected a list of text and widgets, "
             "found keys and values; write it like 'content: [{console: talker}]'",
             "site.yaml:12: pages[1]: expected keys and values, found the text 'about'; "
-            "the keys are path, title, description, level, nodes, content, file, folder, tags, "
-            "date, theme",
+            "the keys are path, title, description, level, nodes, launch, launch_arguments, "
+            "content, file, folder, tags, date, theme",
         ],
     ),
     Wrong(
@@ -749,8 +749,8 @@ WRONG = [
         "site: {title: Robot}\npages: &all\n  - *all\n",
         [
             "site.yaml:2: pages[0]: expected keys and values, found a list; "
-            "the keys are path, title, description, level, nodes, content, file, folder, tags, "
-            "date, theme",
+            "the keys are path, title, description, level, nodes, launch, launch_arguments, "
+            "content, file, folder, tags, date, theme",
         ],
     ),
 ]

@@ -28,7 +28,7 @@ ALLOWED = {
     "assets": {"digest", "model"},
     "compile": {"archive", "build", "cache", "cpp", "errors", "model", "report", "workspace"},
     "compiled": {"archive", "errors", "fetch", "model", "report"},
-    "config": {"errors", "fetch", "model", "theme", "workspace"},
+    "config": {"errors", "fetch", "launch", "model", "theme", "workspace"},
     "check": {"build", "cache", "descriptions", "errors", "model", "prose", "report", "wiring"},
     "cmakelists": set(),
     "cmake": {"model", "toolchain"},
@@ -48,6 +48,7 @@ ALLOWED = {
     "init": {"errors", "github", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "imports": {"errors"},
+    "launch": {"errors", "model"},
     "literals": set(),
     "messages": {"interfaces", "typesupport"},
     "model": {"errors"},
@@ -108,7 +109,7 @@ RUNTIME_ALLOWED = {
         *{"vendor", "words.js"},
     },
 }
-FOLDERS = ("config", "offline", "pages", "prose", "single", "wiring")
+FOLDERS = ("config", "launch", "offline", "pages", "prose", "single", "wiring")
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 

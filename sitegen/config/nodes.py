@@ -11,7 +11,7 @@ from sitegen.config import compiled, parameters, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
-from sitegen.errors import Problems, nearest
+from sitegen.errors import Place, Problems, nearest
 from sitegen.model import Node, Package
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
@@ -24,10 +24,16 @@ REMAP = re.compile(
 
 
 class Declared(NamedTuple):
-    """A node and the section in which the author declared it."""
+    """A node and the section in which the author declared it, None for one of a launch file."""
 
     node: Node
-    section: Section
+    section: Section | None
+
+    def where(self, name: str) -> tuple[Place, str]:
+        """Return the place of `name`, and what it is called in a message."""
+        if self.section is None:
+            return self.node.place, "node"
+        return self.section.place(name), self.section.label(name)
 
 
 def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> dict[str, Declared]:
@@ -63,30 +69,30 @@ def _keys(entry: Value) -> tuple[Key, ...]:
 def check_package(declared: Declared, packages: Mapping[str, Package], problems: Problems) -> None:
     """Note where the package, the executable or a type of a node is not in the workspace."""
     node, section = declared
-    if section.keys is ROS2WASM:
+    if section and section.keys is ROS2WASM:
         ros2wasm.check_types(section, packages, problems)
     if not node.package:
         return
     package = packages.get(node.package)
     if package is None:
         message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
-        problems.add(section.place("package"), section.label("package"), message)
+        problems.add(*declared.where("package"), message)
     elif package.build_type not in BUILD_TYPES:
         message = (
             f"package '{package.name}' is of build type '{package.build_type}'; "
             f"this release runs packages of {' and '.join(BUILD_TYPES)}"
         )
-        problems.add(section.place("package"), section.label("package"), message)
+        problems.add(*declared.where("package"), message)
     elif package.setup and package.setup.fault:
         problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
     elif package.build_type == "ament_python" and not package.executables:
         message = f"package '{package.name}' has no entry points; name them in its setup.py"
         advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
-        problems.add(section.place("package"), section.label("package"), f"{message}: {advice}")
+        problems.add(*declared.where("package"), f"{message}: {advice}")
     elif not _has_executable(package, node.executable):
         hint = nearest(node.executable, package.executables or ())
         message = f"package '{package.name}' has no executable '{node.executable}'; {hint}"
-        problems.add(section.place("executable"), section.label("executable"), message)
+        problems.add(*declared.where("executable"), message)
 
 
 def _has_executable(package: Package, executable: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sitegen.config import level
@@ -17,10 +17,11 @@ from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Place, Problems
-from sitegen.model import Markdown, Page, Source, Widget
+from sitegen.launch import launched
+from sitegen.model import Markdown, Package, Page, Source, Widget
 
 # What a page of a folder cannot have from site.yaml: each file has its own.
-OF_ONE = ("title", "description", "level", "nodes", "tags", "date")
+OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
 
 
 class PageReader:
@@ -32,11 +33,13 @@ class PageReader:
         nodes: Mapping[str, Declared],
         themes: Themes,
         languages: Sequence[str],
+        packages: Callable[[], Mapping[str, Package]],
     ) -> None:
         self.problems = problems
         self.nodes = nodes
         self.themes = themes
         self.languages = languages
+        self.packages = packages
         self.declared = list(nodes.values())
         self.paths: dict[str, Value] = {}
 
@@ -49,7 +52,7 @@ class PageReader:
         if len(given) > 1:
             message = f"given beside '{given[0].key.rpartition('.')[2]}'; keep one of the two"
             self.problems.add(given[1].place, given[1].key, message)
-        if not given and not page.value.has("file", "content", "folder"):
+        if not given and not page.value.has("file", "content", "folder", "launch"):
             message = "missing; write it like 'content: [{console: talker}]', or name a 'file'"
             self.problems.add(item.place, page.label("content"), message)
         path = self._path(page, registered=not folder)
@@ -115,6 +118,8 @@ class PageReader:
         original: str | None = None,
     ) -> Page:
         known = self._declare(front, self._declare(page, self.nodes))
+        started = self._launch(_giver("launch", page, front), known)
+        known |= started
         folder = file.parent if file else self.problems.root
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, folder)
@@ -122,6 +127,8 @@ class PageReader:
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.place, body.folder)
+        if started and not any(isinstance(part, Widget) for part in parts):
+            parts += _panels(started)
         if len(self.problems.found) == before:
             # What is missing from half-read content is no news.
             self._check_title(page, front, parts, body)
@@ -133,7 +140,10 @@ class PageReader:
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes={w.target: nodes[w.target] for w in widgets if w.target},
+            nodes={
+                **{name: nodes[name] for name in started},
+                **{w.target: nodes[w.target] for w in widgets if w.target},
+            },
             content=tuple(parts),
             level=level.offered(widgets),
             place=Place(file, 1) if file else page.value.place,
@@ -165,6 +175,24 @@ class PageReader:
         declared = declare(given, taken, self.problems) if given else {}
         self.declared += declared.values()
         return {**taken, **declared}
+
+    def _launch(self, section: Section, taken: Mapping[str, Declared]) -> dict[str, Declared]:
+        """Return the nodes that the launch file of a page starts."""
+        given = section.get("launch")
+        file = locate(given, self.problems) if given else None
+        if not given or not file:
+            return {}
+        values = section.get("launch_arguments")
+        entries = values.entries(self.problems) if values else {}
+        arguments = {name: entry.text for name, entry in entries.items()}
+        found = launched(file, arguments, self.packages(), self.problems)
+        for node in found:
+            if node.name in taken:
+                message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"
+                self.problems.add(given.place, given.key, f"{message}; name one otherwise")
+        declared = {node.name: Declared(node, None) for node in found}
+        self.declared += declared.values()
+        return declared
 
     def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")
@@ -211,3 +239,10 @@ def _title(page: Section, front: Section, parts: Sequence[Markdown | Widget | So
 def _giver(name: str, page: Section, front: Section) -> Section:
     """Return the section that decides about `name`: site.yaml goes before the page's own file."""
     return page if page.get(name) else front
+
+
+def _panels(nodes: Mapping[str, Declared]) -> Iterable[Widget]:
+    """Yield buttons and a console for each node that a launch file starts."""
+    for name, (node, _) in nodes.items():
+        yield Widget("buttons", name, {"autostart": True}, node.place)
+        yield Widget("console", name, {"lines": 1000}, node.place)

@@ -217,6 +217,18 @@ PAGE = (
         "nodes of this page only, by name",
         "nodes: {talker: {package: cpp_pubsub, executable: talker}}",
     ),
+    Key(
+        "launch",
+        "path",
+        "a launch file, whose nodes start with the page",
+        "launch: src/my_bringup/launch/demo.launch.xml",
+    ),
+    Key(
+        "launch_arguments",
+        "text by name",
+        "the arguments of that launch file",
+        "launch_arguments: {speed: fast}",
+    ),
     Key("content", "content", "what the page shows, in order", "content: [{console: talker}]"),
     Key("file", "path", "a Markdown file instead of `content`", "file: demos/demo01/page.md"),
     Key("folder", "path", "a folder of Markdown files, a page each", "folder: docs"),
@@ -225,7 +237,10 @@ PAGE = (
     Key("theme", "text", "its own theme", "theme: slides"),
 )
 
-IN_FILE = ("title", "description", "level", "nodes", "tags", "date", "theme")
+IN_FILE = (
+    *("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date"),
+    "theme",
+)
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
 MARKDOWN = Key("markdown", "text", "a file ending in .md, or the text itself", "markdown: intro.md")

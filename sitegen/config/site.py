@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -51,10 +52,11 @@ def _site(file: Section, problems: Problems) -> Site:
     themes = Themes.of(root)
     languages = _languages(site, problems)
     declared = declare(nodes, {}, problems) if nodes else {}
-    reader = PageReader(problems, declared, themes, languages)
+    folder = _workspace(file, problems)
+    scanned = cache(lambda: workspace.scan(folder, problems=problems) if folder else {})
+    reader = PageReader(problems, declared, themes, languages, scanned)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
     nav = file.get("nav")
-    folder = _workspace(file, problems)
     return Site(
         root=root,
         title=site.text("title"),
@@ -65,7 +67,7 @@ def _site(file: Section, problems: Problems) -> Site:
         workspace=folder or root,
         asyncify=bool(site.option("asyncify")),
         pages=pages,
-        packages=_packages(folder, reader.declared, problems) if folder else {},
+        packages=_packages(scanned, reader.declared, problems) if folder else {},
         notes=_notes(pages, reader.declared, root),
         look=look(site, problems),
         nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
@@ -140,11 +142,13 @@ def _workspace(file: Section, problems: Problems) -> Path | None:
 
 
 def _packages(
-    folder: Path, declared: Sequence[Declared], problems: Problems
+    scanned: Callable[[], Mapping[str, Package]],
+    declared: Sequence[Declared],
+    problems: Problems,
 ) -> Mapping[str, Package]:
     if not declared:
         return {}
-    packages = workspace.scan(folder, problems=problems)
+    packages = scanned()
     if any(node.package == workspace.OWN for node, _ in declared):
         packages = {**packages, workspace.OWN: workspace.own(packages)}
     for each in declared:
@@ -156,7 +160,7 @@ def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> t
     used = {(node.name, node.place) for page in pages for node in page.nodes.values()}
     notes = Problems(root)
     for node, section in declared:
-        if (node.name, node.place) not in used:
+        if section and (node.name, node.place) not in used:
             message = "no page uses this node; give it a console or buttons, or remove it"
             notes.add(node.place, section.value.key, message)
     return tuple(notes.lines)

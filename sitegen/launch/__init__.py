@@ -1,0 +1,5 @@
+"""Turn a launch file into the nodes that it starts."""
+
+from sitegen.launch.evaluate import launched
+
+__all__ = ["launched"]

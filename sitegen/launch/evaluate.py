@@ -1,0 +1,227 @@
+"""Go through a launch file as `ros2 launch` does, and note the nodes that it starts."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from sitegen.errors import Place, Problems, nearest
+from sitegen.launch import parameters, python, xml, yaml
+from sitegen.launch.substitutions import SubstitutionError, expand
+from sitegen.launch.tree import Action, UnreadableError
+from sitegen.model import Node, Package
+
+READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
+DEEPEST = 20
+# Of no consequence for what runs on a page.
+IGNORED = {"log", "set_env", "unset_env"}
+
+
+@dataclass
+class Scope:
+    """What holds at one place of a launch file."""
+
+    file: Path
+    variables: dict[str, str]
+    namespace: str = ""
+    remaps: dict[str, str] = field(default_factory=dict)
+    parameters: dict[str, str] = field(default_factory=dict)
+    depth: int = 0
+
+    def inner(self) -> Scope:
+        """Return a scope whose changes do not matter outside."""
+        return replace(
+            self,
+            variables=dict(self.variables),
+            remaps=dict(self.remaps),
+            parameters=dict(self.parameters),
+        )
+
+
+def launched(
+    file: Path, arguments: Mapping[str, str], packages: Mapping[str, Package], problems: Problems
+) -> list[Node]:
+    """Return the nodes that a launch file starts, noting what does not work on a page."""
+    launch = _Launch(packages, problems)
+    launch.file(Scope(file, dict(arguments)), Place(file, 1))
+    return launch.nodes
+
+
+class _Launch:
+    def __init__(self, packages: Mapping[str, Package], problems: Problems) -> None:
+        self._packages = packages
+        self._problems = problems
+        self.nodes: list[Node] = []
+        self._actions: dict[str, Callable[[Action, Scope], None]] = {
+            "arg": self._argument,
+            "let": self._let,
+            "group": self._group,
+            "include": self._include,
+            "node": self._node,
+            "push_ros_namespace": self._push,
+            "push_namespace": self._push,
+            "set_parameter": self._set_parameter,
+            "set_remap": self._set_remap,
+        }
+
+    def file(self, scope: Scope, place: Place) -> None:
+        """Take in a launch file, included at `place`."""
+        read = READERS.get(scope.file.suffix)
+        if scope.file.suffix == ".py":
+            read = self._read_python
+        if not scope.file.resolve().is_relative_to(self._problems.root):
+            self._note(place, "include", f"'{scope.file}' is not below the folder of site.yaml")
+        elif read is None:
+            kinds = ", ".join([*READERS, ".py"])
+            self._note(
+                place, "include", f"'{scope.file.name}' cannot be read; of these can: {kinds}"
+            )
+        elif scope.depth > DEEPEST:
+            self._note(place, "include", "launch files include each other in a circle")
+        else:
+            try:
+                self._all(read(scope.file), scope)
+            except UnreadableError as error:
+                self._note(error.place, "launch", str(error))
+            except OSError as error:
+                self._note(place, "include", f"'{scope.file.name}': {error.strerror}")
+
+    def _read_python(self, file: Path) -> list[Action]:
+        return python.read(file, {name: each.path for name, each in self._packages.items()})
+
+    def _all(self, actions: list[Action], scope: Scope) -> None:
+        for action in actions:
+            try:
+                if self._holds(action, scope):
+                    self._do(action, scope)
+            except (SubstitutionError, ValueError) as error:
+                self._note(action.place, action.kind, str(error))
+
+    def _do(self, action: Action, scope: Scope) -> None:
+        if action.kind in IGNORED:
+            return
+        do = self._actions.get(action.kind)
+        if do is None:
+            known = sorted([*self._actions, *IGNORED])
+            advice = nearest(action.kind, known)
+            raise ValueError(f"this does not work on a page; {advice}")
+        do(action, scope)
+
+    def _holds(self, action: Action, scope: Scope) -> bool:
+        """Return whether the conditions of an action are met."""
+        for name, wanted in (("if", True), ("unless", False)):
+            if name in action.attributes:
+                text = self._text(action, name, scope).strip().lower()
+                if text not in ("true", "1", "false", "0"):
+                    raise ValueError(f"'{text}' is neither true nor false")
+                if (text in ("true", "1")) is not wanted:
+                    return False
+        return True
+
+    def _argument(self, action: Action, scope: Scope) -> None:
+        name = self._needed(action, "name", scope)
+        if name not in scope.variables:
+            if "default" not in action.attributes:
+                raise ValueError(
+                    f"'{name}' has no value; give one in 'launch_arguments' of the page"
+                )
+            scope.variables[name] = self._text(action, "default", scope)
+
+    def _let(self, action: Action, scope: Scope) -> None:
+        scope.variables[self._needed(action, "name", scope)] = self._needed(action, "value", scope)
+
+    def _group(self, action: Action, scope: Scope) -> None:
+        scoped = self._text(action, "scoped", scope).lower() not in ("false", "0")
+        self._all(action.inside, scope.inner() if scoped else scope)
+
+    def _include(self, action: Action, scope: Scope) -> None:
+        inner = scope.inner()
+        inner.file = Path(self._needed(action, "file", scope))
+        inner.depth += 1
+        for given in action.of_kind("arg", "let"):
+            name = self._needed(given, "name", scope)
+            inner.variables[name] = self._needed(given, "value", scope)
+        self.file(inner, action.place)
+
+    def _push(self, action: Action, scope: Scope) -> None:
+        scope.namespace = _joined(scope.namespace, self._needed(action, "namespace", scope))
+
+    def _set_parameter(self, action: Action, scope: Scope) -> None:
+        name = self._needed(action, "name", scope)
+        scope.parameters[name] = self._needed(action, "value", scope)
+
+    def _set_remap(self, action: Action, scope: Scope) -> None:
+        scope.remaps[self._needed(action, "from", scope)] = self._needed(action, "to", scope)
+
+    def _node(self, action: Action, scope: Scope) -> None:
+        executable = self._needed(action, "exec", scope)
+        own = self._text(action, "name", scope)
+        namespace = _joined(scope.namespace, self._text(action, "namespace", scope))
+        remaps = dict(scope.remaps)
+        for remap in action.of_kind("remap"):
+            remaps[self._needed(remap, "from", scope)] = self._needed(remap, "to", scope)
+        values = dict(scope.parameters)
+        for parameter in action.of_kind("param"):
+            values |= self._parameters(parameter, scope, f"{namespace}/{own or executable}", "")
+        words = shlex.split(self._text(action, "args", scope))
+        ros = shlex.split(self._text(action, "ros_args", scope))
+        name = own or executable
+        taken = {node.name for node in self.nodes}
+        number = next(n for n in range(1, len(taken) + 2) if _numbered(name, n) not in taken)
+        self.nodes.append(
+            Node(
+                name=_numbered(name, number),
+                package=self._needed(action, "pkg", scope),
+                executable=executable,
+                place=action.place,
+                namespace=namespace,
+                remap={**({"__node": own} if own else {}), **remaps},
+                parameters=values,
+                arguments=(*words, *(["--ros-args", *ros, "--"] if ros else [])),
+            )
+        )
+
+    def _parameters(self, action: Action, scope: Scope, node: str, above: str) -> dict[str, str]:
+        if "from" in action.attributes:
+            file = Path(self._text(action, "from", scope))
+            if not file.resolve().is_relative_to(self._problems.root) or not file.is_file():
+                raise ValueError(f"no file '{file}' below the folder of site.yaml")
+            return parameters.for_node(file, node)
+        name = f"{above}{self._needed(action, 'name', scope)}"
+        if "value" in action.attributes:
+            return {name: self._text(action, "value", scope)}
+        found: dict[str, str] = {}
+        for inner in action.of_kind("param"):
+            found |= self._parameters(inner, scope, node, f"{name}.")
+        return found
+
+    def _needed(self, action: Action, name: str, scope: Scope) -> str:
+        if name not in action.attributes:
+            raise ValueError(f"'{name}' is missing")
+        return self._text(action, name, scope)
+
+    def _text(self, action: Action, name: str, scope: Scope) -> str:
+        return expand(action.attributes.get(name, ""), scope.variables, scope.file, self._share)
+
+    def _share(self, package: str) -> Path:
+        found = self._packages.get(package)
+        if found is None:
+            advice = nearest(package, self._packages)
+            raise SubstitutionError(f"no package '{package}' in the workspace; {advice}")
+        return found.path
+
+    def _note(self, place: Place, key: str, message: str) -> None:
+        self._problems.add(place, key, message)
+
+
+def _joined(above: str, name: str) -> str:
+    """Return a namespace below another; one that begins with a slash is not below."""
+    if not name:
+        return above
+    return (name if name.startswith("/") else f"{above}/{name}").rstrip("/")
+
+
+def _numbered(name: str, number: int) -> str:
+    return name if number == 1 else f"{name}_{number}"

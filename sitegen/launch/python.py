@@ -1,0 +1,42 @@
+"""Read a launch file in Python: what it describes, once it has run in a process of its own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sitegen.errors import Place
+from sitegen.launch.tree import Action, UnreadableError
+
+DESCRIBE = Path(__file__).with_name("describe.py")
+# A file that describes nodes needs a moment; one that waits for something does not work here (s).
+LIMIT = 20
+
+
+def read(file: Path, folders: Mapping[str, Path]) -> list[Action]:
+    """Return the actions of a launch file; raises an UnreadableError.
+
+    `folders` are those of the packages of the workspace.
+    """
+    command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
+    given = json.dumps({name: str(path) for name, path in folders.items()})
+    try:
+        done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        raise UnreadableError(Place(file, 1), f"it took longer than {LIMIT} s") from None
+    try:
+        answer = json.loads(done.stdout)
+    except ValueError:
+        raise UnreadableError(Place(file, 1), "it ended before it described anything") from None
+    if "error" in answer:
+        raise UnreadableError(Place(file, answer["line"]), answer["error"].replace("\n", " "))
+    return _action(file, answer).inside
+
+
+def _action(file: Path, given: Mapping[str, Any]) -> Action:
+    inside = [_action(file, each) for each in given["inside"]]
+    return Action(given["kind"], dict(given["attributes"]), Place(file, given["line"]), inside)

@@ -1,0 +1,107 @@
+"""Replace the substitutions of launch files, like $(var speed), by what they stand for."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+
+class SubstitutionError(Exception):
+    """A substitution cannot be replaced: the message says why."""
+
+
+def expand(
+    text: str, variables: Mapping[str, str], file: Path, share: Callable[[str], Path]
+) -> str:
+    """Return `text` with all substitutions replaced; raises a SubstitutionError.
+
+    `variables` are the arguments; `file` is where the text stands; `share` returns the folder of a
+    package, or raises a SubstitutionError.
+    """
+    known: dict[str, Callable[..., str]] = {
+        "var": lambda name, *default: _first(
+            variables.get(name), *default, what=f"argument '{name}'"
+        ),
+        "env": lambda name, *default: _first(
+            os.environ.get(name), *default, what=f"environment variable '{name}'"
+        ),
+        "dirname": lambda: str(file.parent),
+        "filename": lambda: str(file),
+        "find_pkg_share": lambda package: str(share(package)),
+        "find_pkg_prefix": lambda package: str(share(package)),
+    }
+
+    def call(words: list[str]) -> str:
+        name, *arguments = words or [""]
+        function = known.get(name.replace("-", "_"))
+        if function is None:
+            others = ", ".join(f"$({each.replace('_', '-')} …)" for each in known)
+            raise SubstitutionError(f"$({name} …) does not work here; of these do: {others}")
+        try:
+            return function(*arguments)
+        except TypeError:
+            raise SubstitutionError(f"$({name} …) has another number of words") from None
+
+    reader = _Reader(text, call)
+    result = reader.plain()
+    if reader.at < len(text):
+        raise SubstitutionError(f"'{text}' closes a parenthesis that it does not open")
+    return result
+
+
+class _Reader:
+    """Reads text with substitutions, which may stand inside of each other."""
+
+    def __init__(self, text: str, call: Callable[[list[str]], str]) -> None:
+        self._text = text
+        self._call = call
+        self.at = 0
+
+    def plain(self) -> str:
+        """Return the text up to its end."""
+        found = ""
+        while self.at < len(self._text):
+            found += self._substitution() or self._next()
+        return found
+
+    def _next(self) -> str:
+        self.at += 1
+        return self._text[self.at - 1]
+
+    def _substitution(self) -> str:
+        if not self._text.startswith("$(", self.at):
+            return ""
+        self.at += 2
+        words: list[str] = []
+        while (word := self._word()) is not None:
+            words.append(word)
+        if self.at >= len(self._text):
+            raise SubstitutionError(f"'{self._text}' opens a parenthesis that it does not close")
+        self.at += 1
+        return self._call(words)
+
+    def _word(self) -> str | None:
+        """Return the next word of a substitution, None at its end."""
+        while self.at < len(self._text) and self._text[self.at].isspace():
+            self.at += 1
+        if self.at >= len(self._text) or self._text[self.at] == ")":
+            return None
+        found, quote = "", ""
+        while self.at < len(self._text):
+            letter = self._text[self.at]
+            if not quote and (letter.isspace() or letter == ")"):
+                break
+            if letter in ("'", '"') and quote in ("", letter):
+                quote = "" if quote else letter
+                self.at += 1
+            else:
+                found += self._substitution() or self._next()
+        return found
+
+
+def _first(*values: str | None, what: str) -> str:
+    for value in values:
+        if value is not None:
+            return value
+    raise SubstitutionError(f"there is no {what}")

@@ -1,0 +1,82 @@
+"""Read a launch file in YAML."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import yaml
+
+from sitegen.errors import Place
+from sitegen.launch.tree import Action, UnreadableError
+
+# What stands below an action under its own name, as a list, and is an action in XML.
+PARTS = {"param", "remap", "env", "arg", "let"}
+
+
+def read(file: Path) -> list[Action]:
+    """Return the actions of a launch file; raises an UnreadableError."""
+    try:
+        root = yaml.compose(file.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
+    except (yaml.YAMLError, ValueError) as error:
+        line = getattr(getattr(error, "problem_mark", None), "line", 0) + 1
+        message = getattr(error, "problem", None) or str(error)
+        raise UnreadableError(Place(file, line), message) from None
+    top = _pairs(file, root) if isinstance(root, yaml.MappingNode) else {}
+    if list(top) != ["launch"]:
+        raise UnreadableError(Place(file, 1), "expected one key, 'launch', with a list of actions")
+    return _actions(file, top["launch"])
+
+
+def _actions(file: Path, node: yaml.Node) -> list[Action]:
+    found = []
+    for item in _items(file, node):
+        pairs = _pairs(file, item)
+        if len(pairs) != 1:
+            raise UnreadableError(_place(file, item), "expected one action, like 'node:'")
+        [(kind, value)] = pairs.items()
+        found.append(_action(file, kind, value))
+    return found
+
+
+def _action(file: Path, kind: str, node: yaml.Node) -> Action:
+    kind, place = kind.replace("-", "_"), _place(file, node)
+    if kind == "group" and isinstance(node, yaml.SequenceNode):
+        return Action(kind, {}, place, _actions(file, node))
+    attributes: dict[str, str] = {}
+    inside: list[Action] = []
+    for name, value in _pairs(file, node).items():
+        if kind == "param" and name == "value":
+            attributes[name] = _written(file, value)
+        elif isinstance(value, yaml.ScalarNode):
+            attributes[name.replace("-", "_")] = value.value
+        elif name in PARTS:
+            inside += [_action(file, name, item) for item in _items(file, value)]
+        elif kind == "group":
+            inside += _actions(file, value)
+        else:
+            raise UnreadableError(_place(file, value), f"'{name}' of '{kind}' has to be a text")
+    return Action(kind, attributes, place, inside)
+
+
+def _written(file: Path, node: yaml.Node) -> str:
+    """Return the value of a parameter as YAML has it: a text that looks like a number is one."""
+    if isinstance(node, yaml.ScalarNode):
+        quoted = node.style in ("'", '"')
+        return "'" + node.value.replace("'", "''") + "'" if quoted else str(node.value)
+    return f"[{', '.join(_written(file, item) for item in _items(file, node))}]"
+
+
+def _items(file: Path, node: yaml.Node) -> list[yaml.Node]:
+    if not isinstance(node, yaml.SequenceNode):
+        raise UnreadableError(_place(file, node), "expected a list")
+    return list(node.value)
+
+
+def _pairs(file: Path, node: yaml.Node) -> dict[str, yaml.Node]:
+    if not isinstance(node, yaml.MappingNode):
+        raise UnreadableError(_place(file, node), "expected keys and values")
+    return {str(key.value): value for key, value in node.value}
+
+
+def _place(file: Path, node: yaml.Node) -> Place:
+    return Place(file, node.start_mark.line + 1)

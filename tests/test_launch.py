@@ -1,0 +1,170 @@
+"""Launch files: the nodes that they start, and what is said of those that cannot be had."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import Panel
+from playwright.sync_api import Page
+
+from sitegen import workspace
+from sitegen.config import load
+from sitegen.errors import Problems, SiteError
+from sitegen.launch import launched
+from sitegen.model import Node
+
+SITE = Path(__file__).parent / "sites" / "launch"
+PACKAGE = "<package format='3'><name>{}</name><version>1.0.0</version></package>"
+
+
+def nodes(root: Path, name: str, **arguments: str) -> tuple[list[Node], list[str]]:
+    """Return the nodes that a launch file starts, and what is wrong with it."""
+    problems = Problems(root)
+    found = launched(root / name, arguments, workspace.scan(root), problems)
+    return found, problems.lines
+
+
+@pytest.mark.parametrize("kind", ["xml", "py"])
+def test_nodes_are_those_that_ros_would_start(kind: str) -> None:
+    found, wrong = nodes(SITE, f"src/bringup/launch/all.launch.{kind}", team="blue")
+    assert wrong == []
+    assert {node.name: " ".join(node.command_line()) for node in found} == {
+        "first": "--mood very good --ros-args -r __node:=first -r chatter:=/shared "
+        "-p greeting:=Hello blue -p limits.top:=2.5",
+        "second": "--ros-args -r __node:=second -r __ns:=/blue/left -p number:=7 "
+        "-p everybody:=true -p greeting:=it's me -p limits.top:=3.0 -p limits.low:=[1.0, 2.0]",
+        "blue_fan": "--ros-args -r __node:=blue_fan -r chatter:=other -r __ns:=/blue/deep "
+        "-p number:=7 -p list:=[1, 2] -p flag:=true",
+        "last": "--ros-args -r __node:=last -r __ns:=/blue -p number:=7",
+        "speak": "",
+    }
+    assert {node.package for node in found} == {"speaker"}
+    loud, _ = nodes(SITE, f"src/bringup/launch/all.launch.{kind}", team="red", loud="True")
+    assert [node.name for node in loud][-1] == "third"
+
+
+def test_they_start_with_the_page(tab: Page, serve: Serve, built: Built) -> None:
+    tab.goto(serve(built(SITE)))
+    for name, lines in {
+        "first": ["/first /shared --mood very good", "greeting 'Hello blue'", "limits.top 2.5"],
+        "second": [
+            "/blue/left/second /blue/left/chatter",
+            "everybody True",
+            '''greeting "it's me"''',
+            "limits.low [1.0, 2.0]",
+            "limits.top 3.0",
+            "number 7",
+        ],
+        "blue_fan": [
+            "/blue/deep/blue_fan /blue/deep/other",
+            "flag True",
+            "list [1, 2]",
+            "number 7",
+        ],
+        "speak": ["/speaker /chatter"],
+    }.items():
+        node = Panel(tab, name)
+        node.expect_state("stopped")
+        assert node.lines()[1:] == lines
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    package = tmp_path / "src" / "mine"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text(PACKAGE.format("mine"))
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("<launch><node pkg='a'></launch>", "launch: mismatched tag; check the tags here"),
+        ("<robot/>", "launch: expected <launch>, found <robot>"),
+        ("<!DOCTYPE x><launch/>", "launch: a document type is not allowed here"),
+        ("<launch><node pkg='a'/></launch>", "node: 'exec' is missing"),
+        ("<launch><nod pkg='a'/></launch>", "nod: this does not work on a page; did you mean"),
+        ("<launch><executable cmd='ls'/></launch>", "executable: this does not work on a page"),
+        ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
+        ("<launch><let name='x' value='$(var y)'/></launch>", "let: there is no argument 'y'"),
+        ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
+        ("<launch><let name='x' value='$(command ls)'/></launch>", "let: $(command …) does not"),
+        ("<launch><node pkg='a' exec='b' if='perhaps'/></launch>", "node: 'perhaps' is neither"),
+        (
+            "<launch><include file='$(find-pkg-share other)/x.xml'/></launch>",
+            "include: no package 'other' in the workspace; ",
+        ),
+        ("<launch><include file='/etc/x.xml'/></launch>", "include: '/etc/x.xml' is not below"),
+        ("<launch><include file='$(dirname)/no.xml'/></launch>", "include: 'no.xml': No such"),
+        ("<launch><include file='$(filename)'/></launch>", "include: launch files include each"),
+        ("<launch><include file='$(dirname)/x.sh'/></launch>", "include: 'x.sh' cannot be read"),
+        (
+            "<launch><node pkg='a' exec='b'><param from='$(dirname)/no.yaml'/></node></launch>",
+            "node: no file '",
+        ),
+    ],
+)
+def test_what_is_wrong_is_said_with_its_line(root: Path, text: str, expected: str) -> None:
+    (root / "x.launch.xml").write_text(f"<?xml version='1.0'?>\n{text}\n")
+    found, [line, *_] = nodes(root, "x.launch.xml")
+    assert found == []
+    assert line.startswith(f"x.launch.xml:2: {expected}")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("launch: {node: {}}", "1: launch: expected a list"),
+        ("- node:", "1: launch: expected one key, 'launch', with a list of actions"),
+        ("launch:\n- node: {pkg: a}", "2: node: 'exec' is missing"),
+        ("launch:\n- node: {pkg: a, exec: [b]}", "2: launch: 'exec' of 'node' has to be a text"),
+        ("launch: [", "2: launch: "),
+    ],
+)
+def test_the_same_of_yaml(root: Path, text: str, expected: str) -> None:
+    (root / "x.launch.yaml").write_text(f"{text}\n")
+    found, [line, *_] = nodes(root, "x.launch.yaml")
+    assert found == []
+    assert line.startswith(f"x.launch.yaml:{expected}")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("def generate(): pass", "1: launch: KeyError: 'generate_launch_description'"),
+        ("import nowhere", "1: launch: ModuleNotFoundError: No module named 'nowhere'"),
+        ("x = (\n", "1: launch: SyntaxError: '(' was never closed"),
+        ("import os\nos._exit(0)", "1: launch: it ended before it described anything"),
+        (
+            "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
+            "def generate_launch_description():\n"
+            "  return LaunchDescription([OpaqueFunction(function=print)])\n",
+            "4: OpaqueFunction: this does not work on a page; ",
+        ),
+        (
+            "from ament_index_python import get_package_share_directory as share\n"
+            "def generate_launch_description():\n    return share('other')\n",
+            "3: launch: LookupError: no package 'other' in the workspace",
+        ),
+    ],
+)
+def test_the_same_of_python(root: Path, text: str, expected: str) -> None:
+    (root / "x.launch.py").write_text(text)
+    found, [line, *_] = nodes(root, "x.launch.py")
+    assert found == []
+    assert line.startswith(f"x.launch.py:{expected}")
+
+
+def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:
+    (root / "x.launch.xml").write_text("<launch>\n<node pkg='mine' exec='twice'/>\n</launch>")
+    (root / "site.yaml").write_text(
+        "site: {title: A}\nnodes: {twice: {package: mine, executable: x}}\n"
+        "pages: [{path: /, title: A, launch: x.launch.xml}]\n"
+    )
+    with pytest.raises(SiteError) as caught:
+        load(root / "site.yaml")
+    text = "\n".join(caught.value.lines)
+    assert "launch: 'twice', which 'x.launch.xml' starts, is a node of site.yaml too" in text
+    assert "x.launch.xml:2: node: package 'mine' is of build type 'catkin'" in text
