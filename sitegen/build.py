@@ -129,7 +129,7 @@ def make(
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
     Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
-    that is being `edited` is kept by no browser.
+    that is being `edited` is kept by no browser, and its index is for who serves it to make.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
@@ -176,6 +176,7 @@ def make(
     # These, and what they use, are the site.
     others = assets.runtime(site)
     others += assets.search(site)
+    others += [] if edited else renderer.index(rendered)
     others += assets.programs(builds.items())
     others += archives
     others += assets.scripts(site)

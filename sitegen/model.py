@@ -115,7 +115,8 @@ class Source:
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
-    `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
+    `file` is the Markdown file it was written in, if it was one, and `front` the YAML at its top;
+    `theme` is empty for the site's.
     `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
     `base` is where addresses in it begin; without it they are relative to the page.
     """
@@ -128,6 +129,7 @@ class Page:
     level: str
     place: Place
     file: Path | None = None
+    front: str = ""
     theme: Path | None = None
     tags: tuple[str, ...] = ()
     date: str = ""
