@@ -8,6 +8,9 @@ import { moduleWorkers, place } from "./place.js";
 
 // A node that Stop did not end after this time (ms) is terminated.
 const GRACE = 1000;
+// A program that ended leaves its worker for this time (ms): what is terminated in Firefox takes along
+// what it had posted last.
+const LINGER = 250;
 
 /** The engine for which this browser takes a compiled node. @returns {Engine} */
 function engineOfBrowser() {
@@ -173,7 +176,7 @@ export class NodeProcess extends EventTarget {
     worker.onmessage = (event) => this.#receive(id, event.data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#fail(event.message || "its worker could not be started");
+      if (this.#run === run) this.#fail(event.message || "its worker could not be started");
     };
     try {
       const [message] = await Promise.all([prepare(id, worker), this.#ready]);
@@ -209,7 +212,7 @@ export class NodeProcess extends EventTarget {
         } else if (message.code !== 0) {
           this.#fail(`exited with code ${message.code}`);
         } else {
-          this.#end("stopped");
+          this.#end("stopped", LINGER);
         }
         break;
       default:
@@ -224,13 +227,14 @@ export class NodeProcess extends EventTarget {
     this.#end("failed");
   }
 
-  /** @param {NodeState} state */
-  #end(state) {
+  /** @param {NodeState} state @param {number} [linger] how long its worker lives on (ms) */
+  #end(state, linger = 0) {
     clearTimeout(this.#grace);
     const run = this.#run;
     this.#run = undefined;
     if (run) {
-      run.worker.terminate();
+      if (linger) setTimeout(() => run.worker.terminate(), linger);
+      else run.worker.terminate();
       this.#graph.leave(run.id);
     }
     this.#setState(state);
