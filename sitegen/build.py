@@ -31,6 +31,8 @@ from sitegen.report import Report, size
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
+# So many pages that run nothing are named; the others are counted.
+SHOWN = 20
 FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
 
 
@@ -289,9 +291,13 @@ def summarize(made: Made, report: Report) -> None:
     site = made.site
     for note in site.notes:
         report.say(note)
-    width = max(len(page.path) for page in site.pages) + 1
-    for page in site.pages:
+    untold = {page.path for page in [p for p in site.pages if not p.level][SHOWN:]}
+    told = [page for page in site.pages if page.path not in untold]
+    width = max(len(page.path) for page in told) + 1
+    for page in told:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
+    if untold:
+        report.say(f"  … and {count(len(untold), 'page')} more, of text only")
     for node in nodes_of(site):
         if node.ros2wasm:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)
