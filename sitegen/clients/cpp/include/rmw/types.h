@@ -23,6 +23,7 @@ enum rmw_qos_history_policy_e
   RMW_QOS_POLICY_HISTORY_KEEP_ALL,
   RMW_QOS_POLICY_HISTORY_UNKNOWN
 };
+typedef enum rmw_qos_history_policy_e rmw_qos_history_policy_t;
 enum rmw_qos_reliability_policy_e
 {
   RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT,
@@ -31,6 +32,7 @@ enum rmw_qos_reliability_policy_e
   RMW_QOS_POLICY_RELIABILITY_UNKNOWN,
   RMW_QOS_POLICY_RELIABILITY_BEST_AVAILABLE
 };
+typedef enum rmw_qos_reliability_policy_e rmw_qos_reliability_policy_t;
 enum rmw_qos_durability_policy_e
 {
   RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT,
@@ -39,6 +41,7 @@ enum rmw_qos_durability_policy_e
   RMW_QOS_POLICY_DURABILITY_UNKNOWN,
   RMW_QOS_POLICY_DURABILITY_BEST_AVAILABLE
 };
+typedef enum rmw_qos_durability_policy_e rmw_qos_durability_policy_t;
 enum rmw_qos_liveliness_policy_e
 {
   RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0,
@@ -48,6 +51,7 @@ enum rmw_qos_liveliness_policy_e
   RMW_QOS_POLICY_LIVELINESS_UNKNOWN = 4,
   RMW_QOS_POLICY_LIVELINESS_BEST_AVAILABLE = 5
 };
+typedef enum rmw_qos_liveliness_policy_e rmw_qos_liveliness_policy_t;
 typedef enum rmw_qos_policy_kind_e
 {
   RMW_QOS_POLICY_INVALID = 1 << 0,
