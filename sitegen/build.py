@@ -15,6 +15,7 @@ from sitegen import (
     assets,
     compiled,
     config,
+    containers,
     cpp,
     offline,
     pages,
@@ -204,13 +205,18 @@ def nodes_of(site: Site) -> list[Node]:
 def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
-    for node in nodes:
-        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
-            executables.setdefault(node.package, []).append(node.executable)
     jobs = []
+    for node in nodes:
+        if node.components:
+            made = containers.package(node, site.packages, cache_folder())
+            needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
+            needs = {package.name: package for each in needed for package in each}
+            jobs.append(cpp.Job(made, (node.executable,), tuple(needs.values())))
+        elif not node.ros2wasm and not node.compiled and not site.setup_of(node):
+            executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
-        *needs, package = workspace.with_dependencies(site.packages, name)
-        jobs.append(cpp.Job(package, tuple(wanted), tuple(needs)))
+        *before, package = workspace.with_dependencies(site.packages, name)
+        jobs.append(cpp.Job(package, tuple(wanted), tuple(before)))
     return jobs
 
 

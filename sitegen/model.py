@@ -46,11 +46,27 @@ class Compiled:
 
 
 @dataclass(frozen=True)
+class Component:
+    """A class of a package that a component container makes a node of, with its arguments."""
+
+    package: str
+    plugin: str
+    arguments: tuple[str, ...]
+    place: Place
+
+    @property
+    def words(self) -> list[str]:
+        """Return what a container's command line says about it."""
+        return ["--component", self.plugin, str(len(self.arguments)), *self.arguments]
+
+
+@dataclass(frozen=True)
 class Node:
     """A program that a page runs: which executable, and what it is started with.
 
     One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
-    has them when its archive has been read.
+    has them when its archive has been read. A component container has `components`, and is linked
+    for them.
     """
 
     name: str
@@ -63,6 +79,7 @@ class Node:
     arguments: tuple[str, ...] = ()
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
+    components: tuple[Component, ...] = ()
 
     def command_line(self) -> list[str]:
         """Return the arguments that `ros2 run` would be given for this node."""
@@ -72,7 +89,8 @@ class Node:
         ros = [word for rule in rules for word in ("-r", rule)]
         for name, value in self.parameters.items():
             ros += ["-p", f"{name}:={value}"]
-        return [*self.arguments, *(["--ros-args", *ros] if ros else [])]
+        own = [*self.arguments, *(["--ros-args", *ros] if ros else [])]
+        return [*own, *(word for component in self.components for word in component.words)]
 
 
 @dataclass(frozen=True)
