@@ -148,7 +148,9 @@ def _packages(
 ) -> Mapping[str, Package]:
     if not declared:
         return {}
-    packages = scanned()
+    packages: Mapping[str, Package] = workspace.with_given(
+        scanned(), (node.package for node, _ in declared)
+    )
     if any(node.package == workspace.OWN for node, _ in declared):
         packages = {**packages, workspace.OWN: workspace.own(packages)}
     for each in declared:

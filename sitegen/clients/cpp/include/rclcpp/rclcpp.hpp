@@ -4,6 +4,8 @@
 #include <csignal>
 #include <memory>
 
+#include "rclcpp/create_publisher.hpp"
+#include "rclcpp/create_subscription.hpp"
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/executors.hpp"

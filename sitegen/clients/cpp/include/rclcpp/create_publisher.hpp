@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/node_interfaces/node_parts.hpp"
+#include "rclcpp/publisher.hpp"
+
+namespace rclcpp
+{
+
+/// `node` is a node or one of its interfaces, or a pointer to it.
+template<
+  class MessageT, class AllocatorT = std::allocator<void>,
+  class PublisherT = Publisher<MessageT, AllocatorT>, class NodeT>
+std::shared_ptr<PublisherT> create_publisher(
+  NodeT && node, const std::string & topic, const QoS & qos,
+  const PublisherOptionsWithAllocator<AllocatorT> & options =
+  PublisherOptionsWithAllocator<AllocatorT>())
+{
+  auto base = node_interfaces::get_node_base_interface(node);
+  auto publisher = std::make_shared<PublisherT>(*base, topic, qos, options);
+  base->add(detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
+  return publisher;
+}
+
+}  // namespace rclcpp
