@@ -49,10 +49,11 @@ private:
           future.get();
         } catch (const tf2::TimeoutException & error) {
           RCLCPP_INFO(get_logger(), "%s", error.what());
+          end();
         }
       });
     std::string why;
-    if (!buffer_->canTransform("world", "nowhere", tf2::TimePointZero, 50ms, &why)) {
+    if (!buffer_->canTransform("nowhere", "world", tf2::TimePointZero, 50ms, &why)) {
       RCLCPP_INFO(get_logger(), "%s", why.substr(0, why.find(" returned")).c_str());
     }
     // In a callback: the listener has a thread of its own.
@@ -81,12 +82,22 @@ private:
   {
     PointStamped moved;
     buffer_->transform(*message, moved, "world");
+    if (found_) {return;}
+    found_ = true;
     RCLCPP_INFO(
       get_logger(), "point in %s: %.3f %.3f", moved.header.frame_id.c_str(), moved.point.x,
       moved.point.y);
-    rclcpp::shutdown();
+    end();
   }
 
+  /// Done when a point has come, and a transform has not.
+  void end()
+  {
+    if (++ends_ == 2) {rclcpp::shutdown();}
+  }
+
+  bool found_ = false;
+  int ends_ = 0;
   tf2_ros::TransformBroadcaster broadcaster_;
   std::shared_ptr<tf2_ros::Buffer> buffer_;
   std::shared_ptr<tf2_ros::TransformListener> listener_;
