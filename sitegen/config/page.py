@@ -52,6 +52,7 @@ class PageReader:
         self.packages = packages
         self.declared = list(nodes.values())
         self.paths: dict[str, Value] = {}
+        self.notes = Problems(problems.root)
 
     def pages(self, item: Value) -> Iterator[Page]:
         """Yield the page or the pages of an item, as sound as what was written."""
@@ -203,7 +204,7 @@ class PageReader:
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
-        found = launched(file, arguments, self.packages(), self.problems)
+        found = launched(file, arguments, self.packages(), self.problems, self.notes)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"
