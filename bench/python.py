@@ -1,4 +1,4 @@
-"""Measure how soon a page runs a Python node, and messages between two, beside the bare platform."""
+"""Measure how soon a page runs a Python node, and messages between two of them."""
 
 from __future__ import annotations
 

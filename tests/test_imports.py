@@ -19,6 +19,7 @@ ALLOWED = {
         *("report", "serve", "theme", "unchanged"),
     },
     "archive": {"model"},
+    "bytecode": set(),
     "cache": set(),
     "unchanged": set(),
     "build": {
@@ -58,8 +59,8 @@ ALLOWED = {
     "prose": {"errors", "model"},
     "report": set(),
     "python": {
-        *("descriptions", "errors", "imports", "interfaces", "messages", "model", "wheels"),
-        "workspace",
+        *("bytecode", "descriptions", "errors", "imports", "interfaces", "messages", "model"),
+        *("wheels", "workspace"),
     },
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "config", "errors", "model", "offline", "report"},

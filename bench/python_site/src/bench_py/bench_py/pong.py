@@ -1,5 +1,7 @@
 """Sends back on /pong what it hears on /ping."""
 
+import contextlib
+
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import UInt8MultiArray
@@ -10,7 +12,5 @@ def main() -> None:
     node = rclpy.create_node("pong")
     publisher = node.create_publisher(UInt8MultiArray, "pong", 10)
     node.create_subscription(UInt8MultiArray, "ping", publisher.publish, 10)
-    try:
+    with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
         rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
