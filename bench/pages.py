@@ -32,11 +32,9 @@ FIRST_LINES = """
     setTimeout(() => reject(new Error("no line in 20 seconds")), 20000);
     const look = () => {
       const logs = [...document.querySelectorAll(".ros-console [role=log]")];
-      // What loads is told in the console, too, before there is a program that prints.
-      const lines = logs.map((log) => log.querySelector(":scope > :not([data-severity=debug])"));
-      if (lines.length === 0 || lines.some((line) => !line)) return;
+      if (logs.length === 0 || logs.some((log) => !log.hasChildNodes())) return;
       observer.disconnect();
-      resolve([performance.now(), lines[0].textContent]);
+      resolve([performance.now(), logs[0].textContent]);
     };
     const observer = new MutationObserver(look);
     observer.observe(document, { childList: true, subtree: true });

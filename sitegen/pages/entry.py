@@ -22,7 +22,7 @@ class Programs:
     has, by page path and node, those of nodes that the ROS2WASM project compiled; `versions` has a
     digest of each program, by package, executable and engine; `archives` has one of each archive of
     Python nodes, by its path inside `dist/`; `needed` has the paths of those that a node unpacks,
-    by package and executable.
+    by package and executable; `sizes` has the bytes of each archive, and those of Python by "".
     """
 
     modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
@@ -31,6 +31,7 @@ class Programs:
     versions: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
     archives: Mapping[str, str] = field(default_factory=dict)
     needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    sizes: Mapping[str, int] = field(default_factory=dict)
 
 
 def page_json(site: Site, page: Page, programs: Programs) -> bytes:
@@ -91,7 +92,8 @@ def _python(page: Page, node: Node, setup: Setup, programs: Programs) -> dict[st
     paths = programs.needed.get((node.package, node.executable), ())
     # Other files have another address, so that browsers may keep these for good.
     bundles = [f"{address(page, path)}?v={programs.archives.get(path, '')}" for path in paths]
-    return {"bundles": bundles, "module": module, "attribute": attribute}
+    size = sum(programs.sizes.get(path, 0) for path in ("", *paths))
+    return {"bundles": bundles, "size": size, "module": module, "attribute": attribute}
 
 
 def _builds(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, dict[str, str]]:

@@ -173,7 +173,7 @@ export class NodeProcess extends EventTarget {
     worker.onmessage = (event) => this.#receive(id, event.data);
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#fail(event.message || "its worker could not be started");
+      this.#fail(event.message || "its worker could not be loaded; start again when there is a connection to the site");
     };
     try {
       const [message] = await Promise.all([prepare(id, worker), this.#ready]);
@@ -193,6 +193,9 @@ export class NodeProcess extends EventTarget {
         break;
       case "lines":
         this.#emitLines(message.lines);
+        break;
+      case "progress":
+        this.dispatchEvent(new CustomEvent("progress", { detail: message }));
         break;
       case "memory":
         this.memory = message.bytes;

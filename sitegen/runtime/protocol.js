@@ -9,8 +9,9 @@
  *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
- * @typedef {{bundles: string[], module: string, attribute: string}} PythonEntry a Python node: archives to
- *   unpack in its interpreter, and what it calls; without `attribute` the place of a program
+ * @typedef {{bundles: string[], size: number, module: string, attribute: string}} PythonEntry a Python node:
+ *   archives to unpack in its interpreter, how much it loads with them (bytes), and what it calls; without
+ *   `attribute` the place of a program
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
  *   and the definitions of these
@@ -66,6 +67,7 @@
  * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
  * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). A prompt takes what is typed; it emits
  * `ready` (detail: whether a line goes on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
+ * While it loads much, it emits `progress` (detail: {loaded, total}, bytes).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number,
@@ -116,6 +118,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "complain", peer: number, text: string}
  *   | {op: "look"}
  *   | {op: "lines", lines: Line[]}
+ *   | {op: "progress", loaded: number, total: number}
  *   | {op: "memory", bytes: number}
  *   | {op: "ready", more: boolean}
  *   | {op: "words", text: string, words: string[]}

@@ -3,7 +3,7 @@
 // it ended.
 
 import { Participant } from "../participant/participant.js";
-import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
+import { Download } from "./download.js";
 import { Printer } from "./printer.js";
 import { pythonHost } from "./pythonHost.js";
 
@@ -34,17 +34,31 @@ onmessage = (event) => {
 };
 
 // Python comes while the page is still busy with its widgets.
-const loading = loadPyodide({ indexURL: new URL("../vendor/pyodide/", import.meta.url).href });
+const download = new Download(post);
+const loading = load(new URL("../vendor/pyodide/", import.meta.url));
 loading.catch(() => {}); // told when the node starts
+
+/** @param {URL} folder */
+async function load(folder) {
+  const browsers = globalThis.fetch;
+  // Python's own loader says nothing when a file is missing.
+  globalThis.fetch = download.fetch;
+  try {
+    const loader = new URL("pyodide.mjs", folder);
+    const { loadPyodide } = await import(loader.href).catch(() => download.lack(loader));
+    return await Promise.race([loadPyodide({ indexURL: folder.href }), download.failed]);
+  } finally {
+    globalThis.fetch = browsers;
+  }
+}
 
 /**
  * @param {Extract<ToWorker, {op: "interpret"}>} node
  * @param {Participant} graph
  */
 async function run({ name, program, arguments: args }, graph) {
-  printer.print("debug", "starting Python…");
-  printer.flush();
-  const files = Promise.all(program.bundles.map(download));
+  download.expect(program.size);
+  const files = Promise.all(program.bundles.map(fetched));
   const python = await loading;
   python.setStdout({ batched: (/** @type {string} */ line) => printer.print("stdout", line) });
   python.setStderr({ batched: (/** @type {string} */ line) => printer.print("stderr", line) });
@@ -60,10 +74,8 @@ async function run({ name, program, arguments: args }, graph) {
 }
 
 /** @param {string} url */
-async function download(url) {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
-  return response.arrayBuffer();
+async function fetched(url) {
+  return (await download.fetch(url)).arrayBuffer();
 }
 
 /** @param {number} code @param {string} error */
@@ -75,5 +87,6 @@ function end(code, error) {
 
 /** @param {unknown} error */
 function describe(error) {
-  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+  if (!(error instanceof Error)) return String(error);
+  return error.name === "Error" ? error.message : `${error.name}: ${error.message}`;
 }
