@@ -170,7 +170,9 @@ def make(
     sizes = {path: len(data) for path, data in bundles.archives.items()} if bundles else {}
     sizes[""] = assets.python_size()
     loaded = assets.preloads(site)
-    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed, sizes)
+    modules = bundles.own if bundles else {}
+    digest = digests(archives)
+    programs = pages.Programs(loaded, types, foreign, versions, digest, needed, sizes, modules)
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)

@@ -50,7 +50,7 @@ class Node:
     """A program that a page runs: which executable, and what it is started with.
 
     One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
-    has them when its archive has been read.
+    has them when its archive has been read. Python nodes of a `group` share an interpreter.
     """
 
     name: str
@@ -61,6 +61,7 @@ class Node:
     remap: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
+    group: str = ""
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
 

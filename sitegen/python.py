@@ -42,12 +42,13 @@ IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
 class Bundles:
     """The archives of a site's Python nodes, by their path.
 
-    `needed` has the paths of those that a program needs, by package and executable; `types` the
-    message types of each package's nodes.
+    `needed` has the paths of those that a program needs, by package and executable, `own` names the
+    modules of the workspace among them; `types` has the message types of each package's nodes.
     """
 
     archives: Mapping[str, bytes]
     needed: Mapping[tuple[str, str], Sequence[str]]
+    own: Mapping[tuple[str, str], Sequence[str]]
     types: Mapping[str, dict[str, MessageType]]
 
 
@@ -71,14 +72,19 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles | None:
     collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
-    needed = {}
+    needed, own = {}, {}
     for package, executable in sorted(programs):
         others = {
             f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
         }
         archives |= {path: wheel.data for path, wheel in others.items()}
         needed[package, executable] = (COMMON, *others, _own(package))
-    return Bundles(archives, needed, {name: _types(needs[name], prefix) for name in names})
+        places = [place.split("/") for place, _ in _installed(needs[package])]
+        own[package, executable] = sorted(
+            {p[1].removesuffix(".py") for p in places if p[0] == "python"}
+        )
+    types = {name: _types(needs[name], prefix) for name in names}
+    return Bundles(archives, needed, own, types)
 
 
 def _own(package: str) -> str:

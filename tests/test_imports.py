@@ -78,6 +78,7 @@ ALLOWED = {
 RUNTIME_ALLOWED = {
     "rosMain.js": {
         *{"graph.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js", "sharing.js"},
+        "workerGroup.js",
     },
     "place.js": set(),
     "sharing.js": {"elements.js", "protocol.js", "words.js"},
@@ -86,7 +87,8 @@ RUNTIME_ALLOWED = {
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js", "words.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor", "words.js"},
     "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {"graph.js", "place.js", "protocol.js"},
+    "nodeProcess.js": {"graph.js", "place.js", "protocol.js", "workerGroup.js"},
+    "workerGroup.js": {"place.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {"messages", "participant", "place.js", "protocol.js", "vendor", "workers"},

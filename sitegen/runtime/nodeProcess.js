@@ -1,10 +1,12 @@
 // @ts-check
 // A node of the page and the worker that runs it, from Start to Stop and again.
 
-import { moduleWorkers, place } from "./place.js";
+import { place } from "./place.js";
+import { startWorker } from "./workerGroup.js";
 
 /** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
+/** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
 // A node that Stop did not end after this time (ms) is terminated.
 const GRACE = 1000;
@@ -23,7 +25,8 @@ export class NodeProcess extends EventTarget {
   #state = "stopped";
   /** @type {Promise<WebAssembly.Module> | undefined} */
   #module;
-  /** The worker that runs now, and its id in the graph. @type {{worker: Worker, id: number} | undefined} */
+  #groups;
+  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number} | undefined} */
   #run;
   #startAgain = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -35,8 +38,9 @@ export class NodeProcess extends EventTarget {
    * @param {string} base where the paths of the entry begin
    * @param {Graph} graph
    * @param {Promise<void>} ready resolves when programs may run
+   * @param {WorkerGroups} groups the workers that nodes share
    */
-  constructor(name, entry, base, graph, ready) {
+  constructor(name, entry, base, graph, ready, groups) {
     super();
     this.name = name;
     /** When its state began, in ms since 1970. */
@@ -47,6 +51,7 @@ export class NodeProcess extends EventTarget {
     this.#base = base;
     this.#graph = graph;
     this.#ready = ready;
+    this.#groups = groups;
   }
 
   get state() {
@@ -134,7 +139,7 @@ export class NodeProcess extends EventTarget {
       this.#post(this.#run.worker, { op: "stop" });
       this.#grace = setTimeout(() => {
         this.#print("warn", `${this.name}: did not end within a second and was terminated`);
-        this.#end("stopped");
+        this.#end("stopped", true);
       }, GRACE);
     }
   }
@@ -157,21 +162,19 @@ export class NodeProcess extends EventTarget {
   /**
    * Start a worker and, when programs may run, send it what `prepare` makes.
    * @param {string} file of the worker
-   * @param {(id: number, worker: Worker) => Promise<ToWorker>} prepare
+   * @param {(id: number, worker: Worker | Member) => Promise<ToWorker>} prepare
    */
   async #launch(file, prepare) {
-    const worker = new Worker(place(`workers/${file}.js`), {
-      type: moduleWorkers ? "module" : "classic",
-      name: this.name,
-    });
+    const { group } = this.#entry.python ?? {};
+    const worker = group ? this.#groups.join(group, file, this.name) : startWorker(file, this.name);
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
     const id = this.#graph.join(post, this.name, complain);
     const run = { worker, id };
     this.#run = run;
-    worker.onmessage = (event) => this.#receive(id, event.data);
-    worker.onerror = (event) => {
+    worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
+    worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
       event.preventDefault();
       this.#fail(event.message || "its worker could not be loaded; start again when there is a connection to the site");
     };
@@ -227,13 +230,14 @@ export class NodeProcess extends EventTarget {
     this.#end("failed");
   }
 
-  /** @param {NodeState} state */
-  #end(state) {
+  /** @param {NodeState} state @param {boolean} [stuck] its program could not be ended */
+  #end(state, stuck = false) {
     clearTimeout(this.#grace);
     const run = this.#run;
     this.#run = undefined;
     if (run) {
-      run.worker.terminate();
+      if (run.worker instanceof Worker || stuck) run.worker.terminate();
+      else run.worker.leave();
       this.#graph.leave(run.id);
     }
     this.#setState(state);
@@ -243,7 +247,7 @@ export class NodeProcess extends EventTarget {
     }
   }
 
-  /** @param {Worker} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
+  /** @param {Worker | Member} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
   #post(worker, message, transfer = []) {
     worker.postMessage(message, transfer);
   }

@@ -9,7 +9,8 @@ const PAUSE = 200;
 const browsers = globalThis.fetch;
 
 export class Download {
-  #post;
+  /** Who is told. @type {Set<(message: FromWorker) => void>} */
+  #posts = new Set();
   #loaded = 0;
   #total = 0;
   #lastPost = 0;
@@ -20,16 +21,23 @@ export class Download {
     this.#fail = reject;
   });
 
-  /** @param {(message: FromWorker) => void} post to the page */
-  constructor(post) {
-    this.#post = post;
-    this.failed.catch(() => {}); // told when the node starts
+  constructor() {
+    this.failed.catch(() => {}); // told when a node starts
   }
 
-  /** Tell how far it is from now on. @param {number} total bytes, not compressed */
-  expect(total) {
-    this.#total = total;
+  /**
+   * Tell how far it is from now on.
+   * @param {number} total bytes, not compressed @param {(message: FromWorker) => void} post
+   */
+  expect(total, post) {
+    this.#total = Math.max(this.#total, total);
+    this.#posts.add(post);
     this.#tell(true);
+  }
+
+  /** Tell no more. @param {(message: FromWorker) => void} post */
+  forget(post) {
+    this.#posts.delete(post);
   }
 
   /**
@@ -69,6 +77,7 @@ export class Download {
   #tell(now) {
     if (!this.#total || (!now && performance.now() - this.#lastPost < PAUSE)) return;
     this.#lastPost = performance.now();
-    this.#post({ op: "progress", loaded: Math.min(this.#loaded, this.#total), total: this.#total });
+    const loaded = Math.min(this.#loaded, this.#total);
+    for (const post of this.#posts) post({ op: "progress", loaded, total: this.#total });
   }
 }

@@ -9,7 +9,7 @@ import sys
 import traceback
 from collections.abc import Sequence
 
-from rclpy_backend import signals, threads
+from rclpy_backend import signals, threads, turns
 
 # Where the page unpacks what runs in it.
 PREFIX = "/ros"
@@ -25,7 +25,7 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     """
     sys.argv[:] = list(arguments)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
-    threads.install()
+    turns.running().signals = signals
     code = 0
     try:
         code = _code(_call(module, attribute)) if attribute else _execute(f"{PREFIX}/{module}")
