@@ -170,8 +170,12 @@ def make(
     versions = assets.versions(builds.items())
     archives = assets.archives(bundles.archives) if bundles else []
     needed = bundles.needed if bundles else {}
+    sizes = {path: len(data) for path, data in bundles.archives.items()} if bundles else {}
+    sizes[""] = assets.python_size()
     loaded = assets.preloads(site)
-    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
+    modules = bundles.own if bundles else {}
+    digest = digests(archives)
+    programs = pages.Programs(loaded, types, foreign, versions, digest, needed, sizes, modules)
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)

@@ -66,7 +66,7 @@ class Node:
 
     One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
     has them when its archive has been read. A component container has `components`, and is linked
-    for them.
+    for them. Python nodes of a `group` share an interpreter.
     """
 
     name: str
@@ -77,6 +77,7 @@ class Node:
     remap: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
+    group: str = ""
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
     components: tuple[Component, ...] = ()

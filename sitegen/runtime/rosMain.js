@@ -6,6 +6,7 @@ import { Graph } from "./graph.js";
 import { NodeProcess } from "./nodeProcess.js";
 import { place } from "./place.js";
 import { Sharing } from "./sharing.js";
+import { WorkerGroups } from "./workerGroup.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
@@ -26,10 +27,11 @@ const mounted = new Promise((resolve) => {
 const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
+const groups = new WorkerGroups();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
-  const node = new NodeProcess(name, entry, link.href, graph, mounted);
+  const node = new NodeProcess(name, entry, link.href, graph, mounted, groups);
   nodes.set(name, node);
   if (sharing.starts(name)) node.start();
 }
