@@ -47,6 +47,8 @@ export function pythonHost(participant, printer, typed, post, failed) {
     /** @param {number} id */
     take: (id) => participant.take(id),
     look: () => participant.look(),
+    /** @param {number} id */
+    nameOf: (id) => participant.nameOf(id),
     events: () => participant.events,
     /** @param {number} id @param {EventKind} kind */
     takeEvent: (id, kind) => participant.takeEvent(id, kind),

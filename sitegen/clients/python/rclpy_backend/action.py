@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy_backend import names
-from rclpy_backend.enums import GoalEvent, ServiceIntrospectionState
-from rclpy_backend.errors import RCLError, refuse
+from rclpy_backend.enums import GoalEvent
+from rclpy_backend.errors import RCLError
 from rclpy_backend.handles import Destroyable
+from rclpy_backend.service import ServiceEndpoint
 
 if TYPE_CHECKING:
     from rclpy_backend.action_server import ActionServer
@@ -64,12 +65,13 @@ class Action(Destroyable):
     def configure_introspection(
         self,
         clock: Clock,
-        pyqos_service_event_pub: rmw_qos_profile_t | None,
+        pyqos_service_event_pub: rmw_qos_profile_t,
         introspection_state: int,
     ) -> None:
-        """Refuse to tell who listens in what the action is asked."""
-        if introspection_state != ServiceIntrospectionState.OFF:
-            refuse("the introspection of actions")
+        """Publish from now on what its three services are asked, or that they are, or nothing."""
+        for part in self._parts:
+            if isinstance(part, ServiceEndpoint):
+                part.configure_introspection(clock, pyqos_service_event_pub, introspection_state)
 
     def _destroy(self) -> None:
         for part in self._parts:

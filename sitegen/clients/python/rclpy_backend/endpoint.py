@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from typing import TYPE_CHECKING
 
 import ros_host
@@ -42,6 +43,10 @@ class Endpoint(Destroyable):
         """Return the name of its node's logger."""
         return self.node.logger_name()
 
+    def gid(self) -> bytes:
+        """Return what tells it from all other endpoints of the page."""
+        return gid_of(ros_host.nameOf(self.id))
+
     def matched(self) -> int:
         """Return how many endpoints it has found."""
         return int(ros_host.matched(self.id))
@@ -49,6 +54,11 @@ class Endpoint(Destroyable):
     def is_ready(self) -> bool:
         """Return whether something waits here to be taken."""
         return bool(ros_host.has(self.id))
+
+
+def gid_of(name: int) -> bytes:
+    """Return what messages and questions about the graph give as gid of an endpoint, 16 bytes."""
+    return struct.pack("<d8x", name)
 
 
 def create(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import ros_host
 
 from rclpy_backend import blocking, names
+from rclpy_backend.endpoint import gid_of
 from rclpy_backend.enums import RMW_DURATION_INFINITE
 from rclpy_backend.errors import NodeNameNonExistentError, RCLError
 from rclpy_backend.qos import (
@@ -31,7 +32,6 @@ NamesAndTypes = list[tuple[str, list[str]]]
 FEEDBACK, FEEDBACK_TYPE = "/_action/feedback", "_FeedbackMessage"
 # In rmw_endpoint_type_t.
 ENDPOINT_TYPES = {"publisher": 1, "subscription": 2}
-GID_SIZE = 16
 # By kind: how DDS names what carries it, and the part of the type that goes there.
 DDS = {
     "publisher": [("rt", "", "")],
@@ -255,7 +255,7 @@ def _description(entry: _Entry) -> dict[str, Any]:
         # The graph knows types by their names alone.
         "topic_type_hash": {"version": 0, "value": bytes(32)},
         "endpoint_type": ENDPOINT_TYPES[entry.kind],
-        "endpoint_gid": list(entry.gid.to_bytes(GID_SIZE, "big")),
+        "endpoint_gid": list(gid_of(entry.gid)),
         "qos_profile": _profile(entry.qos).to_dict(),
     }
 

@@ -9,10 +9,10 @@ from pyodide.ffi import to_js
 
 from rclpy_backend import cdr, log
 from rclpy_backend.clock import Clock
-from rclpy_backend.endpoint import Endpoint
+from rclpy_backend.endpoint import Endpoint, gid_of
 from rclpy_backend.enums import ServiceIntrospectionState
-from rclpy_backend.errors import refuse
 from rclpy_backend.handles import Destroyable
+from rclpy_backend.introspection import Introspection, ServiceEvent
 from rclpy_backend.qos import rmw_qos_profile_t
 from rclpy_backend.received import Received, take
 
@@ -37,12 +37,15 @@ class rmw_service_info_t:
         self.received_timestamp = sample.received_timestamp
 
 
-class _ServiceEndpoint(Endpoint):
+class ServiceEndpoint(Endpoint):
+    """What servers and clients have in common."""
+
     def __init__(
         self, kind: str, node: Node, service_type: Any, name: str, profile: rmw_qos_profile_t
     ) -> None:
         super().__init__(kind, node, service_type, name, profile)
         self._type = service_type
+        self._introspection: Introspection | None = None
 
     def configure_introspection(
         self,
@@ -50,9 +53,31 @@ class _ServiceEndpoint(Endpoint):
         pyqos_service_event_pub: rmw_qos_profile_t,
         introspection_state: int,
     ) -> None:
-        """Refuse to tell who listens in what the service is asked."""
-        if introspection_state != ServiceIntrospectionState.OFF:
-            refuse("the introspection of services")
+        """Publish from now on what the service is asked, or that it is asked, or nothing."""
+        self._end_introspection()
+        if introspection_state == ServiceIntrospectionState.OFF:
+            return
+        self._introspection = Introspection(
+            self.node,
+            self._type,
+            self._full_name,
+            clock=clock,
+            profile=pyqos_service_event_pub,
+            contents=introspection_state == ServiceIntrospectionState.CONTENTS,
+        )
+
+    def _tell(self, what: ServiceEvent, gid: bytes, sequence: int, **said: Any) -> None:
+        if self._introspection:
+            self._introspection.tell(what, gid, sequence, **said)
+
+    def _end_introspection(self) -> None:
+        if self._introspection:
+            self._introspection.end()
+            self._introspection = None
+
+    def _destroy(self) -> None:
+        self._end_introspection()
+        super()._destroy()
 
     def _take(self, message_type: type) -> tuple[rmw_service_info_t, Any] | None:
         sample = take(self.id)
@@ -65,7 +90,7 @@ class _ServiceEndpoint(Endpoint):
             return None
 
 
-class Client(_ServiceEndpoint):
+class Client(ServiceEndpoint):
     """Asks a service."""
 
     def __init__(
@@ -85,16 +110,23 @@ class Client(_ServiceEndpoint):
     def send_request(self, request: Any) -> int:
         """Send a request and return its number."""
         data = cdr.serialize(request, self._type.Request)
-        return int(ros_host.request(self.id, to_js(data)))
+        sequence = int(ros_host.request(self.id, to_js(data)))
+        self._tell(ServiceEvent.REQUEST_SENT, self.gid(), sequence, request=request)
+        return sequence
 
     def take_response(
         self, response_type: type
     ) -> tuple[rmw_service_info_t, Any] | tuple[None, None]:
         """Return the oldest response and which request it is for."""
-        return self._take(response_type) or (None, None)
+        taken = self._take(response_type)
+        if not taken:
+            return None, None
+        sequence = taken[0].request_id.sequence_number
+        self._tell(ServiceEvent.RESPONSE_RECEIVED, self.gid(), sequence, response=taken[1])
+        return taken
 
 
-class Service(_ServiceEndpoint):
+class Service(ServiceEndpoint):
     """Answers requests."""
 
     def __init__(
@@ -117,7 +149,13 @@ class Service(_ServiceEndpoint):
     ) -> tuple[Any, rmw_service_info_t] | tuple[None, None]:
         """Return the oldest request and who asks."""
         taken = self._take(request_type)
-        return (taken[1], taken[0]) if taken else (None, None)
+        if not taken:
+            return None, None
+        info, request = taken
+        asked = info.request_id
+        gid = gid_of(asked.writer)
+        self._tell(ServiceEvent.REQUEST_RECEIVED, gid, asked.sequence_number, request=request)
+        return request, info
 
     def service_send_response(
         self, response: Any, header: rmw_service_info_t | rmw_request_id_t
@@ -126,6 +164,8 @@ class Service(_ServiceEndpoint):
         request = header.request_id if isinstance(header, rmw_service_info_t) else header
         data = cdr.serialize(response, self._type.Response)
         ros_host.respond(self.id, request.writer, request.sequence_number, to_js(data))
+        gid = gid_of(request.writer)
+        self._tell(ServiceEvent.RESPONSE_SENT, gid, request.sequence_number, response=response)
 
 
 class TypeDescriptionService(Destroyable):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Never
 
 from rclpy_backend import cdr, log
-from rclpy_backend.endpoint import Endpoint
+from rclpy_backend.endpoint import Endpoint, gid_of
 from rclpy_backend.errors import RCLError, refuse
 from rclpy_backend.qos import rmw_qos_profile_t
 from rclpy_backend.received import take
@@ -54,7 +54,7 @@ class Subscription(Endpoint):
             "reception_sequence_number": self._received,
             "publisher_gid": {
                 "implementation_identifier": log.IDENTIFIER,
-                "data": sample.writer.to_bytes(16, "little"),
+                "data": gid_of(sample.writer),
             },
         }
         if raw:

@@ -29,6 +29,7 @@ setup(
             "lifecycle = tutorials.lifecycle:main",
             "graph = tutorials.graph:main",
             "executors = tutorials.executors:main",
+            "introspection = tutorials.introspection:main",
             "entries = tutorials.entries:main",
         ],
     },
