@@ -9,7 +9,6 @@
 
 namespace rclcpp
 {
-
 namespace node_interfaces
 {
 
@@ -66,5 +65,4 @@ public:
 };
 
 }  // namespace node_interfaces
-
 }  // namespace rclcpp
