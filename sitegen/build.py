@@ -32,6 +32,8 @@ from sitegen.report import Report, size
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
+# So many pages that run nothing are named; the others are counted.
+SHOWN = 20
 FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
 
 
@@ -130,7 +132,7 @@ def make(
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
     Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
-    that is being `edited` is kept by no browser.
+    that is being `edited` is kept by no browser, and its index is for who serves it to make.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
@@ -168,8 +170,12 @@ def make(
     versions = assets.versions(builds.items())
     archives = assets.archives(bundles.archives) if bundles else []
     needed = bundles.needed if bundles else {}
+    sizes = {path: len(data) for path, data in bundles.archives.items()} if bundles else {}
+    sizes[""] = assets.python_size()
     loaded = assets.preloads(site)
-    programs = pages.Programs(loaded, types, foreign, versions, digests(archives), needed)
+    modules = bundles.own if bundles else {}
+    digest = digests(archives)
+    programs = pages.Programs(loaded, types, foreign, versions, digest, needed, sizes, modules)
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)
@@ -177,6 +183,7 @@ def make(
     # These, and what they use, are the site.
     others = assets.runtime(site)
     others += assets.search(site)
+    others += [] if edited else renderer.index(rendered)
     others += assets.programs(builds.items())
     others += archives
     others += assets.scripts(site)
@@ -294,9 +301,13 @@ def summarize(made: Made, report: Report) -> None:
     site = made.site
     for note in site.notes:
         report.say(note)
-    width = max(len(page.path) for page in site.pages) + 1
-    for page in site.pages:
+    untold = {page.path for page in [p for p in site.pages if not p.level][SHOWN:]}
+    told = [page for page in site.pages if page.path not in untold]
+    width = max(len(page.path) for page in told) + 1
+    for page in told:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
+    if untold:
+        report.say(f"  … and {count(len(untold), 'page')} more, of text only")
     for node in nodes_of(site):
         if node.ros2wasm:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)

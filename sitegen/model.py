@@ -66,7 +66,7 @@ class Node:
 
     One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
     has them when its archive has been read. A component container has `components`, and is linked
-    for them.
+    for them. Python nodes of a `group` share an interpreter.
     """
 
     name: str
@@ -77,6 +77,7 @@ class Node:
     remap: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
+    group: str = ""
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
     components: tuple[Component, ...] = ()
@@ -133,7 +134,8 @@ class Source:
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
-    `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
+    `file` is the Markdown file it was written in, if it was one, and `front` the YAML at its top;
+    `theme` is empty for the site's.
     `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
     `base` is where addresses in it begin; without it they are relative to the page.
     """
@@ -146,6 +148,7 @@ class Page:
     level: str
     place: Place
     file: Path | None = None
+    front: str = ""
     theme: Path | None = None
     tags: tuple[str, ...] = ()
     date: str = ""

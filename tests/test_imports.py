@@ -19,6 +19,7 @@ ALLOWED = {
         *("report", "serve", "theme", "unchanged"),
     },
     "archive": {"model"},
+    "bytecode": set(),
     "cache": set(),
     "unchanged": set(),
     "build": {
@@ -32,9 +33,9 @@ ALLOWED = {
             "errors",
             "model",
             "offline",
+            "pages",
         ),
-        *("model", "offline", "pages", "python", "report", "ros2wasm", "single", "unchanged"),
-        "workspace",
+        *("python", "report", "ros2wasm", "single", "unchanged", "workspace"),
     },
     "assets": {"digest", "model"},
     "compile": {"archive", "build", "cache", "cpp", "errors", "model", "report", "workspace"},
@@ -71,8 +72,8 @@ ALLOWED = {
     "prose": {"errors", "model"},
     "report": set(),
     "python": {
-        *("descriptions", "errors", "imports", "interfaces", "messages", "model", "wheels"),
-        "workspace",
+        *("bytecode", "descriptions", "errors", "imports", "interfaces", "messages", "model"),
+        *("wheels", "workspace"),
     },
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "config", "errors", "model", "offline", "report"},
@@ -90,6 +91,7 @@ ALLOWED = {
 RUNTIME_ALLOWED = {
     "rosMain.js": {
         *{"graph.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js", "sharing.js"},
+        "workerGroup.js",
     },
     "place.js": set(),
     "sharing.js": {"elements.js", "protocol.js", "words.js"},
@@ -98,7 +100,8 @@ RUNTIME_ALLOWED = {
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js", "words.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor", "words.js"},
     "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {"graph.js", "place.js", "protocol.js"},
+    "nodeProcess.js": {"graph.js", "place.js", "protocol.js", "workerGroup.js"},
+    "workerGroup.js": {"place.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {"messages", "participant", "place.js", "protocol.js", "vendor", "workers"},

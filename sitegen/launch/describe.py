@@ -27,6 +27,18 @@ class Text:
         self.text = text
 
 
+class Folder(Text):
+    """The folder of a package; some files ask for it while they are run."""
+
+    def find(self, package: str) -> str:
+        """Return the folder of a package of the workspace."""
+        return share(package)
+
+
+class Typed(Text):
+    """The value of a parameter that is a text, whatever it looks like."""
+
+
 class Described:
     """An action as sitegen/launch/tree.py has it."""
 
@@ -121,6 +133,8 @@ def values(above: str, given: Mapping[Any, Any]) -> Iterable[Described]:
     for name, value in given.items():
         if isinstance(value, Mapping):
             yield from values(f"{above}{text(name)}.", value)
+        elif isinstance(value, Typed):
+            yield Described("param", name=f"{above}{text(name)}", value=value, type="str")
         else:
             yield Described("param", name=f"{above}{text(name)}", value=written(value))
 
@@ -243,6 +257,13 @@ def configuration(name: Any, default: Any = None, **_: Any) -> Text:
     return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
 
 
+def command(words: Any, **_: Any) -> Text:
+    """Stand for Command, which is one text or several that make one."""
+    line = text(words)
+    quote = '"' if "'" in line else "'"
+    return Text(f"$(command {quote}{line}{quote})")
+
+
 CORE: dict[str, Any] = {
     "LaunchDescription": describe,
     "DeclareLaunchArgument": lambda name, *, default_value=None, condition=None, **_: Described(
@@ -266,8 +287,9 @@ CORE: dict[str, Any] = {
     "ThisLaunchFileDir": lambda: Text("$(dirname)"),
     "ThisLaunchFile": lambda: Text("$(filename)"),
     "PythonExpression": lambda *_: Text("$(eval)"),
-    "Command": lambda *_, **__: Text("$(command)"),
-    "FindExecutable": lambda *_, **__: Text("$(find-exec)"),
+    "Command": command,
+    "FileContent": lambda path: Text(f"$(file-content '{text(path)}')"),
+    "FindExecutable": lambda name: Text(f"$(find-exec {text(name)})"),
     **{
         f"{kind}LaunchDescriptionSource": lambda file, **_: file
         for kind in ("Python", "XML", "YAML", "Any", "Frontend")
@@ -298,12 +320,12 @@ ROS: dict[str, Any] = {
     "SetRemap": lambda src, dst, condition=None: Described(
         "set_remap", condition=condition, **{"from": src, "to": dst}
     ),
-    "FindPackageShare": lambda package: Text(f"$(find-pkg-share {text(package)})"),
-    "FindPackagePrefix": lambda package: Text(f"$(find-pkg-prefix {text(package)})"),
-    "FindPackage": lambda package: Text(f"$(find-pkg-prefix {text(package)})"),
+    "FindPackageShare": lambda package: Folder(f"$(find-pkg-share {text(package)})"),
+    "FindPackagePrefix": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
+    "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
     "ParameterValue": lambda value, *, value_type=None: (
-        Text(f"'{text(value)}'") if value_type is str else value
+        Typed(text(value)) if value_type is str else value
     ),
     "ComposableNode": composable,
     "ComposableNodeContainer": container,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
-from sitegen.launch import python, xml, yaml
+from sitegen.launch import python, xacro, xml, yaml
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
@@ -18,6 +18,8 @@ READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": ya
 DEEPEST = 20
 # Of no consequence for what runs on a page.
 IGNORED = {"log", "set_env", "unset_env"}
+# Packages of programs that draw on a screen of their own.
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
 
 
 @dataclass
@@ -42,18 +44,28 @@ class Scope:
 
 
 def launched(
-    file: Path, arguments: Mapping[str, str], packages: Mapping[str, Package], problems: Problems
+    file: Path,
+    arguments: Mapping[str, str],
+    packages: Mapping[str, Package],
+    problems: Problems,
+    notes: Problems | None = None,
 ) -> list[Node]:
-    """Return the nodes that a launch file starts, noting what does not work on a page."""
-    launch = _Launch(packages, problems)
+    """Return the nodes that a launch file starts, noting what does not work on a page.
+
+    Programs that draw on a screen are left out, which `notes` gets to know.
+    """
+    launch = _Launch(packages, problems, notes or Problems(problems.root))
     launch.file(Scope(file, dict(arguments)), Place(file, 1))
     return launch.finished()
 
 
 class _Launch:
-    def __init__(self, packages: Mapping[str, Package], problems: Problems) -> None:
+    def __init__(
+        self, packages: Mapping[str, Package], problems: Problems, notes: Problems
+    ) -> None:
         self._packages = packages
         self._problems = problems
+        self._notes = notes
         self.nodes: list[Node] = []
         # By the whole name of a container: which node it is, and what is loaded into it.
         self._components: dict[str, tuple[str, list[Component]]] = {}
@@ -160,7 +172,15 @@ class _Launch:
     def _set_remap(self, action: Action, scope: Scope) -> None:
         scope.remaps[self._needed(action, "from", scope)] = self._needed(action, "to", scope)
 
-    def _node(self, action: Action, scope: Scope) -> Node:
+    def _node(self, action: Action, scope: Scope) -> None:
+        package = self._needed(action, "pkg", scope)
+        if package.startswith(SCREENS) and package not in self._packages:
+            message = f"'{package}' draws on a screen of its own and is left out of the page"
+            self._notes.add(action.place, action.kind, message)
+            return
+        self._started(action, scope)
+
+    def _started(self, action: Action, scope: Scope) -> Node:
         executable = self._needed(action, "exec", scope)
         own = self._text(action, "name", scope)
         words = self._with_files(shlex.split(self._text(action, "args", scope)))
@@ -186,7 +206,7 @@ class _Launch:
         if name not in containers.EXECUTORS:
             known = nearest(name, containers.EXECUTORS)
             raise ValueError(f"'{name}' is no component container of a page; {known}")
-        node = self._node(action, scope)
+        node = self._started(action, scope)
         self._components[f"{node.namespace}/{node.remap.get('__node', name)}"] = (node.name, [])
         self._load_into(node.name, action, scope)
 
@@ -250,7 +270,11 @@ class _Launch:
             return self._file(self._text(action, "from", scope))
         name = f"{above}{self._needed(action, 'name', scope)}"
         if "value" in action.attributes:
-            return {name: self._text(action, "value", scope)}
+            value = self._text(action, "value", scope)
+            # A description of a robot is a text, whatever YAML would find in it.
+            if action.attributes.get("type") == "str" or value.lstrip().startswith("<"):
+                value = "'" + value.replace("'", "''") + "'"
+            return {name: value}
         found: dict[str, str] = {}
         for inner in action.of_kind("param"):
             found |= self._parameters(inner, scope, f"{name}.")
@@ -280,7 +304,21 @@ class _Launch:
         return self._text(action, name, scope)
 
     def _text(self, action: Action, name: str, scope: Scope) -> str:
-        return expand(action.attributes.get(name, ""), scope.variables, scope.file, self._share)
+        text = action.attributes.get(name, "")
+        return expand(text, scope.variables, scope.file, self._share, self._output)
+
+    def _output(self, line: str) -> str:
+        """Return what a command prints that launch files read descriptions of robots by."""
+        name, *words = shlex.split(line) or [""]
+        if name not in ("cat", "xacro") or not words:
+            raise SubstitutionError(f"$(command …) runs 'xacro' and 'cat' here, not '{line}'")
+        paths = [word for word in words if ":=" not in word and not word.startswith("-")]
+        for path in paths:
+            if not Path(path).is_file():
+                raise SubstitutionError(f"no file '{path}'")
+        if name == "xacro":
+            return xacro.expanded(words, {name: each.path for name, each in self._packages.items()})
+        return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
 
     def _share(self, package: str) -> Path:
         found = self._packages.get(package)

@@ -1,6 +1,5 @@
 // Publishers, subscriptions, services and clients, as far as their types do not matter.
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -83,11 +82,6 @@ rmw_gid_t gid_of(double name)
   return gid;
 }
 
-std::int64_t nanoseconds(double milliseconds)
-{
-  return static_cast<std::int64_t>(std::llround(milliseconds * 1e6));
-}
-
 }  // namespace
 
 Endpoint::Endpoint(
@@ -132,8 +126,8 @@ bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, 
   if (size < 0) {return false;}
   ros_take(id(), bytes.resize(static_cast<std::size_t>(size)));
   info = {};
-  info.source_timestamp = nanoseconds(from.source_timestamp);
-  info.received_timestamp = nanoseconds(from.received_timestamp);
+  info.source_timestamp = detail::nanoseconds(from.source_timestamp);
+  info.received_timestamp = detail::nanoseconds(from.received_timestamp);
   info.publication_sequence_number = from.sequence;
   info.reception_sequence_number = ++received_;
   info.publisher_gid = gid_of(from.writer);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "rclcpp/client.hpp"
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_parts.hpp"
 
 namespace rclcpp
@@ -15,7 +15,7 @@ std::shared_ptr<Client<ServiceT>> create_client(
   NodeT && node, const std::string & service_name, const QoS & qos = ServicesQoS(),
   CallbackGroup::SharedPtr group = nullptr)
 {
-  const auto base = detail::base_of(node);
+  const auto base = node_interfaces::get_node_base_interface(node);
   auto client = std::make_shared<Client<ServiceT>>(*base, service_name, qos);
   base->add(detail::ExecutableKind::kClient, client, group);
   return client;

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/generic_subscription.hpp"
 
 namespace rclcpp
@@ -15,7 +15,7 @@ std::shared_ptr<GenericSubscription> create_generic_subscription(
   NodeT && node, const std::string & topic_name, const std::string & topic_type, const QoS & qos,
   CallbackT && callback, const SubscriptionOptionsBase & options = SubscriptionOptions())
 {
-  const auto base = detail::base_of(node);
+  const auto base = node_interfaces::get_node_base_interface(node);
   auto subscription = std::make_shared<GenericSubscription>(
     *base, topic_name, topic_type, qos, std::forward<CallbackT>(callback), options);
   base->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/publisher.hpp"
 
 namespace rclcpp
@@ -18,7 +18,7 @@ std::shared_ptr<PublisherT> create_publisher(
   const PublisherOptionsWithAllocator<AllocatorT> & options =
   PublisherOptionsWithAllocator<AllocatorT>())
 {
-  const auto base = detail::base_of(node);
+  const auto base = node_interfaces::get_node_base_interface(node);
   auto publisher = std::make_shared<PublisherT>(*base, topic_name, qos, options);
   base->add(detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
   return publisher;

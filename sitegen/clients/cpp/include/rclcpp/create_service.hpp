@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_parts.hpp"
 #include "rclcpp/service.hpp"
 
@@ -16,7 +16,7 @@ std::shared_ptr<Service<ServiceT>> create_service(
   NodeT && node, const std::string & service_name, CallbackT && callback,
   const QoS & qos = ServicesQoS(), CallbackGroup::SharedPtr group = nullptr)
 {
-  const auto base = detail::base_of(node);
+  const auto base = node_interfaces::get_node_base_interface(node);
   auto service = std::make_shared<Service<ServiceT>>(
     *base, service_name, qos, std::forward<CallbackT>(callback));
   base->add(detail::ExecutableKind::kService, service, group);

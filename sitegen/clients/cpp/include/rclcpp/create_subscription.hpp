@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/subscription.hpp"
 
 namespace rclcpp
@@ -17,7 +17,7 @@ std::shared_ptr<Subscription<MessageT>> create_subscription(
   const SubscriptionOptionsWithAllocator<AllocatorT> & options =
   SubscriptionOptionsWithAllocator<AllocatorT>())
 {
-  const auto base = detail::base_of(node);
+  const auto base = node_interfaces::get_node_base_interface(node);
   auto subscription = std::make_shared<Subscription<MessageT>>(
     *base, topic_name, qos, std::forward<CallbackT>(callback), options);
   const auto statistics =

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/node_interfaces/node_parts.hpp"
 #include "rclcpp/timer.hpp"
 
@@ -20,7 +20,7 @@ typename GenericTimer<CallbackT>::SharedPtr create_timer(
   auto timer = std::make_shared<GenericTimer<CallbackT>>(
     std::move(clock), detail::timer_period(period.to_chrono<std::chrono::nanoseconds>()),
     detail::timer_callback(std::forward<CallbackT>(callback)), autostart);
-  detail::base_of(node)->add(detail::ExecutableKind::kTimer, timer, group);
+  node_interfaces::get_node_base_interface(node)->add(detail::ExecutableKind::kTimer, timer, group);
   return timer;
 }
 

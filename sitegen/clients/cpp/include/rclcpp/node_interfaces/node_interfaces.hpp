@@ -4,7 +4,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "rclcpp/detail/node_of.hpp"
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/node.hpp"
 
 namespace rclcpp
