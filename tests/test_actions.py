@@ -65,3 +65,19 @@ def test_components_of_one_program_are_found_by_name(
     assert lines[:2] == [factory.format("Client"), factory.format("Server")]
     said = [line.split("]: ")[1] for line in lines if "[fibonacci_client]: " in line]
     assert said == CLIENT
+
+
+def test_components_of_a_launch_file_share_their_container(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}container/")
+    both = Panel(page, "both")
+    both.expect_state("stopped")
+    lines = both.lines()
+    assert [line.rpartition("::")[2] for line in lines if "Instantiate class" in line] == [
+        "FibonacciServer>",
+        "FibonacciClient>",
+    ]
+    said = [line.split("]: ")[1] for line in lines if "[deep.fibonacci_client]: " in line]
+    assert said == CLIENT

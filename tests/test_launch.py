@@ -34,7 +34,9 @@ def test_nodes_are_those_that_ros_would_start(kind: str) -> None:
         "first": "--mood very good --ros-args -r __node:=first -r chatter:=/shared "
         "-p greeting:=Hello blue -p limits.top:=2.5",
         "second": "--ros-args -r __node:=second -r __ns:=/blue/left -p number:=7 "
-        "-p everybody:=true -p greeting:=it's me -p limits.top:=3.0 -p limits.low:=[1.0, 2.0]",
+        "-p /**:everybody:=true -p /blue/left/second:greeting:=it's me "
+        "-p /blue/left/second:limits.top:=3.0 -p /blue/left/second:limits.low:=[1.0, 2.0] "
+        "-p /nobody:greeting:=false",
         "blue_fan": "--ros-args -r __node:=blue_fan -r chatter:=other -r __ns:=/blue/deep "
         "-p number:=7 -p list:=[1, 2] -p flag:=true",
         "last": "--ros-args -r __node:=last -r __ns:=/blue -p number:=7",
@@ -43,6 +45,73 @@ def test_nodes_are_those_that_ros_would_start(kind: str) -> None:
     assert {node.package for node in found} == {"speaker"}
     loud, _ = nodes(SITE, f"src/bringup/launch/all.launch.{kind}", team="red", loud="True")
     assert [node.name for node in loud][-1] == "third"
+
+
+CONTAINERS = {
+    "xml": """<launch>
+      <push_ros_namespace namespace="robot"/>
+      <node_container pkg="rclcpp_components" exec="component_container" name="box" namespace="">
+        <composable_node pkg="parts" plugin="parts::Eye" name="eye">
+          <remap from="image" to="/image"/>
+          <param name="rate" value="5"/>
+        </composable_node>
+      </node_container>
+      <load_composable_node target="/robot/box">
+        <composable_node pkg="parts" plugin="parts::Ear" namespace="/head" if="true"/>
+        <composable_node pkg="parts" plugin="parts::Nose" if="false"/>
+      </load_composable_node>
+    </launch>""",
+    "py": """
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer, LoadComposableNodes, PushRosNamespace
+from launch_ros.descriptions import ComposableNode
+
+def generate_launch_description():
+    box = ComposableNodeContainer(
+        name="box", namespace="", package="rclcpp_components", executable="component_container",
+        composable_node_descriptions=[ComposableNode(
+            package="parts", plugin="parts::Eye", name="eye", parameters=[{"rate": 5}],
+            remappings=[("image", "/image")], extra_arguments=[{"use_intra_process_comms": True}],
+        )], output="screen")
+    more = LoadComposableNodes(target_container=box, composable_node_descriptions=[
+        ComposableNode(package="parts", plugin="parts::Ear", namespace="/head")])
+    return LaunchDescription([PushRosNamespace("robot"), box, more])
+""",
+}
+
+
+@pytest.mark.parametrize("kind", CONTAINERS)
+def test_a_container_is_one_node_with_its_components(root: Path, kind: str) -> None:
+    (root / f"x.launch.{kind}").write_text(CONTAINERS[kind])
+    [box], wrong = nodes(root, f"x.launch.{kind}")
+    assert wrong == []
+    assert box.executable.startswith("component_container-")
+    assert [component.package for component in box.components] == ["parts", "parts"]
+    assert " ".join(box.command_line()) == (
+        "--ros-args -r __node:=box -r __ns:=/robot "
+        "--component parts::Eye 9 --ros-args -r __node:=eye -r __ns:=/robot -r image:=/image "
+        "-p rate:=5 --component parts::Ear 3 --ros-args -r __ns:=/head"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (
+            "<node_container pkg='rclcpp_components' exec='mine' name='a' namespace=''/>",
+            "node_container: 'mine' is no component container of a page; ",
+        ),
+        (
+            "<load_composable_node target='none'/>",
+            "load_composable_node: no component container '/none' in this launch file; ",
+        ),
+    ],
+)
+def test_containers_are_known(root: Path, text: str, expected: str) -> None:
+    (root / "x.launch.xml").write_text(f"<launch>\n{text}\n</launch>")
+    found, [line] = nodes(root, "x.launch.xml")
+    assert found == []
+    assert line.startswith(f"x.launch.xml:2: {expected}")
 
 
 def test_they_start_with_the_page(tab: Page, serve: Serve, built: Built) -> None:
@@ -90,7 +159,10 @@ def root(tmp_path: Path) -> Path:
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
         ("<launch><let name='x' value='$(var y)'/></launch>", "let: there is no argument 'y'"),
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
-        ("<launch><let name='x' value='$(command ls)'/></launch>", "let: $(command …) does not"),
+        (
+            "<launch><let name='x' value='$(command ls)'/></launch>",
+            "let: $(command …) runs 'xacro'",
+        ),
         ("<launch><node pkg='a' exec='b' if='perhaps'/></launch>", "node: 'perhaps' is neither"),
         (
             "<launch><include file='$(find-pkg-share other)/x.xml'/></launch>",

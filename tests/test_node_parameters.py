@@ -63,3 +63,41 @@ def test_what_is_no_parameter_is_told_with_its_line() -> None:
         "site.yaml:5: parameters.nested[0]: "
         "expected a flag, a number, a text or a list of these, found a list",
     ]
+
+
+def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
+    (tmp_path / "robot.yaml").write_text(
+        "/**:\n  ros__parameters: {speed: 1.0, name: 'on'}\n"
+        "arm:\n  left:\n    ros__parameters: {joints: {count: 6}}\n"
+    )
+    problems = Problems(tmp_path)
+    listed = parse("[robot.yaml, {speed: 2.0}, robot.yaml]", Place(Path("x"), 1), problems, key="p")
+    assert listed
+    assert list(parameters.read(listed, problems).items()) == [
+        ("speed", "2.0"),
+        ("/**:speed", "1.0"),
+        ("/**:name", "'on'"),
+        ("/arm/left:joints.count", "6"),
+    ]
+    words = parse(
+        "[-v, --ros-args, --params-file, robot.yaml, -r, a:=b]", Place(Path("x"), 1), problems
+    )
+    assert words
+    assert parameters.arguments(words, problems) == (
+        *("-v", "--ros-args", "-p", "/**:speed:=1.0", "-p", "/**:name:='on'"),
+        *("-p", "/arm/left:joints.count:=6", "-r", "a:=b"),
+    )
+    assert problems.lines == []
+
+
+def test_files_that_are_none_are_told(tmp_path: Path) -> None:
+    (tmp_path / "list.yaml").write_text("[1]\n")
+    problems = Problems(tmp_path)
+    listed = parse("- no.yaml\n- list.yaml\n- 3\n", Place(Path("x"), 1), problems, key="p")
+    assert listed
+    parameters.read(listed, problems)
+    assert [line.split(": ", 1)[1] for line in problems.lines] == [
+        "p[0]: no file 'no.yaml'; did you mean 'list.yaml'?",
+        "p[1]: 'list.yaml' has no parameters; begin with the name of a node",
+        "p[2]: expected a file or names with a value each, found the number 3",
+    ]

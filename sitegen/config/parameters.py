@@ -12,7 +12,8 @@ from sitegen.config.location import locate
 from sitegen.errors import Problems
 
 NUMBER = re.compile(r"[-+]?(\d+|\d+\.\d*|\.\d+|\d+(\.\d*)?[eE][-+]?\d+|\.inf|\.nan)", re.IGNORECASE)
-NAME = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
+# Those of `qos_overrides` have names of topics in them.
+NAME = re.compile(r"[A-Za-z_/][\w/]*(\.[A-Za-z_/][\w/]*)*", re.ASCII)
 
 
 def read(value: Value, problems: Problems) -> dict[str, str]:

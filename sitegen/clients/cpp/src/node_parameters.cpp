@@ -378,10 +378,7 @@ void NodeParametersInterface::remove_post_set_parameters_callback(
   remove(post_set_, handle);
 }
 
-NodeParametersInterface::SharedPtr NodeParametersInterface::linked(SharedPtr parameters)
-{
-  return parameters;
-}
+NodeParametersInterface::SharedPtr NodeParametersInterface::linked(SharedPtr own) {return own;}
 
 }  // namespace node_interfaces
 

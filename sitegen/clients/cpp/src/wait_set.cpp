@@ -113,6 +113,11 @@ bool WaitSet::look()
     note(
       guard_conditions_, ready_.guard_conditions,
       [](GuardCondition & condition) {return condition.take();})};
+  ready_.size_of_subscriptions = ready_.subscriptions.size();
+  ready_.size_of_guard_conditions = ready_.guard_conditions.size();
+  ready_.size_of_timers = ready_.timers.size();
+  ready_.size_of_clients = ready_.clients.size();
+  ready_.size_of_services = ready_.services.size();
   return std::find(std::begin(found), std::end(found), true) != std::end(found);
 }
 

@@ -165,6 +165,23 @@ public:
   {
     return remove_pending_request(future.request_id);
   }
+  /// Forget requests that were sent before `time_point`, and add their ids to `pruned_requests`.
+  template<class AllocatorT = std::allocator<std::int64_t>>
+  std::size_t prune_requests_older_than(
+    std::chrono::time_point<std::chrono::system_clock> time_point,
+    std::vector<std::int64_t, AllocatorT> * pruned_requests = nullptr)
+  {
+    const std::size_t before = pending_.size();
+    for (auto one = pending_.begin(); one != pending_.end(); ) {
+      if (one->second.sent >= time_point) {
+        ++one;
+        continue;
+      }
+      if (pruned_requests) {pruned_requests->push_back(one->first);}
+      one = pending_.erase(one);
+    }
+    return before - pending_.size();
+  }
   std::size_t prune_pending_requests()
   {
     const std::size_t count = pending_.size();
@@ -189,24 +206,29 @@ protected:
     if (!decode(type, bytes, response.get())) {return;}
     introspection_.publish(
       detail::ServiceEvent::kResponseReceived, gid().data, found->first, nullptr, response.get());
-    const auto complete = std::move(found->second);
+    const auto complete = std::move(found->second.complete);
     pending_.erase(found);
     complete(std::move(response));
   }
 
 private:
   using Complete = std::function<void(SharedResponse)>;
+  struct Pending
+  {
+    std::chrono::system_clock::time_point sent;
+    Complete complete;
+  };
 
   std::int64_t begin(const Request & request, Complete complete)
   {
     const auto id = send(rosidl_typesupport_sitegen_cpp::members_of<Request>(), &request);
-    pending_.emplace(id, std::move(complete));
+    pending_.emplace(id, Pending{std::chrono::system_clock::now(), std::move(complete)});
     introspection_.publish(
       detail::ServiceEvent::kRequestSent, gid().data, id, &request, nullptr);
     return id;
   }
 
-  std::map<std::int64_t, Complete> pending_;
+  std::map<std::int64_t, Pending> pending_;
   detail::IntrospectionSwitch<ServiceT> introspection_;
 };
 

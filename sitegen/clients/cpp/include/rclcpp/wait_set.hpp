@@ -25,6 +25,11 @@ struct rcl_wait_set_t
   std::vector<const void *> timers;
   std::vector<const void *> clients;
   std::vector<const void *> services;
+  std::size_t size_of_subscriptions = 0;
+  std::size_t size_of_guard_conditions = 0;
+  std::size_t size_of_timers = 0;
+  std::size_t size_of_clients = 0;
+  std::size_t size_of_services = 0;
 };
 
 namespace rclcpp

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <utility>
 
-#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
 #include "rclcpp/node.hpp"
 
 namespace rclcpp
 {
-
 namespace node_interfaces
 {
 
@@ -51,8 +48,7 @@ class NodeInterfaces : public detail::Part<InterfaceTs>...
 {
 public:
   /// Of anything that has these interfaces.
-  template<
-    class NodeT, std::enable_if_t<rclcpp::detail::IsNode<NodeT>::value, int> = 0>
+  template<class NodeT, class = decltype(std::declval<NodeT &>().get_node_base_interface())>
   NodeInterfaces(NodeT & node)  // NOLINT: implicit upstream
   : detail::Part<InterfaceTs>{detail::Part<InterfaceTs>::of(node)}... {}
   explicit NodeInterfaces(std::shared_ptr<InterfaceTs>... parts)
@@ -66,5 +62,4 @@ public:
 };
 
 }  // namespace node_interfaces
-
 }  // namespace rclcpp
