@@ -90,7 +90,10 @@ def root(tmp_path: Path) -> Path:
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
         ("<launch><let name='x' value='$(var y)'/></launch>", "let: there is no argument 'y'"),
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
-        ("<launch><let name='x' value='$(command ls)'/></launch>", "let: $(command …) does not"),
+        (
+            "<launch><let name='x' value='$(command ls)'/></launch>",
+            "let: $(command …) runs",
+        ),
         ("<launch><node pkg='a' exec='b' if='perhaps'/></launch>", "node: 'perhaps' is neither"),
         (
             "<launch><include file='$(find-pkg-share other)/x.xml'/></launch>",

@@ -18,7 +18,7 @@ DEEPEST = 20
 # Of no consequence for what runs on a page.
 IGNORED = {"log", "set_env", "unset_env"}
 # Packages of programs that draw on a screen of their own.
-SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz", "turtlesim")
 
 
 @dataclass

@@ -15,9 +15,7 @@ class Subscriber(SimpleFilter):
         self.node, kind, self.topic, *others = args
         if not others:
             kwargs.setdefault("qos_profile", 10)
-        self.sub = self.node.create_subscription(
-            kind, self.topic, self.callback, *others, **kwargs
-        )
+        self.sub = self.node.create_subscription(kind, self.topic, self.callback, *others, **kwargs)
 
     def callback(self, msg: Any) -> None:
         """Pass a message on."""

@@ -164,9 +164,7 @@ class BufferCore:
         if not frame:
             raise InvalidArgumentException(f"{argument} - in tf2 frame_ids cannot be empty")
         if frame.startswith("/"):
-            raise InvalidArgumentException(
-                f"{argument} - in tf2 frame_ids cannot start with a '/'"
-            )
+            raise InvalidArgumentException(f"{argument} - in tf2 frame_ids cannot start with a '/'")
         if frame not in self._names:
             raise LookupException(f'"{frame}" passed to {what} does not exist. ')
 

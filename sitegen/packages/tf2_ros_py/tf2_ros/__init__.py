@@ -10,6 +10,7 @@ from tf2_py import (
     TransformException,
 )
 
+from tf2_ros.buffer import Buffer
 from tf2_ros.buffer_interface import (
     BufferInterface,
     ConvertRegistration,
@@ -19,8 +20,6 @@ from tf2_ros.buffer_interface import (
     TypeException,
     convert,
 )
-
-from tf2_ros.buffer import Buffer
 from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tf2_ros.static_transform_listener import StaticTransformListener
 from tf2_ros.transform_broadcaster import TransformBroadcaster

@@ -112,9 +112,7 @@ class Buffer(BufferCore, BufferInterface):
         return_debug_tuple: bool = False,
     ) -> Any:
         """Return whether there is a transform, no later than after `timeout`; if asked, why not."""
-        can = self._wait(
-            lambda: self.can_transform_core(target_frame, source_frame, time), timeout
-        )
+        can = self._wait(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         return can if return_debug_tuple else can[0]
 
     def can_transform_full(
@@ -141,9 +139,7 @@ class Buffer(BufferCore, BufferInterface):
             can = ask()
         return can
 
-    def wait_for_transform_async(
-        self, target_frame: str, source_frame: str, time: Time
-    ) -> Future:
+    def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
         """Return a future that has the transform when it is there."""
         return self._promise(
             lambda: self.can_transform_core(target_frame, source_frame, time)[0],
@@ -165,9 +161,7 @@ class Buffer(BufferCore, BufferInterface):
             lambda: self.lookup_transform_full_core(*way),
         )
 
-    def _promise(
-        self, can: Callable[[], bool], look_up: Callable[[], TransformStamped]
-    ) -> Future:
+    def _promise(self, can: Callable[[], bool], look_up: Callable[[], TransformStamped]) -> Future:
         future = Future()
 
         def look() -> None:

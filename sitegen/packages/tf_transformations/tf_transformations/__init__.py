@@ -45,8 +45,8 @@ def quaternion_inverse(quaternion: Numbers) -> list[float]:
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> list[float]:
     """Return rotations one after another: about axes that stand still (s…), or turn along (r…)."""
-    frame, *names = axes
-    if frame not in "sr" or len(names) != 3 or not set(names) <= set(AXES):
+    frame, names = axes[:1], axes[1:]
+    if frame not in ("s", "r") or len(names) != 3 or not set(names) <= set(AXES):
         raise ValueError(f"'{axes}' are no axes; write them like 'sxyz'")
     found = [0.0, 0.0, 0.0, 1.0]
     for angle, name in zip((ai, aj, ak), names, strict=True):
@@ -57,9 +57,7 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -
     return found
 
 
-def euler_from_quaternion(
-    quaternion: Numbers, axes: str = "sxyz"
-) -> tuple[float, float, float]:
+def euler_from_quaternion(quaternion: Numbers, axes: str = "sxyz") -> tuple[float, float, float]:
     """Return roll, pitch and yaw, or for 'rzyx' yaw, pitch and roll."""
     if axes not in DECOMPOSED:
         raise ValueError(f"angles about '{axes}' are not here; of these are: {DECOMPOSED}")
@@ -79,6 +77,4 @@ def quaternion_slerp(quat0: Numbers, quat1: Numbers, fraction: float) -> list[fl
     first, second = math.sin((1 - fraction) * angle), math.sin(fraction * angle)
     if dot < 0:
         second = -second
-    return [
-        (first * a + second * b) / math.sin(angle) for a, b in zip(quat0, quat1, strict=True)
-    ]
+    return [(first * a + second * b) / math.sin(angle) for a, b in zip(quat0, quat1, strict=True)]
