@@ -99,7 +99,8 @@ function end(code, error) {
   over = true;
   participant?.flush();
   printer.flush();
-  post({ op: "exit", code, error });
+  // The page ends this worker then, and Firefox calls it an error if the program is still unwinding.
+  setTimeout(() => post({ op: "exit", code, error }));
 }
 
 /** @param {unknown} error */
