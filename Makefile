@@ -29,7 +29,7 @@ lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/mypy
 	npm run --silent check
 
-bench: .venv/ready .venv/emscripten .venv/chromium
+bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs
 	$(BIN)/python -m bench
 
 clean:
@@ -37,10 +37,14 @@ clean:
 
 # Stamps: each is made again when what it depends on has changed.
 
-.venv/ready: pyproject.toml constraints.txt ros.txt hatch_build.py package-lock.json vendor.mjs
+.venv/ready: pyproject.toml constraints.txt ros.txt hatch_build.py package-lock.json vendor.mjs bytecode.mjs
 	@$(PYTHON) -m ensurepip --version > /dev/null 2>&1 || ./install python3-venv
 	$(PYTHON) -m venv .venv
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	touch $@
+
+.venv/mkdocs: .venv/ready
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,bench]'
 	touch $@
 
 .venv/emscripten: | .venv/ready

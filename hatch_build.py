@@ -1,12 +1,14 @@
 """Bring into the package what others made and sitegen ships: parts of ROS 2, browser libraries.
 
 `sitegen/ros/` is taken from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
-npm packages. Neither is in the repository.
+npm packages. Neither is in the repository. Last, the Python of the latter compiles the modules of
+the former, and those of sitegen that run beside them.
 """
 
 from __future__ import annotations
 
 import hashlib
+import json
 import re
 import shutil
 import subprocess
@@ -26,6 +28,7 @@ STAMP = TARGET / ".digest"
 LOCK = ROOT / "package-lock.json"
 BUNDLER = ROOT / "vendor.mjs"
 BUNDLES = ROOT / "sitegen" / "runtime" / "vendor"
+COMPILER = ROOT / "bytecode.mjs"
 
 # The wheels are built for one platform, but what is taken from them is text that suits all.
 DOWNLOAD = [
@@ -60,6 +63,7 @@ class VendorBuildHook(BuildHookInterface[Any]):
             return
         refresh(STAMP, [PINS, Path(__file__)], self._take_ros)
         refresh(BUNDLES / ".digest", [LOCK, BUNDLER], self._bundle)
+        self._compile()
 
     def _take_ros(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
@@ -73,9 +77,33 @@ class VendorBuildHook(BuildHookInterface[Any]):
             self.app.abort("npm not found; the browser libraries need Node.js 20 (nodejs.org)")
         shutil.rmtree(BUNDLES, ignore_errors=True)
         for command in (["npm", "ci", "--no-audit", "--no-fund"], ["node", BUNDLER.name]):
-            done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
-            if done.returncode:
-                self.app.abort(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
+            self._node(command)
+
+    def _compile(self) -> None:
+        # A part of sitegen that imports nothing but Python's own modules.
+        sys.path.insert(0, str(ROOT))
+        from sitegen import bytecode
+
+        modules = {place: text for place, text in bytecode.brought() if place.endswith(".py")}
+        names = {bytecode.key(place, text): place for place, text in modules.items()}
+        stamp = bytecode.STORE.with_suffix(".digest")
+        state = "".join(sorted(names)).encode() + COMPILER.read_bytes() + LOCK.read_bytes()
+        digest = hashlib.sha256(state).hexdigest()
+        if stamp.exists() and stamp.read_text() == digest:
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            sources = Path(folder) / "sources.zip"
+            with zipfile.ZipFile(sources, "w") as archive:
+                archive.writestr("places.json", json.dumps(names))
+                for name, place in names.items():
+                    archive.writestr(name, modules[place])
+            self._node(["node", COMPILER.name, str(sources), str(bytecode.STORE)])
+        stamp.write_text(digest)
+
+    def _node(self, command: list[str]) -> None:
+        done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
+        if done.returncode:
+            self.app.abort(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
 
 
 def refresh(stamp: Path, sources: list[Path], make: Callable[[], None]) -> None:

@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from bench import building, crowd, messages, pages, prose
+from bench import building, crowd, messages, pages, prose, python
 from bench.figure import Figure, table
 
 PARTS: dict[str, Callable[[], list[Figure]]] = {
@@ -24,6 +24,7 @@ PARTS: dict[str, Callable[[], list[Figure]]] = {
     "idle": crowd.idle,
     "many": crowd.many,
     "start": pages.start,
+    "python": python.python,
     "size": pages.size,
     "build": building.build,
     "prose": prose.prose,

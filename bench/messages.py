@@ -59,17 +59,17 @@ def latency() -> list[Figure]:
         for size in SIZES:
             ours, bare = _ping(page, size)
             idle = ours if size is SMALL else idle
-            for name, middle in (("p50", _p50), ("p99", _p99)):
+            for name, middle in (("p50", p50), ("p99", p99)):
                 limit = LATENCY_TARGETS.get((size.title, name))
                 target = Target("ratio", "≤", limit) if limit else None
                 title = f"latency {size.title}, {name}"
-                figures.append(_one_way(title, middle(ours), middle(bare), target))
+                figures.append(one_way(title, middle(ours), middle(bare), target))
         page.evaluate(f"window.rest = drive.beBusy({BUSY})")
         busy, _ = _ping(page, SMALL)
         page.evaluate("rest()")
         name = f"latency 16 B, page busy {BUSY} ms a frame, p50 (bare: ours when idle)"
         target = Target("ratio", "≤", BUSY_TARGET)
-        figures.append(_one_way(name, _p50(busy), _p50(idle), target))
+        figures.append(one_way(name, p50(busy), p50(idle), target))
     return figures
 
 
@@ -80,8 +80,8 @@ def throughput() -> list[Figure]:
         for size in SIZES:
             ours, bare = [], []
             for _ in range(TURNS):
-                bare += _numbers(page, f"runBare('burst', {size.count}, {size.messages})")
-                ours += _numbers(page, f"runNode('burst_{size.name}')")
+                bare += numbers(page, f"runBare('burst', {size.count}, {size.messages})")
+                ours += numbers(page, f"runNode('burst_{size.name}')")
             limit = THROUGHPUT_TARGETS.get(size.title)
             figures.append(
                 Figure(
@@ -101,12 +101,12 @@ def services() -> list[Figure]:
     ours, bare = [], []
     with _bench_page() as page:
         for _ in range(TURNS):
-            bare += _numbers(page, f"runBare('ping', {SMALL.count}, {CALLS})")[SMALL.warm_up :]
-            ours += _numbers(page, "runNode('call')")[SMALL.warm_up :]
+            bare += numbers(page, f"runBare('ping', {SMALL.count}, {CALLS})")[SMALL.warm_up :]
+            ours += numbers(page, "runNode('call')")[SMALL.warm_up :]
     target = Target("ratio", "≤", CALL_TARGET)
     return [
-        Figure("service call, p50", "µs", _p50(ours) * 1000, _p50(bare) * 1000, target),
-        Figure("service call, p99", "µs", _p99(ours) * 1000, _p99(bare) * 1000),
+        Figure("service call, p50", "µs", p50(ours) * 1000, p50(bare) * 1000, target),
+        Figure("service call, p99", "µs", p99(ours) * 1000, p99(bare) * 1000),
     ]
 
 
@@ -123,24 +123,27 @@ def _ping(page: Page, size: Size) -> tuple[list[float], list[float]]:
     """Return round trips of ours and of bare workers, in ms."""
     ours, bare = [], []
     for _ in range(TURNS):
-        bare += _numbers(page, f"runBare('ping', {size.count}, {size.rounds})")[size.warm_up :]
-        ours += _numbers(page, f"runNode('ping_{size.name}')")[size.warm_up :]
+        bare += numbers(page, f"runBare('ping', {size.count}, {size.rounds})")[size.warm_up :]
+        ours += numbers(page, f"runNode('ping_{size.name}')")[size.warm_up :]
     return ours, bare
 
 
-def _numbers(page: Page, call: str) -> list[float]:
+def numbers(page: Page, call: str) -> list[float]:
+    """Return the numbers that a function of drive.js resolves with."""
     return list(page.evaluate(f"drive.{call}"))
 
 
-def _p50(rounds: list[float]) -> float:
+def p50(rounds: list[float]) -> float:
+    """Return the median."""
     # Most rounds take a few steps of the clock: the median counts how many are at each of them.
     return median_grouped(rounds, CLOCK)
 
 
-def _p99(rounds: list[float]) -> float:
+def p99(rounds: list[float]) -> float:
+    """Return what one in a hundred is above of."""
     return quantiles(rounds, n=100)[98]
 
 
-def _one_way(name: str, ours: float, bare: float, target: Target | None) -> Figure:
+def one_way(name: str, ours: float, bare: float, target: Target | None) -> Figure:
     """Make a figure in µs of two round trips in ms."""
     return Figure(name, "µs", ours / 2 * 1000, bare / 2 * 1000, target)

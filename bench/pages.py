@@ -26,7 +26,7 @@ STARTS = 9
 START_TARGET = Target("figure", "≤", 300)
 SIZE_TARGET = Target("figure", "≤", 150)
 
-# Resolves with the time from navigation to the first line that stands in every console.
+# Resolves when a line stands in every console, with the time since navigation (ms) and the first.
 FIRST_LINES = """
   window.firstLines = new Promise((resolve, reject) => {
     setTimeout(() => reject(new Error("no line in 20 seconds")), 20000);
@@ -34,7 +34,7 @@ FIRST_LINES = """
       const logs = [...document.querySelectorAll(".ros-console [role=log]")];
       if (logs.length === 0 || logs.some((log) => !log.hasChildNodes())) return;
       observer.disconnect();
-      resolve(performance.now());
+      resolve([performance.now(), logs[0].textContent]);
     };
     const observer = new MutationObserver(look);
     observer.observe(document, { childList: true, subtree: true });
@@ -48,8 +48,8 @@ def start() -> list[Figure]:
         bare_url = f"{url}bench/hello.html#/{PROGRAM}"
         ours, bare = [], []
         for _ in range(STARTS + 1):
-            bare.append(_first_line(browser, bare_url))
-            ours.append(_first_line(browser, url) - TIMER)
+            bare.append(first_line(browser, bare_url)[0])
+            ours.append(first_line(browser, url)[0] - TIMER)
     # The first of each also starts processes of the browser.
     ours, bare = ours[1:], bare[1:]
     name = f"navigation → first line, demo01 (without its timer's {TIMER} ms)"
@@ -57,13 +57,15 @@ def start() -> list[Figure]:
     return [Figure(name, "ms", median(ours), median(bare), START_TARGET, detail)]
 
 
-def _first_line(browser: Browser, url: str) -> float:
+def first_line(browser: Browser, url: str) -> tuple[float, str]:
+    """Open a page in a new context; return when its first line came (ms), and that line."""
     context = browser.new_context()
     try:
         page = context.new_page()
         page.add_init_script(FIRST_LINES)
         page.goto(url, wait_until="commit")
-        return float(page.evaluate("firstLines"))
+        time, line = page.evaluate("firstLines")
+        return float(time), str(line)
     finally:
         context.close()
 

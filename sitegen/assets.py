@@ -44,6 +44,12 @@ def runtime(site: Site) -> list[Artifact]:
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
 
 
+def python_size() -> int:
+    """Return how much a page fetches of Python itself (bytes): its modules in JavaScript aside."""
+    files = (VENDOR / "pyodide").iterdir()
+    return sum(file.stat().st_size for file in files if file.suffix in PYTHON - {".mjs"})
+
+
 def search(site: Site) -> list[Artifact]:
     """Return the modules that the search of a site needs: one that has more than one page."""
     if len(site.pages) < 2:

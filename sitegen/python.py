@@ -9,15 +9,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import imports, interfaces, messages, wheels, workspace
+from sitegen import bytecode, imports, interfaces, messages, wheels, workspace
 from sitegen.descriptions import described
 from sitegen.errors import Place
 from sitegen.messages import MessageType
 from sitegen.model import Node, Package, Site
 from sitegen.wheels import archived
 
-CLIENT = Path(__file__).parent / "clients" / "python"
-PAGE = interfaces.ROS / "page"
 KINDS = ("msg", "srv", "action")
 # What is most likely to be typed at a prompt.
 TYPED = (
@@ -34,30 +32,23 @@ OF_RCLPY = {
     *(f"rcl_interfaces/srv/{name}" for name in SERVICES),
     "type_description_interfaces/srv/GetTypeDescription",
 }
-# What pages need of what generators need too: of the parser only the types of slots.
-SHARED = (
-    *("rosidl_parser/__init__.py", "rosidl_parser/definition.py", "rpyutils/__init__.py"),
-    *("rpyutils/add_dll_directories.py", "rpyutils/import_c_library.py"),
-)
 COMMON = "nodes/ros.zip"
 # What Pyodide brings beside Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
-# Generated classes have fixed arrays of numbers in numpy's.
-NUMPY = re.compile(rb"^import numpy\b", re.MULTILINE)
-OUR_NUMPY = b"from rclpy_backend.arrays import numpy"
 
 
 @dataclass(frozen=True)
 class Bundles:
     """The archives of a site's Python nodes, by their path.
 
-    `needed` has the paths of those that a program needs, by package and executable; `types` the
-    message types of each package's nodes.
+    `needed` has the paths of those that a program needs, by package and executable, `own` names the
+    modules of the workspace among them; `types` has the message types of each package's nodes.
     """
 
     archives: Mapping[str, bytes]
     needed: Mapping[tuple[str, str], Sequence[str]]
+    own: Mapping[tuple[str, str], Sequence[str]]
     types: Mapping[str, dict[str, MessageType]]
 
 
@@ -74,21 +65,26 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles | None:
     needs = {name: workspace.with_dependencies(site.packages, name) for name in names}
     parts = {one.name: one for packages in needs.values() for one in packages}
     prefix = described(site, parts, cache=cache)
-    wanted = {"example_interfaces", *_named(parts.values()), *_named_by_rclpy()}
+    wanted = {*_named(parts.values()), *_named_by_rclpy()}
     if workspace.OWN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
     collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache)
-    archives = {COMMON: archived(common)}
+    archives = {COMMON: archived(bytecode.added(common))}
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
-    needed = {}
+    needed, own = {}, {}
     for package, executable in sorted(programs):
         others = {
             f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
         }
         archives |= {path: wheel.data for path, wheel in others.items()}
         needed[package, executable] = (COMMON, *others, _own(package))
-    return Bundles(archives, needed, {name: _types(needs[name], prefix) for name in names})
+        places = [place.split("/") for place, _ in _installed(needs[package])]
+        own[package, executable] = sorted(
+            {p[1].removesuffix(".py") for p in places if p[0] == "python"}
+        )
+    types = {name: _types(needs[name], prefix) for name in names}
+    return Bundles(archives, needed, own, types)
 
 
 def _own(package: str) -> str:
@@ -123,15 +119,11 @@ def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
 
 
 def _rclpy() -> dict[str, bytes]:
-    """Return rclpy with all that it imports, by place."""
+    """Return rclpy with all that it imports but message classes, by place."""
     given = {share.name for share in interfaces.shares([interfaces.ROS])}
-    tops = [top for top in PAGE.iterdir() if top.name not in given]
-    found = (file for top in tops for file in ([top] if top.is_file() else top.rglob("*")))
-    files = {file.relative_to(PAGE).as_posix(): file for file in found if file.is_file()}
-    files |= {name: interfaces.ROS / "python" / name for name in SHARED}
-    files |= {file.relative_to(CLIENT).as_posix(): file for file in CLIENT.rglob("*.py")}
-    files["rclpy/_rclpy_pybind11.py"] = files.pop("_rclpy_pybind11.py")
-    return {f"python/{name}": file.read_bytes() for name, file in files.items()}
+    return {
+        place: content for place, content in bytecode.brought() if place.split("/")[1] not in given
+    }
 
 
 def _shares(prefix: Path) -> dict[str, Path]:
@@ -141,10 +133,10 @@ def _shares(prefix: Path) -> dict[str, Path]:
 def _classes(packages: Iterable[str], prefix: Path) -> Iterator[tuple[str, bytes]]:
     """Yield the message classes of `packages`, by place."""
     for package in packages:
-        for root in (prefix / "python", PAGE):
+        for root in (prefix / "python", bytecode.PAGE):
             files = sorted((root / package).rglob("*.py"))
             for file in files:
-                text = NUMPY.sub(OUR_NUMPY, file.read_bytes())
+                text = bytecode.with_our_numpy(file.read_bytes())
                 yield f"python/{file.relative_to(root).as_posix()}", text
             if files:
                 break
@@ -160,7 +152,7 @@ def _named(packages: Iterable[Package]) -> Iterator[str]:
 
 
 def _named_by_rclpy() -> Iterator[str]:
-    for file in (PAGE / "rclpy").rglob("*.py"):
+    for file in (bytecode.PAGE / "rclpy").rglob("*.py"):
         yield from (match[1] for match in IMPORTED.finditer(file.read_text(encoding="utf-8")))
 
 

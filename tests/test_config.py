@@ -153,7 +153,7 @@ WRONG = [
             "site.yaml:8: nodes.talker.remap.chatter: expected text, found the number 5; "
             'put it in quotes: "5"',
             "site.yaml:9: nodes.listener: expected keys and values, found the text 'cpp_pubsub'; "
-            "the keys are package, executable, namespace, remap, parameters, arguments",
+            "the keys are package, executable, namespace, remap, parameters, arguments, group",
         ],
     ),
     Wrong(
@@ -743,6 +743,27 @@ WRONG = [
         TALKERS + "    content: [console: talker, console: listener]\n",
         ["src/broken/package.xml:3: xml: mismatched tag; check the tags here and above"],
         {"src/broken/package.xml": "<package>\n<name>\n</package>\n"},
+    ),
+    Wrong(
+        "groups that cannot be",
+        """
+        site: {title: Robot}
+        nodes:
+          talker: {package: cpp_pubsub, executable: talker, group: all}
+          listener: {package: cpp_pubsub, executable: listener, group: "all of them"}
+        pages:
+          - path: /
+            title: Robot
+            content: [console: talker, console: listener]
+        """,
+        [
+            "site.yaml:4: nodes.talker.group: only Python nodes can share an interpreter, and this "
+            "one is in C++; leave it out",
+            "site.yaml:5: nodes.listener.group: 'all of them' is no name of a group; use letters, "
+            "digits, '_' and '-'",
+            "site.yaml:5: nodes.listener.group: only Python nodes can share an interpreter, and "
+            "this one is in C++; leave it out",
+        ],
     ),
     Wrong(
         "an alias that contains itself",

@@ -100,6 +100,7 @@ def test_what_waits_can_be_interrupted_and_the_prompt_goes_on(prompt: Prompt) ->
     prompt.panel.get_by_role("button", name="Interrupt").click()
     prompt.last("'after'")
     expect(prompt.output).to_contain_text("KeyboardInterrupt")
+    expect(prompt.output).not_to_contain_text("rclpy_backend")
     prompt.line.fill("half of a li")
     prompt.line.press("Control+c")
     expect(prompt.line).to_have_value("")

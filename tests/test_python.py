@@ -176,7 +176,12 @@ def test_archives_hold_what_a_package_uses(package: Path, tmp_path: Path) -> Non
     common = names(bundles.archives["nodes/ros.zip"])
     assert {"python/rclpy/_rclpy_pybind11.py", "python/rclpy/action/client.py"} <= common
     # Imported though package.xml does not name it, with what it nests; nothing else.
-    assert {"python/geometry_msgs/msg/_pose.py", "python/std_msgs/msg/_header.py"} <= common
+    assert {"python/geometry_msgs/msg/_pose.pyc", "python/std_msgs/msg/_header.pyc"} <= common
+    # All that others made is compiled; what is sitegen's own may have been changed since.
+    modules = {name for name in common if name.startswith(("python/rclpy/", "python/yaml/"))}
+    modules = {name for name in modules if name.endswith(".py") and "_pybind11" not in name}
+    folders = (name.rpartition("/") for name in modules)
+    assert {f"{f}/__pycache__/{name[:-3]}.cpython-314.pyc" for f, _, name in folders} <= common
     assert not any(name.startswith("python/sensor_msgs/") for name in common)
     assert not any(name.endswith((".so", ".c", ".pyi")) for name in common)
     assert "geometry_msgs/msg/Quaternion" in bundles.types["py_pubsub"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import zipfile
 from pathlib import Path
@@ -108,6 +109,54 @@ def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> Non
 def test_packages_of_pypi_come_along(page: Page) -> None:
     state, lines = run(page, "sorting")
     assert (state, printed(lines)) == ("stopped", ["SortedList([1, 2, 3]) None"])
+
+
+WATCH = """async (name) => {
+  const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  const hint = document.querySelector(`.ros-console:has([aria-label="${name}"]) .ros-hint`);
+  window.told = [];
+  ros.nodes.get(name).addEventListener("progress", ({ detail: { loaded, total } }) => {
+    window.told.push([loaded, total, hint.textContent]);
+  });
+}"""
+
+
+@pytest.mark.firefox
+def test_it_is_told_how_far_python_is_loaded(page: Page) -> None:
+    page.evaluate(WATCH, "greeter")
+    run(page, "greeter")
+    told = page.evaluate("told")
+    loaded = [each[0] for each in told]
+    assert loaded == sorted(loaded)
+    assert told[0][1] > 12_000_000
+    # All that was announced came, and no more.
+    assert told[-1][:2] == [told[0][1]] * 2
+    texts = [each[2] for each in told]
+    assert texts[-1] == "Starting Python…"
+    assert all(re.fullmatch(r"Loading Python: \d+\.\d of 1\d\.\d MB", each) for each in texts[:-1])
+
+
+@pytest.mark.parametrize(
+    ("file", "status", "words"),
+    [
+        ("python_stdlib.zip", 0, "start again when there is a connection to the site"),
+        ("pyodide.asm.wasm", 404, "the server answers 404; load the page again"),
+        ("pyodide.mjs", 0, "start again when there is a connection to the site"),
+        ("ros.zip", 404, "the server answers 404; load the page again"),
+    ],
+)
+def test_what_cannot_be_loaded_is_told_and_a_second_start_tries_again(
+    page: Page, file: str, status: int, words: str
+) -> None:
+    pattern = re.compile(rf"/{re.escape(file)}")
+    page.context.route(pattern, lambda r: r.fulfill(status=status) if status else r.abort())
+    state, lines = run(page, "greeter")
+    assert state == "failed"
+    [(severity, text)] = lines
+    assert severity == "fatal"
+    assert text.startswith(f"greeter: {file} could not be loaded") and words in text
+    page.context.unroute(pattern)
+    assert run(page, "greeter")[0] == "stopped"
 
 
 def test_stop_is_a_keyboard_interrupt(page: Page) -> None:

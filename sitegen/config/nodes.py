@@ -18,6 +18,7 @@ BUILD_TYPES = ("ament_cmake", "ament_python")
 TOKEN = r"[A-Za-z_][A-Za-z0-9_]*"
 NAME = re.compile(TOKEN)
 NAMESPACE = re.compile(rf"/|(/{TOKEN})+")
+GROUP = re.compile(r"[A-Za-z0-9_-]+")
 REMAP = re.compile(
     rf"({TOKEN}:)?(rostopic://|rosservice://)?(~/|/)?[\w{{}}]+(/[\w{{}}]+)*", re.ASCII
 )
@@ -71,7 +72,12 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     node, section = declared
     if section and section.keys is ROS2WASM:
         ros2wasm.check_types(section, packages, problems)
-    if not node.package:
+    for component in node.components:
+        if component.package not in packages:
+            advice = nearest(component.package, packages)
+            message = f"no package '{component.package}' in the workspace; {advice}"
+            problems.add(component.place, "composable_node", message)
+    if not node.package or node.components:
         return
     package = packages.get(node.package)
     if package is None:
@@ -93,6 +99,9 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         hint = nearest(node.executable, package.executables or ())
         message = f"package '{package.name}' has no executable '{node.executable}'; {hint}"
         problems.add(*declared.where("executable"), message)
+    elif node.group and not (package.setup and node.executable in package.setup.scripts):
+        message = "only Python nodes can share an interpreter, and this one is in C++; leave it out"
+        problems.add(*declared.where("group"), message)
 
 
 def _has_executable(package: Package, executable: str) -> bool:
@@ -111,11 +120,16 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         namespace=section.text("namespace"),
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
         parameters=parameters.read(given, problems) if given else {},
-        arguments=tuple(item.text for item in arguments.items()) if arguments else (),
+        arguments=parameters.arguments(arguments, problems) if arguments else (),
+        group=section.text("group") if section.keys is NODE else "",
     )
 
 
 def _check_names(section: Section, problems: Problems) -> None:
+    group = section.text("group") if section.keys is NODE else ""
+    if group and not GROUP.fullmatch(group):
+        message = f"'{group}' is no name of a group; use letters, digits, '_' and '-'"
+        problems.add(section.place("group"), section.label("group"), message)
     namespace = section.text("namespace")
     if namespace and not NAMESPACE.fullmatch(namespace):
         message = f"'{namespace}' is no ROS namespace; write it like '/demo' or '/demo/left'"

@@ -35,7 +35,7 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
-    "parameters": ("mapping", "names with a value each"),
+    "parameters": ("mapping or list", "names with a value each, or a list of these and of files"),
     "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
@@ -157,9 +157,8 @@ DEPLOY = (
     Key("cname", "text", "a domain of your own", "cname: robot.example.org"),
 )
 
-NODE = (
-    Key("package", "text", "the package of the workspace", "package: cpp_pubsub", True),
-    Key("executable", "text", "the executable of that package", "executable: talker", True),
+# How any node is started.
+_HOW = (
     Key("namespace", "text", "the namespace it starts in", "namespace: /demo"),
     Key(
         "remap",
@@ -169,6 +168,13 @@ NODE = (
     ),
     Key("parameters", "parameters", "its parameters, by name", "parameters: {speed: 2.5}"),
     Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+)
+
+NODE = (
+    Key("package", "text", "the package of the workspace", "package: cpp_pubsub", True),
+    Key("executable", "text", "the executable of that package", "executable: talker", True),
+    *_HOW,
+    Key("group", "text", "Python nodes of a group share an interpreter", "group: robot"),
 )
 
 COMPILED = (
@@ -187,7 +193,7 @@ COMPILED = (
     ),
     Key("package", "text", "which node of it: its package", "package: cpp_pubsub"),
     Key("executable", "text", "which node of it: its executable", "executable: talker"),
-    *NODE[2:],
+    *_HOW,
 )
 
 ROS2WASM = (

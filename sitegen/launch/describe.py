@@ -178,6 +178,55 @@ def node(
 _parameters = parameters
 
 
+def composable(
+    *,
+    package: Any,
+    plugin: Any,
+    name: Any = None,
+    namespace: Any = None,
+    parameters: Iterable[Any] | None = None,
+    remappings: Iterable[tuple[Any, Any]] | None = None,
+    condition: Any = None,
+    **_: Any,
+) -> Described:
+    """Describe a component."""
+    inside = _parameters(parameters or ())
+    inside += (Described("remap", **{"from": old, "to": new}) for old, new in remappings or ())
+    return Described(
+        "composable_node",
+        inside,
+        pkg=package,
+        plugin=plugin,
+        name=name,
+        namespace=namespace,
+        condition=condition,
+    )
+
+
+def container(*, composable_node_descriptions: Iterable[Any] | None = None, **of: Any) -> Described:
+    """Describe a component container, a node with components."""
+    described = node(**of)
+    described.kind = "node_container"
+    described.inside += composable_node_descriptions or ()
+    return described
+
+
+def load(
+    *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
+) -> Described:
+    """Describe components of a container that is described elsewhere, by its name or itself."""
+    if isinstance(target_container, Described):
+        named = target_container.attributes
+        parts = (named.get("namespace", ""), named.get("name", ""))
+        target_container = "/".join(part.rstrip("/") for part in parts if part)
+    return Described(
+        "load_composable_node",
+        composable_node_descriptions,
+        target=target_container,
+        condition=condition,
+    )
+
+
 def include(
     source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
 ) -> Described:
@@ -278,10 +327,9 @@ ROS: dict[str, Any] = {
     "ParameterValue": lambda value, *, value_type=None: (
         Typed(text(value)) if value_type is str else value
     ),
-    **{
-        name: refuse(name)
-        for name in ("ComposableNodeContainer", "LoadComposableNodes", "ComposableNode")
-    },
+    "ComposableNode": composable,
+    "ComposableNodeContainer": container,
+    "LoadComposableNodes": load,
 }
 ROS["PushROSNamespace"] = ROS["PushRosNamespace"]
 INDEX = {

@@ -22,7 +22,8 @@ class Programs:
     has, by page path and node, those of nodes that the ROS2WASM project compiled; `versions` has a
     digest of each program, by package, executable and engine; `archives` has one of each archive of
     Python nodes, by its path inside `dist/`; `needed` has the paths of those that a node unpacks,
-    by package and executable.
+    by package and executable; `sizes` has the bytes of each archive, and those of Python by "";
+    `own` names the modules of the workspace that a Python node has, by package and executable.
     """
 
     modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
@@ -31,6 +32,8 @@ class Programs:
     versions: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
     archives: Mapping[str, str] = field(default_factory=dict)
     needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    sizes: Mapping[str, int] = field(default_factory=dict)
+    own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
 
 
 def page_json(site: Site, page: Page, programs: Programs) -> bytes:
@@ -91,7 +94,10 @@ def _python(page: Page, node: Node, setup: Setup, programs: Programs) -> dict[st
     paths = programs.needed.get((node.package, node.executable), ())
     # Other files have another address, so that browsers may keep these for good.
     bundles = [f"{address(page, path)}?v={programs.archives.get(path, '')}" for path in paths]
-    return {"bundles": bundles, "module": module, "attribute": attribute}
+    size = sum(programs.sizes.get(path, 0) for path in ("", *paths))
+    own = programs.own.get((node.package, node.executable), ())
+    entry = {"bundles": bundles, "size": size, "module": module, "attribute": attribute}
+    return {**entry, "own": list(own), **({"group": node.group} if node.group else {})}
 
 
 def _builds(site: Site, page: Page, node: Node, programs: Programs) -> dict[str, dict[str, str]]:

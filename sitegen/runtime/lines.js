@@ -74,6 +74,13 @@ export function showLines(element, node, limit, hints) {
     showHint();
   }, { signal });
   node.addEventListener("state", showHint, { signal });
+  node.addEventListener("progress", (event) => {
+    const { loaded, total } = /** @type {CustomEvent<{loaded: number, total: number}>} */ (event).detail;
+    const [done, all] = [loaded, total].map((bytes) => (bytes / 1e6).toFixed(1));
+    hint.textContent = loaded < total ? say("Loading Python: {} of {} MB", done, all) : say("Starting Python…");
+    hint.hidden = false;
+    if (following) follow();
+  }, { signal });
   log.addEventListener("scroll", () => {
     following = log.scrollHeight - log.scrollTop - log.clientHeight < NEAR;
     newest.hidden = following;

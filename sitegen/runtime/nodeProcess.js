@@ -1,13 +1,18 @@
 // @ts-check
 // A node of the page and the worker that runs it, from Start to Stop and again.
 
-import { moduleWorkers, place } from "./place.js";
+import { place } from "./place.js";
+import { startWorker } from "./workerGroup.js";
 
 /** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
+/** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
 // A node that Stop did not end after this time (ms) is terminated.
 const GRACE = 1000;
+// A program that ended leaves its worker for this time (ms): what is terminated in Firefox takes along
+// what it had posted last.
+const LINGER = 250;
 
 /** The engine for which this browser takes a compiled node. @returns {Engine} */
 function engineOfBrowser() {
@@ -23,7 +28,8 @@ export class NodeProcess extends EventTarget {
   #state = "stopped";
   /** @type {Promise<WebAssembly.Module> | undefined} */
   #module;
-  /** The worker that runs now, and its id in the graph. @type {{worker: Worker, id: number} | undefined} */
+  #groups;
+  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number} | undefined} */
   #run;
   #startAgain = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -35,8 +41,9 @@ export class NodeProcess extends EventTarget {
    * @param {string} base where the paths of the entry begin
    * @param {Graph} graph
    * @param {Promise<void>} ready resolves when programs may run
+   * @param {WorkerGroups} groups the workers that nodes share
    */
-  constructor(name, entry, base, graph, ready) {
+  constructor(name, entry, base, graph, ready, groups) {
     super();
     this.name = name;
     /** When its state began, in ms since 1970. */
@@ -47,6 +54,7 @@ export class NodeProcess extends EventTarget {
     this.#base = base;
     this.#graph = graph;
     this.#ready = ready;
+    this.#groups = groups;
   }
 
   get state() {
@@ -134,7 +142,7 @@ export class NodeProcess extends EventTarget {
       this.#post(this.#run.worker, { op: "stop" });
       this.#grace = setTimeout(() => {
         this.#print("warn", `${this.name}: did not end within a second and was terminated`);
-        this.#end("stopped");
+        this.#end("stopped", "stuck");
       }, GRACE);
     }
   }
@@ -157,23 +165,22 @@ export class NodeProcess extends EventTarget {
   /**
    * Start a worker and, when programs may run, send it what `prepare` makes.
    * @param {string} file of the worker
-   * @param {(id: number, worker: Worker) => Promise<ToWorker>} prepare
+   * @param {(id: number, worker: Worker | Member) => Promise<ToWorker>} prepare
    */
   async #launch(file, prepare) {
-    const worker = new Worker(place(`workers/${file}.js`), {
-      type: moduleWorkers ? "module" : "classic",
-      name: this.name,
-    });
+    const { group } = this.#entry.python ?? {};
+    const worker = group ? this.#groups.join(group, file, this.name) : startWorker(file, this.name);
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
     const id = this.#graph.join(post, this.name, complain);
     const run = { worker, id };
     this.#run = run;
-    worker.onmessage = (event) => this.#receive(id, event.data);
-    worker.onerror = (event) => {
+    worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
+    worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
       event.preventDefault();
-      this.#fail(event.message || "its worker could not be started");
+      const unloaded = "its worker could not be loaded; start again when there is a connection to the site";
+      if (this.#run === run) this.#fail(event.message || unloaded);
     };
     try {
       const [message] = await Promise.all([prepare(id, worker), this.#ready]);
@@ -194,6 +201,9 @@ export class NodeProcess extends EventTarget {
       case "lines":
         this.#emitLines(message.lines);
         break;
+      case "progress":
+        this.dispatchEvent(new CustomEvent("progress", { detail: message }));
+        break;
       case "memory":
         this.memory = message.bytes;
         break;
@@ -209,7 +219,7 @@ export class NodeProcess extends EventTarget {
         } else if (message.code !== 0) {
           this.#fail(`exited with code ${message.code}`);
         } else {
-          this.#end("stopped");
+          this.#end("stopped", "by itself");
         }
         break;
       default:
@@ -224,13 +234,15 @@ export class NodeProcess extends EventTarget {
     this.#end("failed");
   }
 
-  /** @param {NodeState} state */
-  #end(state) {
+  /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] its program came to its end */
+  #end(state, how = "early") {
     clearTimeout(this.#grace);
     const run = this.#run;
     this.#run = undefined;
     if (run) {
-      run.worker.terminate();
+      if (how === "by itself") setTimeout(() => dismiss(run.worker), LINGER);
+      else if (how === "stuck") run.worker.terminate();
+      else dismiss(run.worker);
       this.#graph.leave(run.id);
     }
     this.#setState(state);
@@ -240,7 +252,7 @@ export class NodeProcess extends EventTarget {
     }
   }
 
-  /** @param {Worker} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
+  /** @param {Worker | Member} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
   #post(worker, message, transfer = []) {
     worker.postMessage(message, transfer);
   }
@@ -262,6 +274,12 @@ export class NodeProcess extends EventTarget {
     if (state !== "running" && state !== "stopping") this.memory = 0;
     this.dispatchEvent(new Event("state"));
   }
+}
+
+/** End a worker, but that of a group only for the node it has. @param {Worker | Member} worker */
+function dismiss(worker) {
+  if (worker instanceof Worker) worker.terminate();
+  else worker.leave();
 }
 
 /** Fetch and compile a program while its worker starts. @param {string} url */

@@ -9,8 +9,10 @@
  *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
- * @typedef {{bundles: string[], module: string, attribute: string}} PythonEntry a Python node: archives to
- *   unpack in its interpreter, and what it calls; without `attribute` the place of a program
+ * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
+ *   group?: string}} PythonEntry a Python node: archives to unpack in its interpreter, how much it loads with
+ *   them (bytes), and what it calls; without `attribute` the place of a program. `own` are the modules that
+ *   it does not share with the other nodes of its `group`, which have the same interpreter
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
  *   and the definitions of these
@@ -66,6 +68,7 @@
  * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
  * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). A prompt takes what is typed; it emits
  * `ready` (detail: whether a line goes on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
+ * While it loads much, it emits `progress` (detail: {loaded, total}, bytes).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number,
@@ -116,6 +119,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "complain", peer: number, text: string}
  *   | {op: "look"}
  *   | {op: "lines", lines: Line[]}
+ *   | {op: "progress", loaded: number, total: number}
  *   | {op: "memory", bytes: number}
  *   | {op: "ready", more: boolean}
  *   | {op: "words", text: string, words: string[]}
@@ -129,7 +133,9 @@ export const DEFAULT_QOS = Object.freeze({
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[]}
- *   | {op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[]}
+ *   | {op: "join"}
+ *   | {op: "leave"}
+ *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
@@ -139,6 +145,9 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
  *   | Typed
  *   | {op: "stop"}} ToWorker
+ *
+ * With `join`, a worker of Python gets a port through which one more node talks with it, until it leaves.
+ * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[]}} Interpret
  *
  * What a visitor types at a prompt: a line, or the beginning of a word.
  * @typedef {{op: "line" | "complete", text: string}} Typed

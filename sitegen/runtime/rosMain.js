@@ -6,9 +6,12 @@ import { Graph } from "./graph.js";
 import { NodeProcess } from "./nodeProcess.js";
 import { place } from "./place.js";
 import { Sharing } from "./sharing.js";
+import { WorkerGroups } from "./workerGroup.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
+// Before a theme writes there what is being read.
+const fragment = location.hash;
 const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page"));
 /** @type {PageEntry} */
 const page = await (await fetch(link.href)).json();
@@ -21,13 +24,14 @@ const mounted = new Promise((resolve) => {
 });
 
 // A shared link says what ran and what panels showed.
-const sharing = new Sharing(page, location.hash);
+const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
+const groups = new WorkerGroups();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
-  const node = new NodeProcess(name, entry, link.href, graph, mounted);
+  const node = new NodeProcess(name, entry, link.href, graph, mounted, groups);
   nodes.set(name, node);
   if (sharing.starts(name)) node.start();
 }

@@ -16,6 +16,8 @@ export const words = {
   "Press Start to run {}": "Start drücken, damit {} läuft",
   "Not running": "Läuft nicht",
   "Starting…": "Startet …",
+  "Loading Python: {} of {} MB": "Python wird geladen: {} von {} MB",
+  "Starting Python…": "Python startet …",
   "Running, nothing printed yet": "Läuft, noch ist nichts ausgegeben",
   "Stopping…": "Stoppt …",
   "Failed": "Fehlgeschlagen",

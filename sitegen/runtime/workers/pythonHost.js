@@ -71,6 +71,8 @@ export function pythonHost(participant, printer, typed, post, failed) {
     spawn(body) {
       setTimeout(() => body.callPromising().catch(failed).finally(() => body.destroy()));
     },
+    /** @param {"stdout" | "stderr"} stream @param {string} line */
+    print: (stream, line) => printer.print(stream, line),
     /** @param {number} severity @param {string} logger @param {string} text */
     log: (severity, logger, text) => printer.log(SEVERITIES[severity] ?? "info", logger, text),
   };

@@ -1,79 +1,123 @@
 // @ts-check
-// The worker of a Python node: load Python and the files of its packages, call its entry point, report how
-// it ended.
+// The worker of Python nodes: load Python and the files of their packages, call their entry points, report
+// how each ended. A node that has the worker for itself talks through it, those that share it through ports.
 
 import { Participant } from "../participant/participant.js";
-import { loadPyodide } from "../vendor/pyodide/pyodide.mjs";
+import { Download } from "./download.js";
 import { Printer } from "./printer.js";
 import { pythonHost } from "./pythonHost.js";
 
-/** @import { FromWorker, ToWorker, Typed } from "../protocol.js" */
+/** @import { FromWorker, Interpret, ToWorker, Typed } from "../protocol.js" */
+/** @typedef {{postMessage(message: FromWorker): void, onmessage: ((event: MessageEvent) => any) | null}} Way */
 
 // As rclpy_backend/program.py has it.
 const PREFIX = "/ros";
 
-/** @param {FromWorker} message */
-const post = (message) => postMessage(message);
-const printer = new Printer(post);
-/** @type {Participant | undefined} */
-let participant;
-/** @type {Typed[]} */
-const typed = [];
-
-/** @param {MessageEvent<ToWorker>} event */
-onmessage = (event) => {
-  if (event.data.op === "interpret") {
-    participant = new Participant(event.data.id, post);
-    run(event.data, participant).catch((error) => end(1, describe(error)));
-  } else if (event.data.op === "line" || event.data.op === "complete") {
-    typed.push(event.data);
-    participant?.wake();
-  } else {
-    participant?.receive(event.data);
-  }
-};
-
 // Python comes while the page is still busy with its widgets.
-const loading = loadPyodide({ indexURL: new URL("../vendor/pyodide/", import.meta.url).href });
-loading.catch(() => {}); // told when the node starts
+const download = new Download();
+const loading = load(new URL("../vendor/pyodide/", import.meta.url));
+loading.catch(() => {}); // told when a node starts
+/** What was unpacked, by its address. @type {Set<string>} */
+const unpacked = new Set();
 
-/**
- * @param {Extract<ToWorker, {op: "interpret"}>} node
- * @param {Participant} graph
- */
-async function run({ name, program, arguments: args }, graph) {
-  printer.print("debug", "starting Python…");
-  printer.flush();
-  const files = Promise.all(program.bundles.map(download));
-  const python = await loading;
-  python.setStdout({ batched: (/** @type {string} */ line) => printer.print("stdout", line) });
-  python.setStderr({ batched: (/** @type {string} */ line) => printer.print("stderr", line) });
-  for (const bundle of await files) python.unpackArchive(bundle, "zip", { extractDir: PREFIX });
-  const failed = (/** @type {unknown} */ error) => end(1, describe(error));
-  python.registerJsModule("ros_host", pythonHost(graph, printer, typed, post, failed));
-  python.pyimport("sys").path.insert(0, `${PREFIX}/python`);
-  post({ op: "memory", bytes: python._module.HEAPU8.length });
-  const { run: call } = python.pyimport("rclpy_backend.program");
-  post({ op: "running" });
-  const words = python.toPy([`${PREFIX}/lib/${name}`, ...args]);
-  end(await call.callPromising(program.module, program.attribute, words), "");
+serve(/** @type {Way} */ (/** @type {unknown} */ (self)));
+
+/** @param {URL} folder */
+async function load(folder) {
+  const browsers = globalThis.fetch;
+  // Python's own loader says nothing when a file is missing.
+  globalThis.fetch = download.fetch;
+  try {
+    const loader = new URL("pyodide.mjs", folder);
+    const { loadPyodide } = await import(loader.href).catch(() => download.lack(loader));
+    const python = await Promise.race([loadPyodide({ indexURL: folder.href }), download.failed]);
+    python.pyimport("sys").path.insert(0, `${PREFIX}/python`);
+    return python;
+  } finally {
+    globalThis.fetch = browsers;
+  }
 }
 
-/** @param {string} url */
-async function download(url) {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
-  return response.arrayBuffer();
+/** Run the node that asks for it. @param {Way} way to the page */
+function serve(way) {
+  const post = (/** @type {FromWorker} */ message) => way.postMessage(message);
+  const printer = new Printer(post);
+  /** @type {Participant | undefined} */
+  let participant;
+  /** @type {Typed[]} */
+  const typed = [];
+  let left = false;
+
+  /** @param {MessageEvent<ToWorker>} event */
+  way.onmessage = ({ data, ports }) => {
+    if (data.op === "join" && ports[0]) {
+      serve(ports[0]);
+    } else if (data.op === "leave") {
+      left = true;
+      download.forget(post);
+    } else if (data.op === "interpret") {
+      participant = new Participant(data.id, post);
+      run(data, participant).catch((error) => end(1, describe(error)));
+    } else if (data.op === "line" || data.op === "complete") {
+      typed.push(data);
+      participant?.wake();
+    } else {
+      participant?.receive(data);
+    }
+  };
+
+  /** @param {Interpret} node @param {Participant} graph */
+  async function run({ name, program, arguments: args }, graph) {
+    download.expect(program.size, post);
+    const files = program.bundles.map(fetched);
+    const python = await loading;
+    for (const [index, url] of program.bundles.entries()) await unpack(python, url, files[index]);
+    download.forget(post);
+    if (left) return;
+    const failed = (/** @type {unknown} */ error) => end(1, describe(error));
+    // What the interpreter writes by itself; programs have streams of their own.
+    for (const set of [python.setStdout, python.setStderr]) {
+      set.call(python, { batched: (/** @type {string} */ line) => printer.print("stderr", line) });
+    }
+    const host = pythonHost(graph, printer, typed, post, failed);
+    post({ op: "memory", bytes: python._module.HEAPU8.length });
+    post({ op: "running" });
+    const words = python.toPy([`${PREFIX}/lib/${name}`, ...args]);
+    const { module, attribute, own } = program;
+    end(await interpreter(python).callPromising(host, python.toPy(own), module, attribute, words), "");
+  }
+
+  /** @param {number} code @param {string} error */
+  function end(code, error) {
+    printer.flush();
+    participant?.flush();
+    post({ op: "exit", code, error });
+  }
 }
 
-/** @param {number} code @param {string} error */
-function end(code, error) {
-  printer.flush();
-  participant?.flush();
-  post({ op: "exit", code, error });
+/** @type {any} */
+let runs;
+
+/** The function of Python that runs programs. @param {any} python */
+function interpreter(python) {
+  return (runs ??= python.pyimport("rclpy_backend.interpreter").run);
+}
+
+/** @param {string} url @returns {Promise<ArrayBuffer> | undefined} undefined if it is there already */
+function fetched(url) {
+  return unpacked.has(url) ? undefined : download.fetch(url).then((response) => response.arrayBuffer());
+}
+
+/** @param {any} python @param {string} url @param {Promise<ArrayBuffer> | undefined} file */
+async function unpack(python, url, file) {
+  const content = await file;
+  if (unpacked.has(url) || !content) return;
+  python.unpackArchive(content, "zip", { extractDir: PREFIX });
+  unpacked.add(url);
 }
 
 /** @param {unknown} error */
 function describe(error) {
-  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+  if (!(error instanceof Error)) return String(error);
+  return error.name === "Error" ? error.message : `${error.name}: ${error.message}`;
 }

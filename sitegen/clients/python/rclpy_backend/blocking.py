@@ -4,48 +4,41 @@ from __future__ import annotations
 
 import time
 
-import ros_host
 from pyodide.ffi import run_sync
 
-from rclpy_backend import signals
+from rclpy_backend import turns
 
 # A program that never waits lets the event loop turn this often (s): often enough for a Stop
 # button, seldom enough to cost nothing.
 BREATH = 0.004
 
-_current = 0
-_waiting = 0
+_waiting: dict[turns.Program, int] = {}
 _last_turn = time.monotonic()
-
-
-def current_thread() -> int:
-    """Return the number of the thread that runs; that of the program itself is 0."""
-    return _current
-
-
-def enter_thread(number: int) -> None:
-    """Say which thread runs from now on."""
-    global _current
-    _current = number
 
 
 def wait(seconds: float | None) -> None:
     """Let the page go on until something happens, at most so long; 0 is one turn of its loop.
 
-    Raises what a handler of a signal raises, KeyboardInterrupt by default.
+    Raises what a handler of a signal raises, KeyboardInterrupt by default; in threads of a program
+    that is over, SystemExit.
     """
-    global _waiting, _last_turn
-    me = _current
-    _waiting += 1
+    global _last_turn
+    program, me = turns.running(), turns.current_thread()
+    _waiting[program] = _waiting.get(program, 0) + 1
     try:
-        number = run_sync(ros_host.wait(-1 if seconds is None else seconds * 1000))
+        number = run_sync(program.host.wait(-1 if seconds is None else seconds * 1000))
     finally:
-        _waiting -= 1
-        enter_thread(me)
+        _waiting[program] -= 1
+        if not _waiting[program]:
+            del _waiting[program]
+        turns.enter(program, me)
         _last_turn = time.monotonic()
-    if number:
-        signals.arrive(number)
-    signals.handle(main=me == 0)
+    if program.over:
+        raise SystemExit
+    if program.signals:
+        if number:
+            program.signals.arrive(number)
+        program.signals.handle(main=me == program.ident)
 
 
 def breathe() -> None:
@@ -56,8 +49,8 @@ def breathe() -> None:
 
 def wake() -> None:
     """End the waits of all other threads: something has changed."""
-    if _waiting:
-        ros_host.wake()
+    for program in _waiting:
+        program.host.wake()
 
 
 def sleep(seconds: float) -> None:

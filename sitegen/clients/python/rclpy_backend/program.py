@@ -6,15 +6,13 @@ import importlib
 import os
 import runpy
 import sys
-import traceback
 from collections.abc import Sequence
 
-from rclpy_backend import signals, threads
+from rclpy_backend import signals, threads, turns
+from rclpy_backend.tracebacks import traceback_of
 
 # Where the page unpacks what runs in it.
 PREFIX = "/ros"
-# Of tracebacks: what starts the program is none of its business.
-HIDDEN = (__file__, importlib.__file__, "<frozen runpy>")
 
 
 def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
@@ -25,7 +23,7 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     """
     sys.argv[:] = list(arguments)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
-    threads.install()
+    turns.running().signals = signals
     code = 0
     try:
         code = _code(_call(module, attribute)) if attribute else _execute(f"{PREFIX}/{module}")
@@ -33,7 +31,8 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     except SystemExit as end:
         code = _code(end.code)
     except BaseException as error:
-        _print(error)
+        sys.stdout.flush()
+        print(traceback_of(error), end="", file=sys.stderr)
         # A program that Stop ended has not failed, whatever it prints.
         stopped = isinstance(error, KeyboardInterrupt) and signals.received
         code = 0 if stopped else 1
@@ -62,12 +61,3 @@ def _code(result: object) -> int:
         return int(result or 0)
     print(result, file=sys.stderr)
     return 1
-
-
-def _print(error: BaseException) -> None:
-    """Print a traceback that begins in the program."""
-    frames = error.__traceback__
-    while frames and frames.tb_frame.f_code.co_filename in HIDDEN:
-        frames = frames.tb_next
-    sys.stdout.flush()
-    traceback.print_exception(type(error), error, frames)

@@ -11,9 +11,22 @@ from typing import Any
 import ros_host
 
 from rclpy_backend import blocking
+from rclpy_backend.tracebacks import traceback_of
 
 # More words than anybody reads.
 MOST_WORDS = 100
+
+
+class Console(code.InteractiveConsole):
+    """Runs what is typed; an interrupt is told as Python tells it."""
+
+    def showtraceback(self) -> None:
+        """Print the exception that was raised."""
+        error = sys.exc_info()[1]
+        if isinstance(error, KeyboardInterrupt):
+            self.write(traceback_of(error))
+        else:
+            super().showtraceback()
 
 
 def main() -> None:
@@ -27,7 +40,7 @@ def main() -> None:
     print(f"Python {version}, rclpy is imported. Try: node = rclpy.create_node('web_node')")
     sys.ps1, sys.ps2 = ">>> ", "... "
     names = {"__name__": "__main__", "__doc__": None, "rclpy": rclpy}
-    console = code.InteractiveConsole(names)
+    console = Console(names)
     completer = rlcompleter.Completer(names)
     more = False
     while True:
@@ -39,7 +52,7 @@ def main() -> None:
             more = False
 
 
-def _serve(console: code.InteractiveConsole, completer: rlcompleter.Completer, more: bool) -> bool:
+def _serve(console: Console, completer: rlcompleter.Completer, more: bool) -> bool:
     """Run the next line that comes; return whether what was typed goes on."""
     sys.stdout.flush()
     sys.stderr.flush()

@@ -6,7 +6,6 @@ The classes of Python's own `threading` stay; what they are made of is replaced.
 from __future__ import annotations
 
 import _threading_local
-import itertools
 import multiprocessing
 import os
 import queue
@@ -16,16 +15,14 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-import ros_host
 from pyodide.ffi import create_proxy
 
-from rclpy_backend.blocking import current_thread, enter_thread, sleep, wait, wake
+from rclpy_backend import turns
+from rclpy_backend.blocking import sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
 # are stacks here and take turns, and one that waits for another must not be the only one.
 PROCESSORS = 4
-
-_numbers = itertools.count(1)
 
 
 class Lock:
@@ -95,39 +92,38 @@ def _start(
     function: Callable[[], object], handle: Handle | None = None, daemon: bool = True
 ) -> Handle:
     handle = handle or Handle()
-    handle.ident = next(_numbers)
+    program = turns.running()
+    handle.ident = turns.new_thread()
 
     def body() -> None:
-        enter_thread(handle.ident or 0)
+        if program.over:
+            return
+        turns.enter(program, handle.ident or 0)
         try:
             function()
         finally:
             handle._set_done()
 
-    ros_host.spawn(create_proxy(body))
+    program.host.spawn(create_proxy(body))
     return handle
 
 
 def install() -> None:
     """Let `threading`, and what is made of it, work with such threads."""
-    main = threading.main_thread()
     replaced: dict[str, Any] = {
         "_start_joinable_thread": _start,
         "_ThreadHandle": Handle,
         "_allocate_lock": Lock,
         "Lock": Lock,
         "RLock": threading._PyRLock,  # type: ignore[attr-defined]
-        "get_ident": current_thread,
-        "get_native_id": current_thread,
+        "get_ident": turns.current_thread,
+        "get_native_id": turns.current_thread,
         "local": _threading_local.local,
     }
     for name, replacement in replaced.items():
         setattr(threading, name, replacement)
-    # Made before: the program itself, and the lock of the list of threads.
-    active: dict[int, threading.Thread] = threading._active  # type: ignore[attr-defined]
-    active.clear()
-    active[current_thread()] = main
-    main._ident = current_thread()  # type: ignore[attr-defined]
+    # Made before: the thread that stands for the interpreter, which runs no program.
+    threading._active.clear()  # type: ignore[attr-defined]
     queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined, misc]
     multiprocessing.Lock = Lock  # type: ignore[assignment]
     time.sleep = sleep  # type: ignore[assignment]
@@ -136,8 +132,9 @@ def install() -> None:
 
 
 def join_all() -> None:
-    """Wait for the threads that a program must not end before."""
+    """Wait for the threads that the program must not end before."""
+    own = turns.running().threads
     for thread in threading.enumerate():
-        if thread is not threading.main_thread() and not thread.daemon:
+        if thread is not threading.main_thread() and not thread.daemon and thread.ident in own:
             thread.join()
     sys.stdout.flush()

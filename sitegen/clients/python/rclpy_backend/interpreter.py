@@ -1,0 +1,36 @@
+"""Run programs in this interpreter, one or several at a time."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from rclpy_backend import threads, turns
+
+_begun = False
+
+
+def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Sequence[str]) -> int:
+    """Run a program to its end and return its exit code; see Program and program.run()."""
+    global _begun
+    if not _begun:
+        _begun = True
+        threads.install()
+        # From here on they belong to programs.
+        for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
+            if name not in turns.COMMON:
+                del sys.modules[name]
+    importlib.invalidate_caches()
+    program = turns.Program(host, own)
+    turns.enter(program, program.ident)
+    try:
+        code: int = importlib.import_module("rclpy_backend.program").run(module, attribute, words)
+    finally:
+        turns.enter(program, program.ident)
+        for output in program.outputs:
+            output.end()
+        program.end()
+        turns.enter(None)
+    return code

@@ -1,0 +1,8 @@
+"""Computes and never waits."""
+
+
+def main():
+    """Compute."""
+    print("computing", flush=True)
+    while True:
+        pass
