@@ -99,8 +99,7 @@ function end(code, error) {
   over = true;
   participant?.flush();
   printer.flush();
-  // The page ends this worker then, and Firefox calls it an error if the program is still unwinding.
-  setTimeout(() => post({ op: "exit", code, error }));
+  post({ op: "exit", code, error });
 }
 
 /** @param {unknown} error */
