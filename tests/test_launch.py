@@ -67,7 +67,8 @@ def test_they_start_with_the_page(tab: Page, serve: Serve, built: Built) -> None
     }.items():
         node = Panel(tab, name)
         node.expect_state("stopped")
-        assert node.lines()[1:] == lines
+        # Where nodes share an interpreter, the first of them says that it starts.
+        assert [line for line in node.lines() if line != "starting Python…"] == lines
 
 
 @pytest.fixture

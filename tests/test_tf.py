@@ -167,6 +167,18 @@ def test_launch_files_give_the_description_as_a_text(name: str) -> None:
     assert "it''s turned" in description
 
 
+def test_launch_files_may_include_those_of_urdf_launch() -> None:
+    problems = Problems(SITE)
+    packages = {**workspace.given(), **workspace.scan(SITE)}
+    file = SITE / "src/arm/launch/shown.launch.py"
+    found = launched(file, {"gui": "false"}, packages, problems)
+    assert problems.lines == []
+    assert [node.executable for node in found] == ["robot_state_publisher", "joint_state_publisher"]
+    assert "<robot name=" in found[0].parameters["robot_description"]
+    found = launched(file, {}, packages, problems)
+    assert found[1].executable == "joint_state_publisher_gui"
+
+
 def test_what_draws_on_a_screen_is_left_out() -> None:
     problems, notes = Problems(SITE), Problems(SITE)
     file = SITE / "src/arm/launch/display.launch.py"
