@@ -136,7 +136,8 @@ def test_they_start_with_the_page(tab: Page, serve: Serve, built: Built) -> None
     }.items():
         node = Panel(tab, name)
         node.expect_state("stopped")
-        assert node.lines()[1:] == lines
+        # Where nodes share an interpreter, the first of them says that it starts.
+        assert [line for line in node.lines() if line != "starting Python…"] == lines
 
 
 @pytest.fixture
@@ -161,7 +162,7 @@ def root(tmp_path: Path) -> Path:
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
         (
             "<launch><let name='x' value='$(command ls)'/></launch>",
-            "let: $(command …) runs 'xacro'",
+            "let: $(command …) runs",
         ),
         ("<launch><node pkg='a' exec='b' if='perhaps'/></launch>", "node: 'perhaps' is neither"),
         (

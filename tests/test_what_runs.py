@@ -7,27 +7,27 @@ from pathlib import Path
 
 import pytest
 
+from sitegen import workspace
+
 ROOT = Path(__file__).parent.parent
 PAGE = ROOT.joinpath("docs/what-runs.md").read_text(encoding="utf-8")
 INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"
 HEADERS = re.findall(r"`([\w/]+\.hp?p?)`", PAGE)
-MISSING = {
-    "`tf2`": "tf2",
-    "`message_filters`": "message_filters",
-}
+PACKAGES = ROOT / "sitegen/packages"
+INCLUDES = [INCLUDE, ROS / "rcutils", *PACKAGES.glob("*/include")]
+MISSING = {"`tf2_eigen`": "tf2_eigen"}
 
 
 @pytest.mark.parametrize("header", HEADERS)
 def test_what_the_page_names_is_there(header: str) -> None:
-    found = [(folder / header).exists() for folder in (INCLUDE, ROS / "rcutils")]
-    assert any(found)
+    assert any((folder / header).exists() for folder in INCLUDES)
 
 
 @pytest.mark.parametrize("words", MISSING)
 def test_what_the_page_says_is_not_there_is_not(words: str) -> None:
     assert words in PAGE
-    assert not (INCLUDE / MISSING[words]).exists()
+    assert not any((folder / MISSING[words]).exists() for folder in INCLUDES)
 
 
 def test_each_package_that_cmake_finds_is_on_the_page() -> None:
@@ -35,3 +35,13 @@ def test_each_package_that_cmake_finds_is_on_the_page() -> None:
     tools = {name for name in shares if name.startswith(("ament_cmake", "rosidl_"))} | {"rclpy"}
     for package in shares - tools - {"class_loader"}:
         assert f"`{package}`" in PAGE or f"## {package}" in PAGE
+
+
+def test_each_package_and_module_that_comes_along_is_on_the_page() -> None:
+    for name, package in workspace.given().items():
+        names = {name, *(package.executables or ())}
+        if package.build_type == workspace.PYTHON:
+            files = package.setup.files if package.setup else {}
+            names = {place.split("/")[1] for place in files if place.startswith("python/")}
+        for each in names:
+            assert f"`{each}`" in PAGE

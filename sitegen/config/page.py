@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from sitegen import workspace
 from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Part, Reader
@@ -204,7 +205,8 @@ class PageReader:
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
-        found = launched(file, arguments, self.packages(), self.problems, self.notes)
+        packages = {**workspace.given(), **self.packages()}
+        found = launched(file, arguments, packages, self.problems, self.notes)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"

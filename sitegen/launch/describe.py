@@ -376,6 +376,12 @@ def main() -> None:
     FILE = sys.argv[1]
     FOLDERS.update(json.load(sys.stdin))
     install()
+    if "xacro" in Path(FILE).read_text(encoding="utf-8", errors="replace"):
+        import xacro
+
+        from sitegen.launch.describe_robot import described
+
+        xacro.process_file = described
     output, sys.stdout = sys.stdout, sys.stderr
     try:
         found = runpy.run_path(FILE)["generate_launch_description"]()

@@ -10,6 +10,20 @@ import json
 import sys
 import types
 from pathlib import Path
+from typing import Any
+
+
+def described(file: str, **options: Any) -> Any:
+    """Return the document that a file in xacro makes, as `xacro.process_file` does.
+
+    That one writes the whole path of the file into it, which is nobody's business on a page.
+    """
+    import xacro
+
+    xacro.init_stacks(file)
+    document = xacro.parse(None, file)
+    xacro.process_doc(document, **options)
+    return document
 
 
 def main() -> int:
@@ -30,7 +44,7 @@ def main() -> int:
 
     options, file = process_args(sys.argv[1:])
     try:
-        document = xacro.process_file(file, **vars(options))
+        document = described(file, **vars(options))
     except Exception as error:
         where = Path((xacro.filestack or [file])[-1] or file).name
         text = " ".join(str(error).split()) or type(error).__name__

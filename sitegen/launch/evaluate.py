@@ -19,7 +19,7 @@ DEEPEST = 20
 # Of no consequence for what runs on a page.
 IGNORED = {"log", "set_env", "unset_env"}
 # Packages of programs that draw on a screen of their own.
-SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz", "turtlesim")
 
 
 @dataclass
@@ -88,7 +88,8 @@ class _Launch:
         read = READERS.get(scope.file.suffix)
         if scope.file.suffix == ".py":
             read = self._read_python
-        if not scope.file.resolve().is_relative_to(self._problems.root):
+        folders = (self._problems.root, *(each.path for each in self._packages.values()))
+        if not any(scope.file.resolve().is_relative_to(folder) for folder in folders):
             self._note(place, "include", f"'{scope.file}' is not below the folder of site.yaml")
         elif read is None:
             kinds = ", ".join([*READERS, ".py"])

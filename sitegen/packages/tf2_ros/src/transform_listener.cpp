@@ -43,7 +43,7 @@ TransformListener::~TransformListener()
 void TransformListener::listen(
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, bool spin_thread,
   const rclcpp::QoS & qos, const rclcpp::QoS & static_qos,
-  rclcpp::SubscriptionOptionsBase options, rclcpp::SubscriptionOptionsBase static_options,
+  rclcpp::SubscriptionOptions options, rclcpp::SubscriptionOptions static_options,
   bool static_only)
 {
   if (spin_thread) {
@@ -53,7 +53,7 @@ void TransformListener::listen(
   }
   const auto subscribe = [&](
     const char * topic, const rclcpp::QoS & wanted, bool is_static,
-    const rclcpp::SubscriptionOptionsBase & chosen) {
+    const rclcpp::SubscriptionOptions & chosen) {
       return rclcpp::create_subscription<tf2_msgs::msg::TFMessage>(
         node, topic, wanted,
         [this, is_static](tf2_msgs::msg::TFMessage::ConstSharedPtr message) {

@@ -45,8 +45,8 @@ def quaternion_inverse(quaternion: Numbers) -> list[float]:
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> list[float]:
     """Return rotations one after another: about axes that stand still (s…), or turn along (r…)."""
-    frame, *names = axes
-    if frame not in "sr" or len(names) != 3 or not set(names) <= set(AXES):
+    frame, names = axes[:1], axes[1:]
+    if frame not in ("s", "r") or len(names) != 3 or not set(names) <= set(AXES):
         raise ValueError(f"'{axes}' are no axes; write them like 'sxyz'")
     found = [0.0, 0.0, 0.0, 1.0]
     for angle, name in zip((ai, aj, ak), names, strict=True):

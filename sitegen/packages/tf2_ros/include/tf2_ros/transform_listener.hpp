@@ -43,17 +43,15 @@ public:
     tf2::BufferCore & buffer, bool spin_thread = true, bool static_only = false);
 
   /// `node` is a node, or a pointer to one. Without `spin_thread`, who spins the node listens.
-  template<
-    class NodeT, class AllocatorT = std::allocator<void>,
-    class = std::enable_if_t<!std::is_same_v<std::decay_t<NodeT>, bool>>>
+  template<class NodeT, class = std::enable_if_t<!std::is_same_v<std::decay_t<NodeT>, bool>>>
   TransformListener(
     tf2::BufferCore & buffer, NodeT && node, bool spin_thread = true,
     const rclcpp::QoS & qos = DynamicListenerQoS(),
     const rclcpp::QoS & static_qos = StaticListenerQoS(),
-    const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT> & options =
-    detail::get_default_transform_listener_sub_options<AllocatorT>(),
-    const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT> & static_options =
-    detail::get_default_transform_listener_static_sub_options<AllocatorT>(),
+    const rclcpp::SubscriptionOptions & options =
+    detail::get_default_transform_listener_sub_options(),
+    const rclcpp::SubscriptionOptions & static_options =
+    detail::get_default_transform_listener_static_sub_options(),
     bool static_only = false)
   : buffer_(buffer)
   {
@@ -63,7 +61,6 @@ public:
   }
 
   /// As of a node whose interfaces these are.
-  template<class AllocatorT = std::allocator<void>>
   TransformListener(
     tf2::BufferCore & buffer, rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_base,
     rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr,
@@ -71,10 +68,10 @@ public:
     rclcpp::node_interfaces::NodeTopicsInterface::SharedPtr, bool spin_thread = true,
     const rclcpp::QoS & qos = DynamicListenerQoS(),
     const rclcpp::QoS & static_qos = StaticListenerQoS(),
-    const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT> & options =
-    detail::get_default_transform_listener_sub_options<AllocatorT>(),
-    const rclcpp::SubscriptionOptionsWithAllocator<AllocatorT> & static_options =
-    detail::get_default_transform_listener_static_sub_options<AllocatorT>(),
+    const rclcpp::SubscriptionOptions & options =
+    detail::get_default_transform_listener_sub_options(),
+    const rclcpp::SubscriptionOptions & static_options =
+    detail::get_default_transform_listener_static_sub_options(),
     bool static_only = false)
   : buffer_(buffer)
   {
@@ -90,7 +87,7 @@ private:
   void listen(
     rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, bool spin_thread,
     const rclcpp::QoS & qos, const rclcpp::QoS & static_qos,
-    rclcpp::SubscriptionOptionsBase options, rclcpp::SubscriptionOptionsBase static_options,
+    rclcpp::SubscriptionOptions options, rclcpp::SubscriptionOptions static_options,
     bool static_only);
 
   tf2::BufferCore & buffer_;

@@ -2,6 +2,7 @@
 
 import rclpy
 from geometry_msgs.msg import PointStamped, TransformStamped
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
@@ -18,7 +19,8 @@ class Waiting(Node):
         self.buffer = Buffer()
         self.listener = TransformListener(self.buffer, self)
         self.broadcaster = TransformBroadcaster(self)
-        self.create_timer(0.1, self.send)
+        # Of another group: that of `ask` is busy as long as it waits.
+        self.create_timer(0.1, self.send, callback_group=ReentrantCallbackGroup())
         self.once = self.create_timer(0.05, self.ask)
 
     def send(self):
