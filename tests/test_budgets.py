@@ -42,6 +42,7 @@ BUDGETS = [
     Budget("demo05/", 340 * KB, 570 * KB),
     Budget("demo06/", 1650 * KB, 16500 * KB),
     Budget("demo07/", 1650 * KB, 16500 * KB),
+    Budget("demo08/", 2000 * KB, 16500 * KB),
 ]
 
 
