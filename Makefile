@@ -29,7 +29,7 @@ lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/mypy
 	npm run --silent check
 
-bench: .venv/ready .venv/emscripten .venv/chromium
+bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs
 	$(BIN)/python -m bench
 
 clean:
@@ -41,6 +41,10 @@ clean:
 	@$(PYTHON) -m ensurepip --version > /dev/null 2>&1 || ./install python3-venv
 	$(PYTHON) -m venv .venv
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	touch $@
+
+.venv/mkdocs: .venv/ready
+	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,bench]'
 	touch $@
 
 .venv/emscripten: | .venv/ready

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import random
 import shutil
 import sys
@@ -33,18 +32,16 @@ def prose() -> list[Figure]:
         ours_command = [sys.executable, "-m", "sitegen", "build", str(folder)]
         theirs_command = [sys.executable, "-m", "mkdocs", "build", "--quiet"]
         theirs_command += ["--config-file", str(folder / "mkdocs.yml")]
-        there = importlib.util.find_spec("mkdocs") is not None
         ours, theirs = [], []
         for _ in range(REPEATS):
             # A build of what is there already would do nothing.
             shutil.rmtree(folder / "dist", ignore_errors=True)
             ours.append(seconds(lambda: run(ours_command)))
-            if there:
-                theirs.append(seconds(lambda: run(theirs_command)))
+            theirs.append(seconds(lambda: run(theirs_command)))
         nothing = [seconds(lambda: run(ours_command)) for _ in range(REPEATS)]
         edit = _edit(folder)
     count = FOLDERS * PAGES + 1
-    bare = median(theirs) if theirs else None
+    bare = median(theirs)
     return [
         Figure(f"{count} pages of Markdown (bare: MkDocs)", "s", median(ours), bare, COLD_TARGET),
         Figure("one of them served again, after an edit", "ms", edit * 1000, None, EDIT_TARGET),

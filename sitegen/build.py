@@ -15,6 +15,7 @@ from sitegen import (
     assets,
     compiled,
     config,
+    containers,
     cpp,
     offline,
     pages,
@@ -31,6 +32,8 @@ from sitegen.report import Report, size
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
+# So many pages that run nothing are named; the others are counted.
+SHOWN = 20
 FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
 
 
@@ -129,7 +132,7 @@ def make(
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
     Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
-    that is being `edited` is kept by no browser.
+    that is being `edited` is kept by no browser, and its index is for who serves it to make.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
@@ -180,6 +183,7 @@ def make(
     # These, and what they use, are the site.
     others = assets.runtime(site)
     others += assets.search(site)
+    others += [] if edited else renderer.index(rendered)
     others += assets.programs(builds.items())
     others += archives
     others += assets.scripts(site)
@@ -205,13 +209,18 @@ def nodes_of(site: Site) -> list[Node]:
 def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
-    for node in nodes:
-        if not node.ros2wasm and not node.compiled and not site.setup_of(node):
-            executables.setdefault(node.package, []).append(node.executable)
     jobs = []
+    for node in nodes:
+        if node.components:
+            made = containers.package(node, site.packages, cache_folder())
+            needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
+            needs = {package.name: package for each in needed for package in each}
+            jobs.append(cpp.Job(made, (node.executable,), tuple(needs.values())))
+        elif not node.ros2wasm and not node.compiled and not site.setup_of(node):
+            executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
-        *needs, package = workspace.with_dependencies(site.packages, name)
-        jobs.append(cpp.Job(package, tuple(wanted), tuple(needs)))
+        *before, package = workspace.with_dependencies(site.packages, name)
+        jobs.append(cpp.Job(package, tuple(wanted), tuple(before)))
     return jobs
 
 
@@ -292,9 +301,13 @@ def summarize(made: Made, report: Report) -> None:
     site = made.site
     for note in site.notes:
         report.say(note)
-    width = max(len(page.path) for page in site.pages) + 1
-    for page in site.pages:
+    untold = {page.path for page in [p for p in site.pages if not p.level][SHOWN:]}
+    told = [page for page in site.pages if page.path not in untold]
+    width = max(len(page.path) for page in told) + 1
+    for page in told:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
+    if untold:
+        report.say(f"  … and {count(len(untold), 'page')} more, of text only")
     for node in nodes_of(site):
         if node.ros2wasm:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)

@@ -32,7 +32,8 @@ def _definitions(site: Site) -> list[str]:
 
     It may be that no program needs them, so this stops no build.
     """
-    names = [job.package.name for job in jobs_of(site, nodes_of(site))]
+    jobs = jobs_of(site, nodes_of(site))
+    names = [job.package.name for job in jobs if job.package.name in site.packages]
     try:
         described(site, names, cache=cache_folder())
     except SiteError as error:

@@ -59,6 +59,7 @@ class Listing:
 
     `sources` has the files of executables, relative to the file that names them, the package's own.
     `installs` has what is installed as it is: the places below the prefix, and what goes there.
+    `finds` has the packages that are looked for.
     """
 
     executables: list[str] | None = field(default_factory=list)
@@ -66,6 +67,7 @@ class Listing:
     variables: dict[str, list[str]] = field(default_factory=dict)
     sources: dict[str, list[str]] = field(default_factory=dict)
     installs: list[Install] = field(default_factory=list)
+    finds: list[str] = field(default_factory=list)
 
     def add(self, name: str, words: list[str]) -> None:
         """Take in one command with its arguments."""
@@ -84,6 +86,8 @@ class Listing:
             self.executables = None
         elif name == "rosidl_generate_interfaces":
             self._add_interfaces(words[1:])
+        elif name == "find_package":
+            self.finds += self._expand(words[:1])
         elif name == "install":
             self._add_install(self._expand(words))
         elif name == "ament_python_install_package":

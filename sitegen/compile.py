@@ -23,6 +23,7 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
     problems = Problems(root)
     packages = workspace.scan(root, problems=problems)
     problems.raise_if_any()
+    packages = workspace.with_given(packages, (name.partition("/")[0] for name in names))
     wanted = _wanted(names, packages)
     jobs = []
     for name, executables in wanted.items():

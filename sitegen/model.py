@@ -46,11 +46,27 @@ class Compiled:
 
 
 @dataclass(frozen=True)
+class Component:
+    """A class of a package that a component container makes a node of, with its arguments."""
+
+    package: str
+    plugin: str
+    arguments: tuple[str, ...]
+    place: Place
+
+    @property
+    def words(self) -> list[str]:
+        """Return what a container's command line says about it."""
+        return ["--component", self.plugin, str(len(self.arguments)), *self.arguments]
+
+
+@dataclass(frozen=True)
 class Node:
     """A program that a page runs: which executable, and what it is started with.
 
     One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
-    has them when its archive has been read. Python nodes of a `group` share an interpreter.
+    has them when its archive has been read. A component container has `components`, and is linked
+    for them. Python nodes of a `group` share an interpreter.
     """
 
     name: str
@@ -64,6 +80,7 @@ class Node:
     group: str = ""
     ros2wasm: Ros2wasm | None = None
     compiled: Compiled | None = None
+    components: tuple[Component, ...] = ()
 
     def command_line(self) -> list[str]:
         """Return the arguments that `ros2 run` would be given for this node."""
@@ -73,7 +90,8 @@ class Node:
         ros = [word for rule in rules for word in ("-r", rule)]
         for name, value in self.parameters.items():
             ros += ["-p", f"{name}:={value}"]
-        return [*self.arguments, *(["--ros-args", *ros] if ros else [])]
+        own = [*self.arguments, *(["--ros-args", *ros] if ros else [])]
+        return [*own, *(word for component in self.components for word in component.words)]
 
 
 @dataclass(frozen=True)
@@ -116,7 +134,8 @@ class Source:
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
-    `file` is the Markdown file it was written in, if it was one; `theme` is empty for the site's.
+    `file` is the Markdown file it was written in, if it was one, and `front` the YAML at its top;
+    `theme` is empty for the site's.
     `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
     `base` is where addresses in it begin; without it they are relative to the page.
     """
@@ -129,6 +148,7 @@ class Page:
     level: str
     place: Place
     file: Path | None = None
+    front: str = ""
     theme: Path | None = None
     tags: tuple[str, ...] = ()
     date: str = ""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import cache
 from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 from xml.parsers.expat import ErrorString
@@ -22,6 +24,9 @@ KINDS = ("msg", "srv")
 PYTHON = "ament_python"
 # The package of programs that come with sitegen.
 OWN = "sitegen"
+# Packages of ROS that are written anew here: a workspace need not have them, and may.
+GIVEN = Path(__file__).parent / "packages"
+IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
 SHEBANG = re.compile(rb"#!.*\bpython")
 DEPENDS = {
     "depend",
@@ -68,6 +73,41 @@ def own(packages: Mapping[str, Package]) -> Package:
     path = Path(__file__).parent / "clients" / "python"
     executables = tuple(setup.scripts)
     return Package(OWN, path, PYTHON, tuple(packages), executables, (), setup=setup)
+
+
+@cache
+def given_names() -> frozenset[str]:
+    """Return the names of the packages of ROS that come with sitegen."""
+    return frozenset(path.name for path in _folders(GIVEN))
+
+
+@cache
+def given() -> Mapping[str, Package]:
+    """Return the packages of ROS that come with sitegen."""
+    return scan(GIVEN)
+
+
+def with_given(packages: Mapping[str, Package], names: Iterable[str] = ()) -> dict[str, Package]:
+    """Return `packages`, and of those that come with sitegen what they and `names` need."""
+    found: dict[str, Package] = {}
+    for name, one in packages.items():
+        unsaid = (each for each in _imported(one) if each in given())
+        found[name] = replace(one, depends=tuple(dict.fromkeys([*one.depends, *unsaid])))
+    waiting = [*names, *(name for one in found.values() for name in one.depends)]
+    while waiting:
+        name = waiting.pop()
+        if name in given() and name not in found:
+            found[name] = given()[name]
+            waiting += found[name].depends
+    return found
+
+
+def _imported(package: Package) -> Iterator[str]:
+    """Yield the modules that the Python sources of a package import."""
+    scripts = package.setup.scripts.values() if package.setup else ()
+    for place, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or place in scripts:
+            yield from IMPORT.findall(file.read_text(encoding="utf-8", errors="replace"))
 
 
 def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
@@ -142,6 +182,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
     cmake = path / "CMakeLists.txt"
     listing = cmakelists.read(cmake, name)
     depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
+    depends += (each for each in listing.finds if each in given_names() and each != name)
     build_type = _build_type(xml, cmake.is_file())
     executables, sources = listing.executables, listing.sources
     if build_type == PYTHON:

@@ -100,6 +100,7 @@ def edit(host: Host, old: str, new: str) -> None:
     host.build()
 
 
+@pytest.mark.firefox
 def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(url)
@@ -124,6 +125,7 @@ def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
     assert [path for path in paths if not path.startswith(PREFIX)] == []
 
 
+@pytest.mark.firefox
 def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")
@@ -264,6 +266,7 @@ def test_other_sites_of_the_server_are_left_alone(host: Host, tab: Page) -> None
     assert scope == url
 
 
+@pytest.mark.firefox
 def test_a_site_can_take_it_back(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")

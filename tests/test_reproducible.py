@@ -14,7 +14,7 @@ import pytest
 from sitegen.build import build
 from sitegen.config import load
 from sitegen.model import Artifact
-from sitegen.pages import Programs, Renderer
+from sitegen.pages import Programs, Renderer, render
 from sitegen.report import Report
 
 EVERYTHING = Path(__file__).parent / "sites/prose"
@@ -78,12 +78,11 @@ def test_one_edit_costs_one_page(many: Path) -> None:
     site = load(many)
     renderer = Renderer(site, Programs())
     rendered = renderer.every_page()
-    before = data(renderer.site_artifacts(rendered))
+    before = data([*renderer.site_artifacts(rendered), *renderer.index(rendered)])
     many.with_name("page42.md").write_text("# Page 42\n\n## One\n\nEdited.\n")
     place, page = next((i, p) for i, p in enumerate(load(many).pages) if p.path == "page42/")
     rendered[place] = renderer.page(page)
-    after = data(renderer.site_artifacts(rendered))
+    after = data([*renderer.site_artifacts(rendered), *renderer.index(rendered)])
     changed = {path for path in after if after[path] != before.get(path)}
     assert changed == {"page42/index.html", "search.en.json"}
-    everything = Renderer(load(many), Programs())
-    assert after == data(everything.site_artifacts(everything.every_page()))
+    assert after == data(render(load(many)))

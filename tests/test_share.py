@@ -19,6 +19,7 @@ from sitegen.report import Report
 pytestmark = pytest.mark.firefox
 
 ROOT = Path(__file__).parent.parent
+PROSE = ROOT / "tests/sites/prose"
 LEFT_OUT = "Not all of this link fits this page"
 
 
@@ -228,3 +229,40 @@ def test_a_frame_runs_in_a_page_of_another_site(
     assert box
     assert 320 <= box["height"] <= 720
     assert tab.locator("iframe").get_attribute("title") == "Start and stop · sitegen"
+
+
+def test_a_link_leads_to_the_slide_that_was_shown(
+    tab: Page, fresh: Page, built: Built, serve: Serve
+) -> None:
+    tab.goto(f"{serve(built(PROSE))}slides/")
+    number, button = tab.locator(".deck .number"), tab.get_by_role("button", name="Next")
+    button.click()
+    button.click()
+    Panel(tab, "talker").start()
+    Panel(tab, "talker").wait_for("Hello")
+    link = shared(tab).get_by_label("Link").input_value()
+    assert read(link) == {"run": ["talker"], "at": "3"}
+    tab.keyboard.press("Escape")
+    # The keys of slides are the page's again.
+    tab.locator("body").press("ArrowRight")
+    expect(number).to_have_text("4 / 4")
+
+    fresh.goto(link)
+    expect(fresh.locator(".deck .number")).to_have_text("3 / 4")
+    Panel(fresh, "talker").wait_for("Hello")
+    expect(word(fresh)).to_have_count(0)
+
+
+def test_a_link_leads_to_the_heading_that_was_chosen(tab: Page, fresh: Page, url: str) -> None:
+    tab.goto(f"{url}demo05/")
+    heading = tab.locator("main :is(h2, h3)[id]").last
+    name = heading.get_attribute("id")
+    tab.goto(f"{url}demo05/#{name}")
+    link = shared(tab).get_by_label("Link").input_value()
+    assert read(link)["at"] == name
+    fresh.goto(link)
+    expect(fresh.locator(f"[id='{name}']")).to_be_in_viewport()
+    # One that names another link leads nowhere else.
+    fresh.goto("about:blank")
+    fresh.goto(f"{url}demo05/{fragment({'run': [], 'at': 'share=1.x'})}")
+    expect(word(fresh)).to_contain_text(LEFT_OUT)

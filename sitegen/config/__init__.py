@@ -1,6 +1,7 @@
 """Turn site.yaml, and the Markdown that it names, into a Site."""
 
+from sitegen.config.again import read_again
 from sitegen.config.jsonschema import json_schema
 from sitegen.config.site import load
 
-__all__ = ["json_schema", "load"]
+__all__ = ["json_schema", "load", "read_again"]

@@ -43,7 +43,7 @@ TYPES: dict[str, Json] = {
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
     "list of names": {"type": "array", "items": TYPES["name"]},
-    "parameters": {"type": "object"},
+    "parameters": {"type": ["object", "array"]},
     "interface by name": {"type": "object", "additionalProperties": TYPES["interface"]},
 }
 NAV: Json = {

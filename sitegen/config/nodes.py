@@ -72,7 +72,12 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     node, section = declared
     if section and section.keys is ROS2WASM:
         ros2wasm.check_types(section, packages, problems)
-    if not node.package:
+    for component in node.components:
+        if component.package not in packages:
+            advice = nearest(component.package, packages)
+            message = f"no package '{component.package}' in the workspace; {advice}"
+            problems.add(component.place, "composable_node", message)
+    if not node.package or node.components:
         return
     package = packages.get(node.package)
     if package is None:
@@ -115,7 +120,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         namespace=section.text("namespace"),
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
         parameters=parameters.read(given, problems) if given else {},
-        arguments=tuple(item.text for item in arguments.items()) if arguments else (),
+        arguments=parameters.arguments(arguments, problems) if arguments else (),
         group=section.text("group") if section.keys is NODE else "",
     )
 

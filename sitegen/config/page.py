@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen.config import level
@@ -18,10 +19,19 @@ from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Place, Problems
 from sitegen.launch import launched
-from sitegen.model import Markdown, Package, Page, Source, Widget
+from sitegen.model import Markdown, Package, Page, Widget
 
 # What a page of a folder cannot have from site.yaml: each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
+
+
+@dataclass(frozen=True)
+class Written:
+    """What the file of a page says: the keys at its top, that YAML itself, and its text."""
+
+    front: Section
+    yaml: str = ""
+    body: Markdown | None = None
 
 
 class PageReader:
@@ -42,6 +52,7 @@ class PageReader:
         self.packages = packages
         self.declared = list(nodes.values())
         self.paths: dict[str, Value] = {}
+        self.notes = Problems(problems.root)
 
     def pages(self, item: Value) -> Iterator[Page]:
         """Yield the page or the pages of an item, as sound as what was written."""
@@ -91,32 +102,37 @@ class PageReader:
         `before` is how many problems there were when nothing of the page was read.
         """
         empty = Section(page.value, FRONT_MATTER, {})
-        front, body = self._page_file(file, empty) if file else (empty, None)
-        yield self._page(page, front, body, path, file, before)
+        written = self._page_file(file, empty) if file else Written(empty)
+        yield self._page(page, written, path, file, before)
         for language in self.languages if file else ():
             other = in_language(file, language) if file else None
             if other and other.is_file():
                 before = len(self.problems.found)
-                own, text = self._page_file(other, empty)
+                own = self._page_file(other, empty)
                 # What is not a matter of language need not be said twice.
-                said = {k: v for k, v in front.entries.items() if k not in ("title", "description")}
-                both = Section(own.value, FRONT_MATTER, {**said, **own.entries})
+                said = {
+                    key: value
+                    for key, value in written.front.entries.items()
+                    if key not in ("title", "description")
+                }
+                both = Section(own.front.value, FRONT_MATTER, {**said, **own.front.entries})
                 kept = {k: v for k, v in page.entries.items() if k in ("level", "nodes", "theme")}
                 bare = Section(page.value, PAGE, kept)
                 at = f"{language.lower()}/{path}"
-                yield self._page(bare, both, text, at, other, before, language, path)
+                its_own = replace(own, front=both)
+                yield self._page(bare, its_own, at, other, before, language, path)
 
     def _page(
         self,
         page: Section,
-        front: Section,
-        body: Markdown | None,
+        written: Written,
         path: str,
         file: Path | None,
         before: int,
         language: str = "",
         original: str | None = None,
     ) -> Page:
+        front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
         started = self._launch(_giver("launch", page, front), known)
         known |= started
@@ -148,6 +164,7 @@ class PageReader:
             level=level.offered(widgets),
             place=Place(file, 1) if file else page.value.place,
             file=file,
+            front=written.yaml,
             theme=self.themes.find(theme, self.problems) if theme.get("theme") else None,
             tags=tuple(dict.fromkeys(tags)) if isinstance(tags, list) else (),
             date=_giver("date", page, front).text("date"),
@@ -155,10 +172,10 @@ class PageReader:
             original=path if original is None else original,
         )
 
-    def _page_file(self, file: Path, empty: Section) -> tuple[Section, Markdown | None]:
+    def _page_file(self, file: Path, empty: Section) -> Written:
         text = read(file, self.problems)
         if text is None:
-            return empty, None
+            return Written(empty)
         front, body = front_matter(text)
         before = len(self.problems.found)
         if not front.closed:
@@ -166,9 +183,11 @@ class PageReader:
             self.problems.add(Place(file, 1), "yaml", message)
         top = parse(front.text, Place(file, 1 + front.line), self.problems) if front.text else None
         if len(self.problems.found) > before:
-            return empty, None
+            return Written(empty)
         section = check(top, FRONT_MATTER, self.problems) if top else empty
-        return section, Markdown(body.text, file.parent, Place(file, 1 + body.line))
+        return Written(
+            section, front.text, Markdown(body.text, file.parent, Place(file, 1 + body.line))
+        )
 
     def _declare(self, section: Section, taken: Mapping[str, Declared]) -> dict[str, Declared]:
         given = section.get("nodes")
@@ -185,7 +204,7 @@ class PageReader:
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
-        found = launched(file, arguments, self.packages(), self.problems)
+        found = launched(file, arguments, self.packages(), self.problems, self.notes)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"
@@ -230,10 +249,14 @@ class PageReader:
             self.problems.add(section.place("level"), section.label("level"), fault)
 
 
-def _title(page: Section, front: Section, parts: Sequence[Markdown | Widget | Source]) -> str:
+def _title(page: Section, front: Section, parts: Sequence[Part]) -> str:
+    return page.text("title") or front.text("title") or first_heading(parts)
+
+
+def first_heading(parts: Iterable[Part]) -> str:
+    """Return the first heading of the first level in the text of a page, or nothing."""
     texts = (part.text for part in parts if isinstance(part, Markdown))
-    headings = filter(None, map(heading, texts))
-    return page.text("title") or front.text("title") or next(headings, "")
+    return next(filter(None, map(heading, texts)), "")
 
 
 def _giver(name: str, page: Section, front: Section) -> Section:

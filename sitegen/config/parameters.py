@@ -6,7 +6,9 @@ import re
 
 import yaml
 
+from sitegen import parameterfiles
 from sitegen.config.document import Value
+from sitegen.config.location import locate
 from sitegen.errors import Problems
 
 NUMBER = re.compile(r"[-+]?(\d+|\d+\.\d*|\.\d+|\d+(\.\d*)?[eE][-+]?\d+|\.inf|\.nan)", re.IGNORECASE)
@@ -16,15 +18,54 @@ NAME = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 def read(value: Value, problems: Problems) -> dict[str, str]:
     """Return the parameters by name as `-p name:=value` wants them, those in mappings with dots.
 
-    Notes names and values that no parameter has.
+    A list has such mappings and files of parameters, of which the later ones count. Notes names and
+    values that no parameter has, and files that cannot be read.
     """
+    if value.kind != "list":
+        return _mapping(value, problems)
+    found: dict[str, str] = {}
+    for item in value.items():
+        if item.kind == "mapping":
+            parameterfiles.merge(found, _mapping(item, problems))
+        elif item.kind == "text":
+            parameterfiles.merge(found, _file(item, problems))
+        else:
+            message = f"expected a file or names with a value each, found {item.found}"
+            problems.add(item.place, item.key, message)
+    return found
+
+
+def _file(value: Value, problems: Problems) -> dict[str, str]:
+    file = locate(value, problems)
+    try:
+        return parameterfiles.read(file) if file else {}
+    except ValueError as error:
+        problems.add(value.place, value.key, str(error))
+        return {}
+
+
+def arguments(value: Value, problems: Problems) -> tuple[str, ...]:
+    """Return the command line of a node with what its `--params-file` hold in their place."""
+    words: list[str] = []
+    items = value.items()
+    for item, before in zip(items, [None, *items], strict=False):
+        if before is not None and before.text == parameterfiles.OPTION:
+            words.pop()
+            for name, text in _file(item, problems).items():
+                words += ["-p", f"{name}:={text}"]
+        else:
+            words.append(item.text)
+    return tuple(words)
+
+
+def _mapping(value: Value, problems: Problems) -> dict[str, str]:
     found: dict[str, str] = {}
     for name, entry in value.entries(problems).items():
         if not NAME.fullmatch(name):
             message = f"'{name}' is no name of a parameter; use letters, digits, '_' and '.'"
             problems.add(entry.place, entry.key, message)
         elif entry.kind == "mapping":
-            nested = read(entry, problems)
+            nested = _mapping(entry, problems)
             found |= {f"{name}.{inner}": text for inner, text in nested.items()}
         elif entry.kind == "list":
             found[name] = _list(entry, problems)

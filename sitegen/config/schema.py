@@ -35,7 +35,7 @@ TYPES = {
     "range": ("text", "lines like 10-20"),
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
-    "parameters": ("mapping", "names with a value each"),
+    "parameters": ("mapping or list", "names with a value each, or a list of these and of files"),
     "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),

@@ -69,7 +69,7 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     """Return whether `value` is of the type of `key`, noting where it is not."""
     kind, name = TYPES[key.type]
     empty = (kind == "text" and not value.text.strip()) or (kind == "number" and value.text == "0")
-    if value.kind != kind or empty:
+    if value.kind not in kind.split(" or ") or empty:
         problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
         return False
     form = key.type.removeprefix("list of ").removesuffix(" by name").removesuffix("s")

@@ -68,7 +68,7 @@ def _site(file: Section, problems: Problems) -> Site:
         asyncify=bool(site.option("asyncify")),
         pages=pages,
         packages=_packages(scanned, reader.declared, problems) if folder else {},
-        notes=_notes(pages, reader.declared, root),
+        notes=(*_notes(pages, reader.declared, root), *reader.notes.lines),
         look=look(site, problems),
         nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
         languages=tuple(languages),
@@ -148,7 +148,9 @@ def _packages(
 ) -> Mapping[str, Package]:
     if not declared:
         return {}
-    packages = scanned()
+    packages: Mapping[str, Package] = workspace.with_given(
+        scanned(), (node.package for node, _ in declared)
+    )
     if any(node.package == workspace.OWN for node, _ in declared):
         packages = {**packages, workspace.OWN: workspace.own(packages)}
     for each in declared:

@@ -27,6 +27,18 @@ class Text:
         self.text = text
 
 
+class Folder(Text):
+    """The folder of a package; some files ask for it while they are run."""
+
+    def find(self, package: str) -> str:
+        """Return the folder of a package of the workspace."""
+        return share(package)
+
+
+class Typed(Text):
+    """The value of a parameter that is a text, whatever it looks like."""
+
+
 class Described:
     """An action as sitegen/launch/tree.py has it."""
 
@@ -121,6 +133,8 @@ def values(above: str, given: Mapping[Any, Any]) -> Iterable[Described]:
     for name, value in given.items():
         if isinstance(value, Mapping):
             yield from values(f"{above}{text(name)}.", value)
+        elif isinstance(value, Typed):
+            yield Described("param", name=f"{above}{text(name)}", value=value, type="str")
         else:
             yield Described("param", name=f"{above}{text(name)}", value=written(value))
 
@@ -164,6 +178,55 @@ def node(
 _parameters = parameters
 
 
+def composable(
+    *,
+    package: Any,
+    plugin: Any,
+    name: Any = None,
+    namespace: Any = None,
+    parameters: Iterable[Any] | None = None,
+    remappings: Iterable[tuple[Any, Any]] | None = None,
+    condition: Any = None,
+    **_: Any,
+) -> Described:
+    """Describe a component."""
+    inside = _parameters(parameters or ())
+    inside += (Described("remap", **{"from": old, "to": new}) for old, new in remappings or ())
+    return Described(
+        "composable_node",
+        inside,
+        pkg=package,
+        plugin=plugin,
+        name=name,
+        namespace=namespace,
+        condition=condition,
+    )
+
+
+def container(*, composable_node_descriptions: Iterable[Any] | None = None, **of: Any) -> Described:
+    """Describe a component container, a node with components."""
+    described = node(**of)
+    described.kind = "node_container"
+    described.inside += composable_node_descriptions or ()
+    return described
+
+
+def load(
+    *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
+) -> Described:
+    """Describe components of a container that is described elsewhere, by its name or itself."""
+    if isinstance(target_container, Described):
+        named = target_container.attributes
+        parts = (named.get("namespace", ""), named.get("name", ""))
+        target_container = "/".join(part.rstrip("/") for part in parts if part)
+    return Described(
+        "load_composable_node",
+        composable_node_descriptions,
+        target=target_container,
+        condition=condition,
+    )
+
+
 def include(
     source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
 ) -> Described:
@@ -194,6 +257,13 @@ def configuration(name: Any, default: Any = None, **_: Any) -> Text:
     return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
 
 
+def command(words: Any, **_: Any) -> Text:
+    """Stand for Command, which is one text or several that make one."""
+    line = text(words)
+    quote = '"' if "'" in line else "'"
+    return Text(f"$(command {quote}{line}{quote})")
+
+
 CORE: dict[str, Any] = {
     "LaunchDescription": describe,
     "DeclareLaunchArgument": lambda name, *, default_value=None, condition=None, **_: Described(
@@ -217,8 +287,9 @@ CORE: dict[str, Any] = {
     "ThisLaunchFileDir": lambda: Text("$(dirname)"),
     "ThisLaunchFile": lambda: Text("$(filename)"),
     "PythonExpression": lambda *_: Text("$(eval)"),
-    "Command": lambda *_, **__: Text("$(command)"),
-    "FindExecutable": lambda *_, **__: Text("$(find-exec)"),
+    "Command": command,
+    "FileContent": lambda path: Text(f"$(file-content '{text(path)}')"),
+    "FindExecutable": lambda name: Text(f"$(find-exec {text(name)})"),
     **{
         f"{kind}LaunchDescriptionSource": lambda file, **_: file
         for kind in ("Python", "XML", "YAML", "Any", "Frontend")
@@ -249,17 +320,16 @@ ROS: dict[str, Any] = {
     "SetRemap": lambda src, dst, condition=None: Described(
         "set_remap", condition=condition, **{"from": src, "to": dst}
     ),
-    "FindPackageShare": lambda package: Text(f"$(find-pkg-share {text(package)})"),
-    "FindPackagePrefix": lambda package: Text(f"$(find-pkg-prefix {text(package)})"),
-    "FindPackage": lambda package: Text(f"$(find-pkg-prefix {text(package)})"),
+    "FindPackageShare": lambda package: Folder(f"$(find-pkg-share {text(package)})"),
+    "FindPackagePrefix": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
+    "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
     "ParameterValue": lambda value, *, value_type=None: (
-        Text(f"'{text(value)}'") if value_type is str else value
+        Typed(text(value)) if value_type is str else value
     ),
-    **{
-        name: refuse(name)
-        for name in ("ComposableNodeContainer", "LoadComposableNodes", "ComposableNode")
-    },
+    "ComposableNode": composable,
+    "ComposableNodeContainer": container,
+    "LoadComposableNodes": load,
 }
 ROS["PushROSNamespace"] = ROS["PushRosNamespace"]
 INDEX = {

@@ -7,16 +7,19 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
-from sitegen.launch import parameters, python, xml, yaml
+from sitegen.launch import python, xacro, xml, yaml
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
-from sitegen.model import Node, Package
+from sitegen.model import Component, Node, Package
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
 DEEPEST = 20
 # Of no consequence for what runs on a page.
 IGNORED = {"log", "set_env", "unset_env"}
+# Packages of programs that draw on a screen of their own.
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
 
 
 @dataclass
@@ -41,25 +44,39 @@ class Scope:
 
 
 def launched(
-    file: Path, arguments: Mapping[str, str], packages: Mapping[str, Package], problems: Problems
+    file: Path,
+    arguments: Mapping[str, str],
+    packages: Mapping[str, Package],
+    problems: Problems,
+    notes: Problems | None = None,
 ) -> list[Node]:
-    """Return the nodes that a launch file starts, noting what does not work on a page."""
-    launch = _Launch(packages, problems)
+    """Return the nodes that a launch file starts, noting what does not work on a page.
+
+    Programs that draw on a screen are left out, which `notes` gets to know.
+    """
+    launch = _Launch(packages, problems, notes or Problems(problems.root))
     launch.file(Scope(file, dict(arguments)), Place(file, 1))
-    return launch.nodes
+    return launch.finished()
 
 
 class _Launch:
-    def __init__(self, packages: Mapping[str, Package], problems: Problems) -> None:
+    def __init__(
+        self, packages: Mapping[str, Package], problems: Problems, notes: Problems
+    ) -> None:
         self._packages = packages
         self._problems = problems
+        self._notes = notes
         self.nodes: list[Node] = []
-        self._actions: dict[str, Callable[[Action, Scope], None]] = {
+        # By the whole name of a container: which node it is, and what is loaded into it.
+        self._components: dict[str, tuple[str, list[Component]]] = {}
+        self._actions: dict[str, Callable[[Action, Scope], object]] = {
             "arg": self._argument,
             "let": self._let,
             "group": self._group,
             "include": self._include,
             "node": self._node,
+            "node_container": self._container,
+            "load_composable_node": self._load,
             "push_ros_namespace": self._push,
             "push_namespace": self._push,
             "set_parameter": self._set_parameter,
@@ -156,45 +173,129 @@ class _Launch:
         scope.remaps[self._needed(action, "from", scope)] = self._needed(action, "to", scope)
 
     def _node(self, action: Action, scope: Scope) -> None:
+        package = self._needed(action, "pkg", scope)
+        if package.startswith(SCREENS) and package not in self._packages:
+            message = f"'{package}' draws on a screen of its own and is left out of the page"
+            self._notes.add(action.place, action.kind, message)
+            return
+        self._started(action, scope)
+
+    def _started(self, action: Action, scope: Scope) -> Node:
         executable = self._needed(action, "exec", scope)
         own = self._text(action, "name", scope)
-        namespace = _joined(scope.namespace, self._text(action, "namespace", scope))
-        remaps = dict(scope.remaps)
-        for remap in action.of_kind("remap"):
-            remaps[self._needed(remap, "from", scope)] = self._needed(remap, "to", scope)
-        values = dict(scope.parameters)
-        for parameter in action.of_kind("param"):
-            values |= self._parameters(parameter, scope, f"{namespace}/{own or executable}", "")
-        words = shlex.split(self._text(action, "args", scope))
-        ros = shlex.split(self._text(action, "ros_args", scope))
+        words = self._with_files(shlex.split(self._text(action, "args", scope)))
+        ros = self._with_files(shlex.split(self._text(action, "ros_args", scope)))
         name = own or executable
         taken = {node.name for node in self.nodes}
         number = next(n for n in range(1, len(taken) + 2) if _numbered(name, n) not in taken)
-        self.nodes.append(
-            Node(
-                name=_numbered(name, number),
-                package=self._needed(action, "pkg", scope),
-                executable=executable,
-                place=action.place,
-                namespace=namespace,
-                remap={**({"__node": own} if own else {}), **remaps},
-                parameters=values,
-                arguments=(*words, *(["--ros-args", *ros, "--"] if ros else [])),
-            )
+        node = Node(
+            name=_numbered(name, number),
+            package=self._needed(action, "pkg", scope),
+            executable=executable,
+            place=action.place,
+            namespace=_joined(scope.namespace, self._text(action, "namespace", scope)),
+            remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
+            parameters=self._values(action, scope),
+            arguments=(*words, *(["--ros-args", *ros, "--"] if ros else [])),
         )
+        self.nodes.append(node)
+        return node
 
-    def _parameters(self, action: Action, scope: Scope, node: str, above: str) -> dict[str, str]:
+    def _container(self, action: Action, scope: Scope) -> None:
+        name = self._needed(action, "exec", scope)
+        if name not in containers.EXECUTORS:
+            known = nearest(name, containers.EXECUTORS)
+            raise ValueError(f"'{name}' is no component container of a page; {known}")
+        node = self._started(action, scope)
+        self._components[f"{node.namespace}/{node.remap.get('__node', name)}"] = (node.name, [])
+        self._load_into(node.name, action, scope)
+
+    def _load(self, action: Action, scope: Scope) -> None:
+        target = self._needed(action, "target", scope)
+        full = target if target.startswith("/") else f"{scope.namespace}/{target}"
+        if full not in self._components:
+            known = nearest(full, self._components)
+            raise ValueError(f"no component container '{full}' in this launch file; {known}")
+        self._load_into(self._components[full][0], action, scope)
+
+    def _load_into(self, name: str, action: Action, scope: Scope) -> None:
+        """Let a container have the components that stand inside of `action`."""
+        [loaded] = (loaded for node, loaded in self._components.values() if node == name)
+        for each in action.of_kind("composable_node"):
+            if not self._holds(each, scope):
+                continue
+            own = self._text(each, "name", scope)
+            namespace = _joined(scope.namespace, self._text(each, "namespace", scope))
+            rules = {"__node": own, "__ns": namespace, **self._remaps(each, scope)}
+            words = [w for old, new in rules.items() if new for w in ("-r", f"{old}:={new}")]
+            for parameter, value in self._values(each, scope).items():
+                words += ["-p", f"{parameter}:={value}"]
+            loaded.append(
+                Component(
+                    package=self._needed(each, "pkg", scope),
+                    plugin=self._needed(each, "plugin", scope),
+                    arguments=("--ros-args", *words) if words else (),
+                    place=each.place,
+                )
+            )
+
+    def finished(self) -> list[Node]:
+        """Return the nodes, the containers among them with all that is loaded into them."""
+        loaded = dict(self._components.values())
+        return [
+            replace(
+                node,
+                executable=containers.executable(node.executable, loaded[node.name]),
+                components=tuple(loaded[node.name]),
+            )
+            if loaded.get(node.name)
+            else node
+            for node in self.nodes
+        ]
+
+    def _remaps(self, action: Action, scope: Scope) -> dict[str, str]:
+        remaps = dict(scope.remaps)
+        for remap in action.of_kind("remap"):
+            remaps[self._needed(remap, "from", scope)] = self._needed(remap, "to", scope)
+        return remaps
+
+    def _values(self, action: Action, scope: Scope) -> dict[str, str]:
+        values = dict(scope.parameters)
+        for parameter in action.of_kind("param"):
+            parameterfiles.merge(values, self._parameters(parameter, scope, ""))
+        return values
+
+    def _parameters(self, action: Action, scope: Scope, above: str) -> dict[str, str]:
         if "from" in action.attributes:
-            file = Path(self._text(action, "from", scope))
-            if not file.resolve().is_relative_to(self._problems.root) or not file.is_file():
-                raise ValueError(f"no file '{file}' below the folder of site.yaml")
-            return parameters.for_node(file, node)
+            return self._file(self._text(action, "from", scope))
         name = f"{above}{self._needed(action, 'name', scope)}"
         if "value" in action.attributes:
-            return {name: self._text(action, "value", scope)}
+            value = self._text(action, "value", scope)
+            # A description of a robot is a text, whatever YAML would find in it.
+            if action.attributes.get("type") == "str" or value.lstrip().startswith("<"):
+                value = "'" + value.replace("'", "''") + "'"
+            return {name: value}
         found: dict[str, str] = {}
         for inner in action.of_kind("param"):
-            found |= self._parameters(inner, scope, node, f"{name}.")
+            found |= self._parameters(inner, scope, f"{name}.")
+        return found
+
+    def _file(self, name: str) -> dict[str, str]:
+        file = Path(name)
+        if not file.resolve().is_relative_to(self._problems.root) or not file.is_file():
+            raise ValueError(f"no file '{file}' below the folder of site.yaml")
+        return parameterfiles.read(file)
+
+    def _with_files(self, words: list[str]) -> list[str]:
+        """Return a command line with what files of parameters hold in their place."""
+        found: list[str] = []
+        waiting = iter(words)
+        for word in waiting:
+            if word != parameterfiles.OPTION:
+                found.append(word)
+                continue
+            for name, value in self._file(next(waiting, "")).items():
+                found += ["-p", f"{name}:={value}"]
         return found
 
     def _needed(self, action: Action, name: str, scope: Scope) -> str:
@@ -203,7 +304,21 @@ class _Launch:
         return self._text(action, name, scope)
 
     def _text(self, action: Action, name: str, scope: Scope) -> str:
-        return expand(action.attributes.get(name, ""), scope.variables, scope.file, self._share)
+        text = action.attributes.get(name, "")
+        return expand(text, scope.variables, scope.file, self._share, self._output)
+
+    def _output(self, line: str) -> str:
+        """Return what a command prints that launch files read descriptions of robots by."""
+        name, *words = shlex.split(line) or [""]
+        if name not in ("cat", "xacro") or not words:
+            raise SubstitutionError(f"$(command …) runs 'xacro' and 'cat' here, not '{line}'")
+        paths = [word for word in words if ":=" not in word and not word.startswith("-")]
+        for path in paths:
+            if not Path(path).is_file():
+                raise SubstitutionError(f"no file '{path}'")
+        if name == "xacro":
+            return xacro.expanded(words, {name: each.path for name, each in self._packages.items()})
+        return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
 
     def _share(self, package: str) -> Path:
         found = self._packages.get(package)

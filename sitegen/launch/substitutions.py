@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -12,12 +13,16 @@ class SubstitutionError(Exception):
 
 
 def expand(
-    text: str, variables: Mapping[str, str], file: Path, share: Callable[[str], Path]
+    text: str,
+    variables: Mapping[str, str],
+    file: Path,
+    share: Callable[[str], Path],
+    output: Callable[[str], str],
 ) -> str:
     """Return `text` with all substitutions replaced; raises a SubstitutionError.
 
     `variables` are the arguments; `file` is where the text stands; `share` returns the folder of a
-    package, or raises a SubstitutionError.
+    package and `output` what a command prints, or they raise a SubstitutionError.
     """
     known: dict[str, Callable[..., str]] = {
         "var": lambda name, *default: _first(
@@ -30,6 +35,9 @@ def expand(
         "filename": lambda: str(file),
         "find_pkg_share": lambda package: str(share(package)),
         "find_pkg_prefix": lambda package: str(share(package)),
+        "find_exec": lambda name: name,
+        "command": lambda line, *_: output(line),
+        "file_content": lambda path: output(shlex.join(["cat", path])),
     }
 
     def call(words: list[str]) -> str:

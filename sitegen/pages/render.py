@@ -49,7 +49,8 @@ class Rendered:
 def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
     """Return the artifacts of all pages and of the themes."""
     renderer = Renderer(site, programs or Programs())
-    return renderer.site_artifacts(renderer.every_page())
+    rendered = renderer.every_page()
+    return [*renderer.site_artifacts(rendered), *renderer.index(rendered)]
 
 
 class Renderer:
@@ -134,8 +135,15 @@ class Renderer:
         theme = self._themes[page.theme or self.site.theme]
         return first.source.decode(), [*rest, *theme.artifacts(), *self._files]
 
+    def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
+        """Return what a search looks into."""
+        return search.artifacts(self.site, ((each.page, each.sections) for each in rendered))
+
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
-        """Return the artifacts of pages and those of the whole site, or raise a SiteError."""
+        """Return the artifacts of pages and those of the whole site, or raise a SiteError.
+
+        All but the index, which takes as long as all the others together.
+        """
         rendered = list(rendered)
         problems = Problems(self.site.root)
         for each in rendered:
@@ -150,7 +158,6 @@ class Renderer:
         for theme in self._themes.values():
             artifacts += theme.artifacts()
         artifacts += self._files
-        artifacts += search.artifacts(self.site, {r.page.path: r.sections for r in rendered})
         artifacts += discovery.artifacts(self.site, self._changed)
         artifacts += app.artifacts(self.site)
         return artifacts

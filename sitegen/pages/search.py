@@ -8,7 +8,7 @@ from __future__ import annotations
 import html
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from sitegen.model import Artifact, Page, Site
@@ -50,15 +50,14 @@ def sections(page: Page, texts: Iterable[str]) -> Iterator[Section]:
         yield Section(html.unescape(name), plain(heading), plain(text))
 
 
-def artifacts(site: Site, found: Mapping[str, Iterable[Section]]) -> list[Artifact]:
-    """Return an index for each language that a site has pages in."""
+def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Section]]]) -> list[Artifact]:
+    """Return an index for each language that a site has pages in, of their sections."""
     if not wanted(site):
         return []
     by_language: dict[str, list[tuple[Page, Section]]] = {}
-    for page in site.pages:
-        language = page.language or site.language
-        rows = by_language.setdefault(language, [])
-        rows += ((page, section) for section in found.get(page.path, ()))
+    for page, its_sections in found:
+        rows = by_language.setdefault(page.language or site.language, [])
+        rows += ((page, section) for section in its_sections)
     return [Artifact(path(language), _index(rows)) for language, rows in by_language.items()]
 
 

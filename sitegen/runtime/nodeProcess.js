@@ -10,6 +10,9 @@ import { startWorker } from "./workerGroup.js";
 
 // A node that Stop did not end after this time (ms) is terminated.
 const GRACE = 1000;
+// A program that ended leaves its worker for this time (ms): what is terminated in Firefox takes along
+// what it had posted last.
+const LINGER = 250;
 
 /** The engine for which this browser takes a compiled node. @returns {Engine} */
 function engineOfBrowser() {
@@ -156,7 +159,7 @@ export class NodeProcess extends EventTarget {
       this.#post(this.#run.worker, { op: "stop" });
       this.#grace = setTimeout(() => {
         this.#print("warn", `${this.name}: did not end within a second and was terminated`);
-        this.#end("stopped", true);
+        this.#end("stopped", "stuck");
       }, GRACE);
     }
   }
@@ -191,7 +194,8 @@ export class NodeProcess extends EventTarget {
     worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
     worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
       event.preventDefault();
-      this.#fail(event.message || "its worker could not be loaded; start again when there is a connection to the site");
+      const unloaded = "its worker could not be loaded; start again when there is a connection to the site";
+      if (this.#run === run) this.#fail(event.message || unloaded);
     };
     try {
       const [message] = await Promise.all([prepare(id, worker), this.#ready]);
@@ -230,7 +234,7 @@ export class NodeProcess extends EventTarget {
         } else if (message.code !== 0) {
           this.#fail(`exited with code ${message.code}`);
         } else {
-          this.#end("stopped");
+          this.#end("stopped", "by itself");
         }
         break;
       default:
@@ -245,14 +249,15 @@ export class NodeProcess extends EventTarget {
     this.#end("failed");
   }
 
-  /** @param {NodeState} state @param {boolean} [stuck] its program could not be ended */
-  #end(state, stuck = false) {
+  /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] its program came to its end */
+  #end(state, how = "early") {
     clearTimeout(this.#grace);
     const run = this.#run;
     this.#run = undefined;
     if (run) {
-      if (run.worker instanceof Worker || stuck) run.worker.terminate();
-      else run.worker.leave();
+      if (how === "by itself") setTimeout(() => dismiss(run.worker), LINGER);
+      else if (how === "stuck") run.worker.terminate();
+      else dismiss(run.worker);
       this.#graph.leave(run.id);
     }
     this.#setState(state);
@@ -284,6 +289,12 @@ export class NodeProcess extends EventTarget {
     if (state !== "running" && state !== "stopping") this.memory = 0;
     this.dispatchEvent(new Event("state"));
   }
+}
+
+/** End a worker, but that of a group only for the node it has. @param {Worker | Member} worker */
+function dismiss(worker) {
+  if (worker instanceof Worker) worker.terminate();
+  else worker.leave();
 }
 
 /** Fetch and compile a program while its worker starts. @param {string} url */

@@ -10,6 +10,8 @@ import { WorkerGroups } from "./workerGroup.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
+// Before a theme writes there what is being read.
+const fragment = location.hash;
 const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page"));
 /** @type {PageEntry} */
 const page = await (await fetch(link.href)).json();
@@ -22,7 +24,7 @@ const mounted = new Promise((resolve) => {
 });
 
 // A shared link says what ran and what panels showed.
-const sharing = new Sharing(page, location.hash);
+const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
 const groups = new WorkerGroups();

@@ -1,6 +1,6 @@
 // @ts-check
-// What a shared link carries of a page: which nodes run, what panels show, which tabs are chosen. It is the
-// fragment of the page's address, so no server hears of it; docs/protocol.md describes it.
+// What a shared link carries of a page: which nodes run, what panels show, which tabs are chosen, what is being
+// read. It is the fragment of the page's address, so no server hears of it; docs/protocol.md describes it.
 
 import { button, create } from "./elements.js";
 import { say } from "./words.js";
@@ -18,8 +18,8 @@ export class Sharing {
   #names = new Map();
   /** @type {Map<string, () => Shared>} */
   #readers = new Map();
-  /** @type {{run?: string[], show: Record<string, Shared>, tabs: string[]}} */
-  #given = { show: {}, tabs: [] };
+  /** @type {{run?: string[], show: Record<string, Shared>, tabs: string[], at: string}} */
+  #given = { show: {}, tabs: [], at: "" };
   #odd = false;
 
   /** @param {PageEntry} page @param {string} fragment of the page's address */
@@ -37,6 +37,8 @@ export class Sharing {
       if (tab instanceof HTMLInputElement && tab.type === "radio") tab.checked = true;
       else this.#odd = true;
     }
+    // From here on the address is as if it had been reached by reading: a heading, or a slide.
+    if (this.#given.at) location.replace(`#${this.#given.at}`);
     addEventListener("hashchange", () => {
       if (location.hash.startsWith(SIGN)) location.reload();
     });
@@ -85,6 +87,7 @@ export class Sharing {
       run: run.map(({ name }) => name),
       ...(Object.keys(show).length && { show }),
       ...(tabs.length && { tabs: tabs.map(({ id }) => id) }),
+      ...(location.hash.length > 1 && !location.hash.startsWith(SIGN) && { at: location.hash.slice(1) }),
     };
     const whole = `${SIGN}${VERSION}.${encode(JSON.stringify(state))}`;
     return whole.length <= LONGEST ? whole : `${SIGN}${VERSION}.${encode(JSON.stringify({ run: state.run }))}`;
@@ -107,7 +110,7 @@ export class Sharing {
     const [version, data = ""] = text.split(".");
     try {
       if (Number(version) !== VERSION || text.length > LONGEST) throw new Error("another version");
-      const { run, show = {}, tabs = [], ...more } = JSON.parse(decode(data));
+      const { run, show = {}, tabs = [], at = "", ...more } = JSON.parse(decode(data));
       if (Object.keys(more).length) this.#odd = true;
       if (isList(run)) {
         this.#given.run = run.filter((name) => Object.hasOwn(this.#page.nodes, name));
@@ -116,6 +119,8 @@ export class Sharing {
         this.#odd = true;
       }
       if (isList(tabs)) this.#given.tabs = tabs;
+      else this.#odd = true;
+      if (typeof at === "string" && !`#${at}`.startsWith(SIGN)) this.#given.at = at;
       else this.#odd = true;
       for (const [name, state] of Object.entries(show)) {
         if (state && typeof state === "object" && !Array.isArray(state)) this.#given.show[name] = state;

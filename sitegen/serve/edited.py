@@ -8,44 +8,31 @@ from pathlib import Path
 
 from sitegen import config
 from sitegen.build import Made
-from sitegen.errors import Place
 from sitegen.model import Markdown, Page
 
-NOWHERE = Place(Path(), 0)
 
-
-def edited(made: Made, folder: Path, changed: Sequence[Path]) -> Made | None:
-    """Return the site with the text of pages as it is now, None if more than text has changed.
-
-    What a page runs, is called or is tagged with concerns other files; its text only its own.
-    """
-    texts = {part.place.file.resolve() for page in made.site.pages for part in _texts(page)}
-    if not changed or not {file.resolve() for file in changed} <= texts:
+def edited(made: Made, changed: Sequence[Path]) -> Made | None:
+    """Return the site with the text of pages as it is now, None if more than text has changed."""
+    site = made.site
+    fresh: dict[str, Page] = {}
+    for file in {file.resolve() for file in changed}:
+        pages = [page for page in site.pages if _says(page, file)]
+        new = config.read_again(pages[0], site.root) if len(pages) == 1 else None
+        if not new or new.file != file:
+            return None
+        fresh[new.path] = new
+    if not fresh:
         return None
-    site = replace(config.load(folder / "site.yaml"), offline=None)
-    before = made.site
-    if replace(site, pages=(), notes=()) != replace(before, pages=(), notes=()):
-        return None
-    if [_frame(page) for page in site.pages] != [_frame(page) for page in before.pages]:
-        return None
-    fresh = {
-        page.path: made.renderer.page(page)
-        for page, old in zip(site.pages, before.pages, strict=True)
-        if page != old
-    }
-    rendered = [fresh.get(each.page.path, each) for each in made.rendered]
+    site = replace(site, pages=tuple(fresh.get(page.path, page) for page in site.pages))
+    rendered = [
+        made.renderer.page(fresh[each.page.path]) if each.page.path in fresh else each
+        for each in made.rendered
+    ]
     artifacts = [*made.renderer.site_artifacts(rendered), *made.others]
     return replace(made, site=site, rendered=rendered, artifacts=artifacts)
 
 
-def _texts(page: Page) -> list[Markdown]:
-    return [part for part in page.content if isinstance(part, Markdown)]
-
-
-def _frame(page: Page) -> Page:
-    """Return a page without its text, and without lines, which move when text is written."""
-    content = tuple(
-        replace(part, place=NOWHERE) for part in page.content if not isinstance(part, Markdown)
-    )
-    nodes = {name: replace(node, place=NOWHERE) for name, node in page.nodes.items()}
-    return replace(page, content=content, nodes=nodes, place=NOWHERE)
+def _says(page: Page, file: Path) -> bool:
+    """Return whether text of `page` stands in `file`, its own or one that its content names."""
+    parts = page.content
+    return any(part.place.file == file for part in parts if isinstance(part, Markdown))

@@ -7,13 +7,15 @@ import hashlib
 import json
 import threading
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fnmatch import fnmatch
 from pathlib import Path
 from urllib.parse import urlsplit
 
 from sitegen.build import Made, count, make
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
+from sitegen.pages import search
 from sitegen.report import Report
 from sitegen.serve.edited import edited
 
@@ -31,6 +33,7 @@ class LiveSite:
         # Where its 404.html takes it to live.
         self.base = "/"
         self._files: Mapping[str, Artifact] = {}
+        self._index: Callable[[], Sequence[Artifact]] = list
         self._digests: Mapping[str, str] = {}
         self._news: list[tuple[str, object]] = []
         self._changed = threading.Condition()
@@ -39,7 +42,7 @@ class LiveSite:
         """Build the site; if anything is wrong it stays as it is, and its pages say so."""
         begun = time.monotonic()
         try:
-            made = edited(self._made, self._folder, changed) if self._made else None
+            made = edited(self._made, changed) if self._made else None
             made = made or make(self._folder, self._report, edited=True)
         except SiteError as error:
             for line in error.lines:
@@ -53,6 +56,8 @@ class LiveSite:
         digests = {path: _digest(artifact) for path, artifact in files.items()}
         different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
         self._files, self._digests = files, digests
+        # It takes all pages, and a search is rare while one writes.
+        self._index = functools.cache(lambda: made.renderer.index(made.rendered))
         self.base = urlsplit(made.site.url).path or "/"
         names = ", ".join(file.name for file in changed[:3]) + (", …" if len(changed) > 3 else "")
         cause = f"{names}: " if names else ""
@@ -62,6 +67,8 @@ class LiveSite:
 
     def file(self, path: str) -> Artifact | None:
         """Return the file at `path` of the site."""
+        if fnmatch(path, search.path("*")):
+            return next((index for index in self._index() if index.path == path), None)
         return self._files.get(path)
 
     def news(self) -> Iterator[str]:

@@ -1,10 +1,11 @@
 // What a page offers beside its text: the switch of colours, buttons to copy code, the search.
 // Without it the page is complete, so the buttons it serves are hidden until it runs.
 
+import { loadSheet } from "./sheet.js";
+
 offerColours();
 offerCopies();
 offerSearch();
-offerShare();
 leaveFrame();
 followHeadings();
 
@@ -61,7 +62,7 @@ function offerSearch() {
   /** @type {Promise<unknown> | undefined} */
   let dressed;
   const open = async () => {
-    dressed ??= style("search.css");
+    dressed ??= loadSheet("search.css");
     const [{ openSearch }] = await Promise.all([import("./search.js"), dressed]);
     openSearch(dialog);
   };
@@ -77,42 +78,12 @@ function offerSearch() {
   button.hidden = false;
 }
 
-/** Load the dialog to share the page when somebody wants it. */
-function offerShare() {
-  const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog.share"));
-  const button = /** @type {HTMLElement | null} */ (document.querySelector(".share-button"));
-  if (!dialog || !button) return;
-  /** @type {Promise<unknown> | undefined} */
-  let dressed;
-  button.addEventListener("click", async () => {
-    dressed ??= style("share.css");
-    const [{ openShare }] = await Promise.all([import("./share.js"), dressed]);
-    openShare(dialog);
-  });
-  button.hidden = false;
-}
-
 /** In a frame of another page, let links to other pages open beside it. */
 function leaveFrame() {
   if (!("embed" in document.documentElement.dataset)) return;
   for (const link of /** @type {NodeListOf<HTMLAnchorElement>} */ (document.querySelectorAll("a[href]"))) {
     if (!link.getAttribute("href")?.startsWith("#")) link.target = "_blank";
   }
-}
-
-/**
- * Load a style sheet of the theme.
- *
- * @param {string} name
- */
-function style(name) {
-  const link = document.createElement("link");
-  link.rel = "stylesheet";
-  link.href = new URL(name, import.meta.url).href;
-  return new Promise((resolve) => {
-    link.onload = link.onerror = resolve;
-    document.head.append(link);
-  });
 }
 
 /** Mark in the table of contents what is being read. */

@@ -3,8 +3,9 @@
 
 const NEXT = ["ArrowRight", "ArrowDown", "PageDown", "Enter", " "];
 const BEFORE = ["ArrowLeft", "ArrowUp", "PageUp", "Backspace"];
-// What takes these keys itself.
-const OWN_KEYS = "input, textarea, select, button, summary, a, pre, [tabindex='0'], [contenteditable]";
+// What takes these keys itself, and what takes Enter and space.
+const OWN_KEYS = "input, textarea, select, pre, dialog, [tabindex='0'], [contenteditable]";
+const PRESSED = "button, summary, a";
 
 const main = /** @type {HTMLElement} */ (document.querySelector("main"));
 const deck = /** @type {HTMLElement} */ (document.querySelector(".deck"));
@@ -78,7 +79,8 @@ function present() {
   document.addEventListener("keydown", (event) => {
     const target = event.target;
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (target instanceof Element && target.closest(OWN_KEYS)) return;
+    const own = ["Enter", " "].includes(event.key) ? `${OWN_KEYS}, ${PRESSED}` : OWN_KEYS;
+    if (target instanceof Element && target.closest(own)) return;
     const step = NEXT.includes(event.key) ? 1 : BEFORE.includes(event.key) ? -1 : 0;
     const end = { Home: 0, End: slides.length - 1 }[event.key];
     if (!step && end === undefined) return;

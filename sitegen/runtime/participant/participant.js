@@ -154,6 +154,11 @@ export class Participant {
     return this.#locals.get(id)?.status.take(kind);
   }
 
+  /** The name that the endpoint `id` has in the page. @param {number} id */
+  nameOf(id) {
+    return pageId(this.#id, id);
+  }
+
   /** How often the graph changed, as far as this worker knows. */
   get changes() {
     return this.#surroundings.changes;
@@ -167,7 +172,7 @@ export class Participant {
   look() {
     const others = this.#surroundings.look();
     if (!others) return undefined;
-    const own = [...this.#locals].map(([id, { endpoint }]) => ({ name: pageId(this.#id, id), endpoint }));
+    const own = [...this.#locals].map(([id, { endpoint }]) => ({ name: this.nameOf(id), endpoint }));
     return [...own, ...others];
   }
 

@@ -4,7 +4,7 @@
 
 import { KINDS, now } from "../protocol.js";
 
-/** @import { Policy, Severity } from "../protocol.js" */
+/** @import { Neighbour, Policy, Qos, Severity } from "../protocol.js" */
 /** @import { EventKind } from "../participant/status.js" */
 /** @import { Participant } from "../participant/participant.js" */
 /** @import { Printer } from "./printer.js" */
@@ -13,6 +13,8 @@ const RELIABLE = 1;
 const TRANSIENT_LOCAL = 2;
 const KEEP_ALL = 4;
 const MANUAL = 8;
+/** Size of a ros_entry. */
+const ENTRY = 48;
 /** @type {EventKind[]} */
 const EVENTS = ["deadline", "liveliness", "incompatible", "matched", "lost", "type"];
 /** As rmw numbers them. @type {Partial<Record<Policy, number>>} */
@@ -36,6 +38,7 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
   const text = (heap, pointer) => decoder.decode(heap.subarray(pointer, heap.indexOf(0, pointer)));
 
   let known = 0;
+  let described = new Uint8Array();
   /** @param {Uint8Array} heap */
   const noteSize = (heap) => {
     if (heap.length === known) return;
@@ -55,6 +58,8 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
     },
     /** @param {number} id */
     destroy: (id) => participant.destroy(id),
+    /** @param {number} id */
+    name: (id) => participant.nameOf(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
     publish: (heap, id, data, size) => Number(participant.publish(id, heap.subarray(data, data + size))),
     /** @param {number} id */
@@ -100,6 +105,18 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
       const sample = participant.take(id);
       if (sample && to) heap.set(sample.message, to);
     },
+    changes() {
+      participant.look();
+      return participant.changes;
+    },
+    look() {
+      const neighbours = participant.look();
+      if (!neighbours) return -1;
+      described = describe(neighbours);
+      return described.length;
+    },
+    /** @param {Uint8Array} heap @param {number} to */
+    read: (heap, to) => heap.set(described, to),
     /** @param {number} milliseconds */
     wait(milliseconds) {
       printer.flush();
@@ -122,6 +139,38 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
     fail: (heap, message) => fail(text(heap, message)),
     ended,
   };
+}
+
+/** As host.h has it: a ros_entry for each, with its texts behind it. @param {Neighbour[]} neighbours */
+function describe(neighbours) {
+  const encoder = new TextEncoder();
+  const all = neighbours.map(({ name, endpoint }) => {
+    const texts = encoder.encode(`${endpoint.node}\0${endpoint.name}\0${endpoint.type}\0`);
+    return { name, endpoint, texts, size: Math.ceil((ENTRY + texts.length) / 8) * 8 };
+  });
+  const bytes = new Uint8Array(all.reduce((sum, { size }) => sum + size, 0));
+  const view = new DataView(bytes.buffer);
+  let at = 0;
+  for (const { name, endpoint, texts, size } of all) {
+    view.setFloat64(at, name, true);
+    if (endpoint.qos) writeQos(view, at + 8, endpoint.qos);
+    view.setInt32(at + 40, KINDS.indexOf(endpoint.kind), true);
+    view.setInt32(at + 44, size, true);
+    bytes.set(texts, at + ENTRY);
+    at += size;
+  }
+  return bytes;
+}
+
+/** @param {DataView} view @param {number} at @param {Qos} qos */
+function writeQos(view, at, qos) {
+  view.setFloat64(at, qos.deadline, true);
+  view.setFloat64(at + 8, qos.lifespan, true);
+  view.setFloat64(at + 16, qos.lease, true);
+  view.setInt32(at + 24, qos.depth, true);
+  const flags = (qos.reliable ? RELIABLE : 0) | (qos.transientLocal ? TRANSIENT_LOCAL : 0) |
+    (qos.keepAll ? KEEP_ALL : 0) | (qos.manual ? MANUAL : 0);
+  view.setInt32(at + 28, flags, true);
 }
 
 /** @param {Uint8Array} heap @param {number} pointer to a ros_qos */

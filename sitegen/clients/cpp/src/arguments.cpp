@@ -131,11 +131,28 @@ Arguments parse_arguments(int argc, char const * const * argv)
   return arguments;
 }
 
+namespace
+{
+
+/// Whether `name` is of a form where `*` stands for one part between slashes, `**` for any number.
+bool fits(const char * form, const char * name)
+{
+  while (*form == '/') {++form;}
+  while (*name == '/') {++name;}
+  const char * end = form + std::strcspn(form, "/");
+  const char * rest = name + std::strcspn(name, "/");
+  const std::string part(form, end);
+  if (part == "**") {return fits(end, name) || (*name && fits(form, rest));}
+  if (part.empty() || !*name) {return part.empty() && !*name;}
+  return (part == "*" || part == std::string(name, rest)) && fits(end, rest);
+}
+
+}  // namespace
+
 bool applies_to(
   const std::string & rule, const std::string & name, const std::string & full_name)
 {
-  return rule.empty() || rule == name || rule == full_name || rule == "/**" || rule == "/*" ||
-         rule == "/**/" + name || rule == "/*/" + name;
+  return rule.empty() || rule == name || fits(rule.c_str(), full_name.c_str());
 }
 
 std::string remap_node(

@@ -1,7 +1,6 @@
 #include "rclcpp/clock.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "rclcpp/detail/platform.hpp"
@@ -18,7 +17,7 @@ Time Clock::now() const
     source_();
     return Time(ros_time_, clock_);
   }
-  return Time(static_cast<std::int64_t>(std::llround(detail::now() * 1e6)), clock_);
+  return Time(detail::nanoseconds(detail::now()), clock_);
 }
 
 bool Clock::ros_time_is_active() const

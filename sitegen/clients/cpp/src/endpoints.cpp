@@ -1,6 +1,5 @@
 // Publishers, subscriptions, services and clients, as far as their types do not matter.
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -27,6 +26,14 @@ constexpr double kMaxBlocking = 1000;
 
 // ok() may let the event loop turn, and what then happens would not end the wait after it.
 bool is_valid() {return contexts::get_global_default_context()->is_valid();}
+
+std::shared_ptr<const node_interfaces::NodeBaseInterface> living(
+  const std::weak_ptr<const node_interfaces::NodeBaseInterface> & node)
+{
+  const auto found = node.lock();
+  if (!found) {throw exceptions::RCLError("the node is gone");}
+  return found;
+}
 
 }  // namespace
 
@@ -68,9 +75,11 @@ ros_qos host_qos(std::int32_t kind, const QoS & qos)
     static_cast<std::int32_t>(std::max<std::size_t>(qos.depth(), 1)), flags};
 }
 
-std::int64_t nanoseconds(double milliseconds)
+rmw_gid_t gid_of(double name)
 {
-  return static_cast<std::int64_t>(std::llround(milliseconds * 1e6));
+  rmw_gid_t gid{rosidl_typesupport_sitegen_cpp::typesupport_identifier, {}};
+  std::memcpy(gid.data, &name, sizeof(name));
+  return gid;
 }
 
 }  // namespace
@@ -91,6 +100,8 @@ Endpoint::Endpoint(
 Endpoint::~Endpoint() {ros_destroy(id_);}
 
 std::size_t Endpoint::matched() const {return static_cast<std::size_t>(ros_matched(id_));}
+
+rmw_gid_t Endpoint::gid() const {return gid_of(ros_name(id_));}
 
 bool Receiver::execute_one()
 {
@@ -115,13 +126,11 @@ bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, 
   if (size < 0) {return false;}
   ros_take(id(), bytes.resize(static_cast<std::size_t>(size)));
   info = {};
-  info.source_timestamp = nanoseconds(from.source_timestamp);
-  info.received_timestamp = nanoseconds(from.received_timestamp);
+  info.source_timestamp = detail::nanoseconds(from.source_timestamp);
+  info.received_timestamp = detail::nanoseconds(from.received_timestamp);
   info.publication_sequence_number = from.sequence;
   info.reception_sequence_number = ++received_;
-  info.publisher_gid.implementation_identifier =
-    rosidl_typesupport_sitegen_cpp::typesupport_identifier;
-  std::memcpy(info.publisher_gid.data, &from.writer, sizeof(from.writer));
+  info.publisher_gid = gid_of(from.writer);
   writer = from.writer;
   return true;
 }
@@ -233,8 +242,14 @@ SubscriptionBase::SubscriptionBase(
 ServiceBase::ServiceBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & name,
   const detail::MessageMembers & request, const QoS & qos)
-: Receiver(ROS_SERVICE, node, name, detail::service_type(request), qos)
+: Receiver(ROS_SERVICE, node, name, detail::service_type(request), qos),
+  node_(node.weak_from_this())
 {
+}
+
+std::shared_ptr<const node_interfaces::NodeBaseInterface> ServiceBase::node() const
+{
+  return living(node_);
 }
 
 void ServiceBase::respond(
@@ -251,8 +266,14 @@ void ServiceBase::respond(
 ClientBase::ClientBase(
   const node_interfaces::NodeBaseInterface & node, const std::string & name,
   const detail::MessageMembers & request, const QoS & qos)
-: Receiver(ROS_CLIENT, node, name, detail::service_type(request), qos)
+: Receiver(ROS_CLIENT, node, name, detail::service_type(request), qos),
+  node_(node.weak_from_this())
 {
+}
+
+std::shared_ptr<const node_interfaces::NodeBaseInterface> ClientBase::node() const
+{
+  return living(node_);
 }
 
 std::int64_t ClientBase::send(const detail::MessageMembers & type, const void * request)

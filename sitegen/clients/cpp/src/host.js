@@ -5,6 +5,7 @@ mergeInto(LibraryManager.library, {
     return Module["ros"]["create"](HEAPU8, kind, node, name, type, qos);
   },
   ros_destroy: function(id) { Module["ros"]["destroy"](id); },
+  ros_name: function(id) { return Module["ros"]["name"](id); },
   ros_publish: function(id, data, size) { return Module["ros"]["publish"](HEAPU8, id, data, size); },
   ros_behind: function(id) { return Module["ros"]["behind"](id); },
   ros_assert: function(id) { Module["ros"]["assert"](id); },
@@ -19,6 +20,9 @@ mergeInto(LibraryManager.library, {
   ros_matched: function(id) { return Module["ros"]["matched"](id); },
   ros_next: function(id, info) { return Module["ros"]["next"](HEAPU8, id, info); },
   ros_take: function(id, to) { Module["ros"]["take"](HEAPU8, id, to); },
+  ros_changes: function() { return Module["ros"]["changes"](); },
+  ros_look: function() { return Module["ros"]["look"](); },
+  ros_read: function(to) { Module["ros"]["read"](HEAPU8, to); },
 #if ASYNCIFY
   ros_wait: function(milliseconds) {
     return Asyncify.handleSleep(function(wake) {

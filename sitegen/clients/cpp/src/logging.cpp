@@ -30,15 +30,24 @@ int level_of(const std::map<std::string, int> & levels, const std::string & name
 
 }  // namespace
 
+Logger::Level detail::own_level(const Logger & logger)
+{
+  const std::string name = logger.get_name();
+  int level = level_of(set_levels(), name);
+  if (!level) {
+    level = level_of(contexts::get_global_default_context()->arguments().log_levels, name);
+  }
+  return Logger::Level(level);
+}
+
 void Logger::set_level(Level level) {set_levels()[name_] = static_cast<int>(level);}
 
 Logger::Level Logger::get_effective_level() const
 {
   std::string name = name_;
   while (true) {
-    int level = level_of(set_levels(), name);
-    if (!level) {level = level_of(contexts::get_global_default_context()->arguments().log_levels, name);}
-    if (level) {return static_cast<Level>(level);}
+    const auto level = detail::own_level(Logger(name));
+    if (level != Level::Unset) {return level;}
     if (name.empty()) {return Level::Info;}
     const auto dot = name.rfind('.');
     name.erase(dot == std::string::npos ? 0 : dot);

@@ -29,16 +29,17 @@ Node::Node(const std::string & name, const NodeOptions & options)
 
 Node::Node(
   const std::string & name, const std::string & name_space, const NodeOptions & options)
-: options_(options),
-  base_(
+: SeesGraph(
     std::make_shared<node_interfaces::NodeBaseInterface>(
       name, name_space, options.context(), arguments_of(options))),
+  options_(options),
   logger_(detail::logger_name(base_->get_fully_qualified_name())),
   rosout_(
     options.enable_rosout() ?
     std::make_shared<detail::Rosout>(*base_, logger_.get_name()) : nullptr),
   clock_(std::make_shared<Clock>(options.clock_type()))
 {
+  if (options.logger_services()) {logger_services_ = options.logger_services()(*base_);}
   if (detail::make_node_parameters) {
     parameters_ = detail::make_node_parameters(base_, options, clock_, time_source_);
   } else if (!base_->arguments().parameters.empty()) {
@@ -49,9 +50,10 @@ Node::Node(
 }
 
 Node::Node(const Node & other, const std::string & sub_namespace)
-: options_(other.options_), sub_namespace_(other.extend_name(sub_namespace)), base_(other.base_),
+: std::enable_shared_from_this<Node>(), SeesGraph(other), HasParameters(other),
+  options_(other.options_), sub_namespace_(other.extend_name(sub_namespace)),
   logger_(other.logger_), rosout_(other.rosout_), clock_(other.clock_),
-  parameters_(other.parameters_), time_source_(other.time_source_)
+  time_source_(other.time_source_), logger_services_(other.logger_services_)
 {
 }
 

@@ -31,10 +31,7 @@ ParameterCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_callback
 {
   auto handle = std::make_shared<ParameterCallbackHandle>();
   handle->parameter_name = parameter_name;
-  // Relative names are in the namespace of this node.
-  const std::string space = node_->get_namespace();
-  handle->node_name = node_name.empty() ? node_->get_fully_qualified_name() :
-    node_name[0] == '/' ? node_name : (space == "/" ? space : space + "/") + node_name;
+  handle->node_name = resolve(node_name);
   handle->callback = std::move(callback);
   of_parameters_.emplace_front(handle);
   return handle;
@@ -86,8 +83,24 @@ std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const Ev
   return parameters;
 }
 
+bool ParameterEventHandler::configure_nodes_filter(const std::vector<std::string> & node_names)
+{
+  nodes_.clear();
+  for (const auto & name : node_names) {nodes_.insert(resolve(name));}
+  return true;
+}
+
+std::string ParameterEventHandler::resolve(const std::string & node_name) const
+{
+  if (node_name.empty()) {return node_->get_fully_qualified_name();}
+  if (node_name[0] == '/') {return node_name;}
+  const std::string space = node_->get_namespace();
+  return (space == "/" ? space : space + "/") + node_name;
+}
+
 void ParameterEventHandler::handle(const Event & event)
 {
+  if (!nodes_.empty() && nodes_.count(event.node) == 0) {return;}
   const auto of_parameters = of_parameters_;
   for (const auto & one : of_parameters) {
     const auto handle = one.lock();

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -27,6 +28,12 @@ namespace detail
 {
 
 double now() {return ros_now();}
+
+std::int64_t nanoseconds(double milliseconds)
+{
+  const auto whole = static_cast<std::int64_t>(milliseconds);
+  return whole * 1000000 + std::llround((milliseconds - static_cast<double>(whole)) * 1e6);
+}
 
 namespace
 {

@@ -1,5 +1,6 @@
 // What programs call of rcutils; its headers are upstream's.
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include "rcutils/cmdline_parser.h"
 #include "rcutils/error_handling.h"
 #include "rcutils/logging.h"
+#include "rcutils/types/uint8_array.h"
 
 namespace
 {
@@ -49,6 +51,36 @@ rcutils_allocator_t rcutils_get_default_allocator(void)
     [](void * pointer, void *) {std::free(pointer);},
     [](void * pointer, std::size_t size, void *) {return std::realloc(pointer, size);},
     [](std::size_t count, std::size_t size, void *) {return std::calloc(count, size);}, nullptr};
+}
+
+rcutils_uint8_array_t rcutils_get_zero_initialized_uint8_array(void) {return {};}
+
+rcutils_ret_t rcutils_uint8_array_init(
+  rcutils_uint8_array_t * array, std::size_t capacity, const rcutils_allocator_t * allocator)
+{
+  if (!array || !allocator) {return RCUTILS_RET_INVALID_ARGUMENT;}
+  *array = {nullptr, 0, 0, *allocator};
+  return capacity ? rcutils_uint8_array_resize(array, capacity) : RCUTILS_RET_OK;
+}
+
+rcutils_ret_t rcutils_uint8_array_fini(rcutils_uint8_array_t * array)
+{
+  if (!array) {return RCUTILS_RET_INVALID_ARGUMENT;}
+  if (array->buffer) {array->allocator.deallocate(array->buffer, array->allocator.state);}
+  array->buffer = nullptr;
+  array->buffer_length = array->buffer_capacity = 0;
+  return RCUTILS_RET_OK;
+}
+
+rcutils_ret_t rcutils_uint8_array_resize(rcutils_uint8_array_t * array, std::size_t size)
+{
+  if (!array || size == 0 || !array->allocator.reallocate) {return RCUTILS_RET_INVALID_ARGUMENT;}
+  void * buffer = array->allocator.reallocate(array->buffer, size, array->allocator.state);
+  if (!buffer) {return RCUTILS_RET_BAD_ALLOC;}
+  array->buffer = static_cast<std::uint8_t *>(buffer);
+  array->buffer_capacity = size;
+  if (array->buffer_length > size) {array->buffer_length = size;}
+  return RCUTILS_RET_OK;
 }
 
 // Nothing of what is here fails with an error that is kept.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "rclcpp/detail/introspection.hpp"
 #include "rclcpp/detail/platform.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
@@ -71,9 +72,13 @@ public:
 
 protected:
   std::int64_t send(const detail::MessageMembers & type, const void * request);
+  /// The node that it is of; throws RCLError when that is gone.
+  std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
 
 private:
   bool wait(double milliseconds);
+
+  std::weak_ptr<const node_interfaces::NodeBaseInterface> node_;
 };
 
 template<class ServiceT>
@@ -167,6 +172,13 @@ public:
     return count;
   }
 
+  /// From now on publish what is sent and received on `<service>/_service_event`, or stop that.
+  void configure_introspection(
+    Clock::SharedPtr clock, const QoS & qos, rcl_service_introspection_state_t state)
+  {
+    introspection_.turn(*node(), get_service_name(), std::move(clock), qos, state);
+  }
+
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
@@ -175,6 +187,8 @@ protected:
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Response>();
     auto response = std::make_shared<Response>();
     if (!decode(type, bytes, response.get())) {return;}
+    introspection_.publish(
+      detail::ServiceEvent::kResponseReceived, gid().data, found->first, nullptr, response.get());
     const auto complete = std::move(found->second);
     pending_.erase(found);
     complete(std::move(response));
@@ -187,10 +201,13 @@ private:
   {
     const auto id = send(rosidl_typesupport_sitegen_cpp::members_of<Request>(), &request);
     pending_.emplace(id, std::move(complete));
+    introspection_.publish(
+      detail::ServiceEvent::kRequestSent, gid().data, id, &request, nullptr);
     return id;
   }
 
   std::map<std::int64_t, Complete> pending_;
+  detail::IntrospectionSwitch<ServiceT> introspection_;
 };
 
 }  // namespace rclcpp

@@ -25,6 +25,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+class InvalidQosOverridesException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A parameter was asked for that is not declared.
 class ParameterNotDeclaredException : public std::runtime_error
 {
@@ -71,7 +77,8 @@ public:
 class InvalidEventError : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  InvalidEventError()
+  : std::runtime_error("event is invalid") {}
 };
 
 /// What cannot work in a page.

@@ -4,6 +4,7 @@
 
 #include "rclcpp/context.hpp"
 #include "rclcpp/contexts/default_context.hpp"
+#include "rclcpp/memory_strategy.hpp"
 
 namespace rclcpp
 {
@@ -13,6 +14,7 @@ struct ExecutorOptions
   ExecutorOptions()
   : context(contexts::get_global_default_context()) {}
 
+  memory_strategy::MemoryStrategy::SharedPtr memory_strategy;
   Context::SharedPtr context;
   std::size_t max_conditions = 0;
 };

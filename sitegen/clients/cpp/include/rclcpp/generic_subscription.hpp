@@ -41,6 +41,7 @@ public:
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
+    arrived(info);
     callback_.dispatch(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
   }
 

@@ -12,13 +12,15 @@
 
 #include "rclcpp/client.hpp"
 #include "rclcpp/clock.hpp"
+#include "rclcpp/detail/has_parameters.hpp"
 #include "rclcpp/detail/rosout.hpp"
+#include "rclcpp/detail/sees_graph.hpp"
 #include "rclcpp/generic_publisher.hpp"
 #include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
+#include "rclcpp/message_memory_strategy.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
-#include "rclcpp/node_interfaces/node_parameters_interface.hpp"
 #include "rclcpp/node_interfaces/node_parts.hpp"
 #include "rclcpp/node_options.hpp"
 #include "rclcpp/publisher.hpp"
@@ -31,7 +33,8 @@
 namespace rclcpp
 {
 
-class Node : public std::enable_shared_from_this<Node>
+class Node : public std::enable_shared_from_this<Node>, public detail::SeesGraph,
+  public detail::HasParameters
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Node)
@@ -73,10 +76,6 @@ public:
   {
     return std::make_shared<node_interfaces::NodeClockInterface>(clock_);
   }
-  node_interfaces::NodeGraphInterface::SharedPtr get_node_graph_interface()
-  {
-    return std::make_shared<node_interfaces::NodeGraphInterface>(base_);
-  }
   node_interfaces::NodeLoggingInterface::SharedPtr get_node_logging_interface()
   {
     return std::make_shared<node_interfaces::NodeLoggingInterface>(logger_);
@@ -109,20 +108,28 @@ public:
     PublisherOptionsWithAllocator<AllocatorT>())
   {
     auto publisher = std::make_shared<Publisher<MessageT, AllocatorT>>(
-      *base_, extend_name(topic), qos, options);
+      *base_, extend_name(topic), with_overrides(qos, options, topic, "publisher"), options);
     base_->add(
       detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
     return publisher;
   }
 
-  template<class MessageT, class CallbackT, class AllocatorT = std::allocator<void>>
+  template<
+    class MessageT, class CallbackT, class AllocatorT = std::allocator<void>,
+    class MemoryStrategyT =
+    message_memory_strategy::MessageMemoryStrategy<detail::ros_type<MessageT>, AllocatorT>>
   std::shared_ptr<Subscription<MessageT>> create_subscription(
     const std::string & topic, const QoS & qos, CallbackT && callback,
     const SubscriptionOptionsWithAllocator<AllocatorT> & options =
-    SubscriptionOptionsWithAllocator<AllocatorT>())
+    SubscriptionOptionsWithAllocator<AllocatorT>(),
+    std::shared_ptr<MemoryStrategyT> = nullptr)
   {
     auto subscription = std::make_shared<Subscription<MessageT>>(
-      *base_, extend_name(topic), qos, std::forward<CallbackT>(callback), options);
+      *base_, extend_name(topic), with_overrides(qos, options, topic, "subscription"),
+      std::forward<CallbackT>(callback), options);
+    const auto statistics =
+      options.topic_stats_options.state.maker(options_.topic_statistics());
+    if (statistics) {subscription->observe(statistics(*base_, options));}
     base_->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);
     base_->add(
       detail::ExecutableKind::kWaitable, subscription->events(), options.callback_group);
@@ -214,198 +221,19 @@ public:
     return timer;
   }
 
-  using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
-  using SetParametersResult = rcl_interfaces::msg::SetParametersResult;
-  using PreSetParametersCallbackHandle = node_interfaces::PreSetParametersCallbackHandle;
-  using OnSetParametersCallbackHandle = node_interfaces::OnSetParametersCallbackHandle;
-  using PostSetParametersCallbackHandle = node_interfaces::PostSetParametersCallbackHandle;
-  using PreSetParametersCallbackType = node_interfaces::PreSetCallbackType;
-  using OnSetParametersCallbackType = node_interfaces::OnSetCallbackType;
-  using PostSetParametersCallbackType = node_interfaces::PostSetCallbackType;
-
-  const ParameterValue & declare_parameter(
-    const std::string & name, const ParameterValue & default_value,
-    const Descriptor & descriptor = Descriptor(), bool ignore_override = false)
-  {
-    return parameters_->declare_parameter(
-      name, default_value, descriptor, ignore_override);
-  }
-  const ParameterValue & declare_parameter(
-    const std::string & name, ParameterType type, const Descriptor & descriptor = Descriptor(),
-    bool ignore_override = false)
-  {
-    return parameters_->declare_parameter(name, type, descriptor, ignore_override);
-  }
-  template<class ParameterT>
-  auto declare_parameter(
-    const std::string & name, const ParameterT & default_value,
-    const Descriptor & descriptor = Descriptor(), bool ignore_override = false)
-  {
-    using Value = std::conditional_t<
-      std::is_convertible_v<ParameterT, std::string>, std::string, std::decay_t<ParameterT>>;
-    try {
-      return Value(
-        declare_parameter(name, ParameterValue(default_value), descriptor, ignore_override)
-        .template get<Value>());
-    } catch (const ParameterTypeException & error) {
-      throw exceptions::InvalidParameterTypeException(name, error.what());
-    }
-  }
-  /// Without a default: it has to be overridden, or set before it is read.
-  template<class ParameterT>
-  ParameterT declare_parameter(
-    const std::string & name, const Descriptor & descriptor = Descriptor(),
-    bool ignore_override = false)
-  {
-    const ParameterValue & value = declare_parameter(
-      name, ParameterValue::type_of<ParameterT>(), descriptor, ignore_override);
-    if (value.get_type() == PARAMETER_NOT_SET) {
-      throw exceptions::ParameterUninitializedException(name);
-    }
-    return value.get<ParameterT>();
-  }
-  template<class ParameterT>
-  std::vector<ParameterT> declare_parameters(
-    const std::string & name_space, const std::map<std::string, ParameterT> & parameters,
-    bool ignore_overrides = false)
-  {
-    std::vector<ParameterT> values;
-    const std::string start = name_space.empty() ? "" : name_space + ".";
-    for (const auto & [name, value] : parameters) {
-      values.push_back(declare_parameter(start + name, value, Descriptor(), ignore_overrides));
-    }
-    return values;
-  }
-  template<class ParameterT>
-  std::vector<ParameterT> declare_parameters(
-    const std::string & name_space,
-    const std::map<std::string, std::pair<ParameterT, Descriptor>> & parameters,
-    bool ignore_overrides = false)
-  {
-    std::vector<ParameterT> values;
-    const std::string start = name_space.empty() ? "" : name_space + ".";
-    for (const auto & [name, pair] : parameters) {
-      values.push_back(
-        declare_parameter(start + name, pair.first, pair.second, ignore_overrides));
-    }
-    return values;
-  }
-  void undeclare_parameter(const std::string & name)
-  {
-    parameters_->undeclare_parameter(name);
-  }
-  bool has_parameter(const std::string & name) const
-  {
-    return parameters_->has_parameter(name);
-  }
-  SetParametersResult set_parameter(const Parameter & parameter)
-  {
-    return set_parameters_atomically({parameter});
-  }
-  std::vector<SetParametersResult> set_parameters(const std::vector<Parameter> & parameters)
-  {
-    return parameters_->set_parameters(parameters);
-  }
-  SetParametersResult set_parameters_atomically(const std::vector<Parameter> & parameters)
-  {
-    return parameters_->set_parameters_atomically(parameters);
-  }
-  Parameter get_parameter(const std::string & name) const
-  {
-    return parameters_->get_parameter(name);
-  }
-  bool get_parameter(const std::string & name, Parameter & parameter) const
-  {
-    return parameters_->get_parameter(name, parameter);
-  }
-  template<class ParameterT>
-  bool get_parameter(const std::string & name, ParameterT & value) const
-  {
-    Parameter parameter;
-    if (!get_parameter(name, parameter)) {return false;}
-    value = static_cast<ParameterT>(parameter.get_value<ParameterT>());
-    return true;
-  }
-  template<class ParameterT>
-  bool get_parameter_or(
-    const std::string & name, ParameterT & value, const ParameterT & alternative) const
-  {
-    const bool found = get_parameter(name, value);
-    if (!found) {value = alternative;}
-    return found;
-  }
-  template<class ParameterT>
-  ParameterT get_parameter_or(const std::string & name, const ParameterT & alternative) const
-  {
-    ParameterT value{};
-    get_parameter_or(name, value, alternative);
-    return value;
-  }
-  std::vector<Parameter> get_parameters(const std::vector<std::string> & names) const
-  {
-    return parameters_->get_parameters(names);
-  }
-  template<class ParameterT>
-  bool get_parameters(
-    const std::string & prefix, std::map<std::string, ParameterT> & values) const
-  {
-    std::map<std::string, Parameter> found;
-    const bool any = parameters_->get_parameters_by_prefix(prefix, found);
-    for (const auto & [name, parameter] : found) {
-      values[name] = static_cast<ParameterT>(parameter.get_value<ParameterT>());
-    }
-    return any;
-  }
-  Descriptor describe_parameter(const std::string & name) const
-  {
-    return describe_parameters({name}).at(0);
-  }
-  std::vector<Descriptor> describe_parameters(const std::vector<std::string> & names) const
-  {
-    return parameters_->describe_parameters(names);
-  }
-  std::vector<std::uint8_t> get_parameter_types(const std::vector<std::string> & names) const
-  {
-    return parameters_->get_parameter_types(names);
-  }
-  rcl_interfaces::msg::ListParametersResult list_parameters(
-    const std::vector<std::string> & prefixes, std::uint64_t depth) const
-  {
-    return parameters_->list_parameters(prefixes, depth);
-  }
-  PreSetParametersCallbackHandle::SharedPtr add_pre_set_parameters_callback(
-    PreSetParametersCallbackType callback)
-  {
-    return parameters_->add_pre_set_parameters_callback(std::move(callback));
-  }
-  OnSetParametersCallbackHandle::SharedPtr add_on_set_parameters_callback(
-    OnSetParametersCallbackType callback)
-  {
-    return parameters_->add_on_set_parameters_callback(std::move(callback));
-  }
-  PostSetParametersCallbackHandle::SharedPtr add_post_set_parameters_callback(
-    PostSetParametersCallbackType callback)
-  {
-    return parameters_->add_post_set_parameters_callback(std::move(callback));
-  }
-  void remove_pre_set_parameters_callback(const PreSetParametersCallbackHandle * handle)
-  {
-    parameters_->remove_pre_set_parameters_callback(handle);
-  }
-  void remove_on_set_parameters_callback(const OnSetParametersCallbackHandle * handle)
-  {
-    parameters_->remove_on_set_parameters_callback(handle);
-  }
-  void remove_post_set_parameters_callback(const PostSetParametersCallbackHandle * handle)
-  {
-    parameters_->remove_post_set_parameters_callback(handle);
-  }
-  node_interfaces::NodeParametersInterface::SharedPtr get_node_parameters_interface()
-  {
-    return node_interfaces::NodeParametersInterface::linked(parameters_);
-  }
-
 protected:
+  /// `qos` as parameters have it, where `options` allow that.
+  template<class OptionsT>
+  QoS with_overrides(
+    const QoS & qos, const OptionsT & options, const std::string & topic,
+    const char * endpoint) const
+  {
+    const auto override = options.qos_overriding_options.override();
+    if (!override) {return qos;}
+    const auto name = base_->resolve_topic_or_service_name(extend_name(topic), false);
+    return override(parameters_, options.qos_overriding_options, name, endpoint, qos);
+  }
+
   /// Make a node that is `other` with more of a namespace.
   Node(const Node & other, const std::string & sub_namespace);
   std::string extend_name(const std::string & name) const;
@@ -413,12 +241,11 @@ protected:
 private:
   NodeOptions options_;
   std::string sub_namespace_;
-  node_interfaces::NodeBaseInterface::SharedPtr base_;
   Logger logger_;
   std::shared_ptr<detail::Rosout> rosout_;
   Clock::SharedPtr clock_;
-  node_interfaces::NodeParametersInterface::SharedPtr parameters_;
   TimeSource::SharedPtr time_source_;
+  std::shared_ptr<void> logger_services_;
 };
 
 }  // namespace rclcpp

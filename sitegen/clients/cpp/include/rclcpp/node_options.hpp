@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,9 +10,16 @@
 #include "rclcpp/parameter.hpp"
 #include "rclcpp/qos.hpp"
 #include "rclcpp/time.hpp"
+#include "rclcpp/topic_statistics_state.hpp"
 
 namespace rclcpp
 {
+
+namespace detail
+{
+/// Serve the levels of loggers as long as what it returns lives.
+std::shared_ptr<void> make_logger_services(node_interfaces::NodeBaseInterface & node);
+}  // namespace detail
 
 class NodeOptions
 {
@@ -63,10 +71,15 @@ public:
     use_intra_process_comms_ = use_intra_process_comms;
     return *this;
   }
-  bool enable_topic_statistics() const {return enable_topic_statistics_;}
+  bool enable_topic_statistics() const
+  {
+    return topic_statistics_ == TopicStatisticsState::Enable;
+  }
+  const detail::TopicStatisticsSetting & topic_statistics() const {return topic_statistics_;}
   NodeOptions & enable_topic_statistics(bool enable_topic_statistics)
   {
-    enable_topic_statistics_ = enable_topic_statistics;
+    topic_statistics_ =
+      enable_topic_statistics ? TopicStatisticsState::Enable : TopicStatisticsState::Disable;
     return *this;
   }
   bool start_parameter_services() const {return start_parameter_services_;}
@@ -99,12 +112,14 @@ public:
     automatically_declare_parameters_from_overrides_ = automatically_declare_parameters_from_overrides;
     return *this;
   }
-  bool enable_logger_service() const {return enable_logger_service_;}
+  bool enable_logger_service() const {return logger_services_ != nullptr;}
+  /// What serves the levels of loggers is named, and linked, only by who wants it.
   NodeOptions & enable_logger_service(bool enable_logger_service)
   {
-    enable_logger_service_ = enable_logger_service;
+    logger_services_ = enable_logger_service ? &detail::make_logger_services : nullptr;
     return *this;
   }
+  decltype(&detail::make_logger_services) logger_services() const {return logger_services_;}
   const QoS & clock_qos() const {return clock_qos_;}
   NodeOptions & clock_qos(const QoS & clock_qos)
   {
@@ -137,13 +152,13 @@ private:
   std::vector<Parameter> parameter_overrides_;
   bool enable_rosout_ = true;
   bool use_intra_process_comms_ = false;
-  bool enable_topic_statistics_ = false;
+  detail::TopicStatisticsSetting topic_statistics_ = TopicStatisticsState::Disable;
   bool start_parameter_services_ = true;
   bool start_parameter_event_publisher_ = true;
   bool use_clock_thread_ = true;
   bool allow_undeclared_parameters_ = false;
   bool automatically_declare_parameters_from_overrides_ = false;
-  bool enable_logger_service_ = false;
+  decltype(&detail::make_logger_services) logger_services_ = nullptr;
   QoS clock_qos_ = ClockQoS();
   QoS parameter_event_qos_ = ParameterEventsQoS();
   QoS rosout_qos_ = RosoutQoS();

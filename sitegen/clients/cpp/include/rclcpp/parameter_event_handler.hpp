@@ -3,6 +3,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,9 @@ public:
     const std::string & node_name = "");
   void remove_parameter_callback(ParameterCallbackHandle::SharedPtr handle);
 
+  /// Hear only of these nodes from now on, of all if there are none. Always returns true.
+  bool configure_nodes_filter(const std::vector<std::string> & node_names);
+
   /// Find the new value of a parameter in an event; false if it is not in it.
   static bool get_parameter_from_event(
     const Event & event, Parameter & parameter, const std::string & parameter_name,
@@ -71,8 +75,11 @@ public:
 
 private:
   void handle(const Event & event);
+  /// Relative names are in the namespace of its node.
+  std::string resolve(const std::string & node_name) const;
 
   node_interfaces::NodeBaseInterface::SharedPtr node_;
+  std::set<std::string> nodes_;  // of which it hears, all if there are none
   std::list<ParameterCallbackHandle::WeakPtr> of_parameters_;
   std::list<ParameterEventCallbackHandle::WeakPtr> of_events_;
   std::shared_ptr<Subscription<Event>> subscription_;

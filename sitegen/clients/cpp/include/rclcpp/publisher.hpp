@@ -70,6 +70,7 @@ public:
   std::size_t get_subscription_count() const {return endpoint_.matched();}
   std::size_t get_intra_process_subscription_count() const {return 0;}
   QoS get_actual_qos() const {return endpoint_.qos();}
+  rmw_gid_t get_gid() const {return endpoint_.gid();}
   bool can_loan_messages() const {return false;}
   /// There is no network below a page.
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
@@ -127,7 +128,11 @@ public:
       publish_message(&message);
     }
   }
-  void publish(std::unique_ptr<PublishedType> message) {publish(*message);}
+  template<class DeleterT>
+  void publish(std::unique_ptr<PublishedType, DeleterT> message)
+  {
+    publish(*message);
+  }
   template<
     class T, std::enable_if_t<
       std::is_same_v<T, ROSMessageType> && !std::is_same_v<T, PublishedType>, int> = 0>

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,8 @@ enum class QosPolicyKind
   LivelinessLeaseDuration, Reliability, Invalid
 };
 
+const char * qos_policy_kind_to_cstr(const QosPolicyKind & kind);
+
 struct QosCallbackResult
 {
   bool successful = false;
@@ -25,7 +28,22 @@ struct QosCallbackResult
 
 using QosCallback = std::function<QosCallbackResult (const QoS &)>;
 
-/// Which policies parameters may change. Kept and not asked: the QoS stays as the program says.
+namespace node_interfaces
+{
+class NodeParametersInterface;
+}  // namespace node_interfaces
+
+class QosOverridingOptions;
+
+namespace detail
+{
+QoS override_qos(
+  const std::shared_ptr<node_interfaces::NodeParametersInterface> & parameters,
+  const QosOverridingOptions & options, const std::string & topic, const char * endpoint,
+  const QoS & qos);
+}  // namespace detail
+
+/// Which policies parameters may change.
 class QosOverridingOptions
 {
 public:
@@ -34,7 +52,7 @@ public:
     std::initializer_list<QosPolicyKind> policy_kinds, QosCallback validation_callback = nullptr,
     std::string id = "")
   : policy_kinds_(policy_kinds), validation_callback_(std::move(validation_callback)),
-    id_(std::move(id)) {}
+    id_(std::move(id)), override_(&detail::override_qos) {}
 
   static QosOverridingOptions with_default_policies(
     QosCallback validation_callback = nullptr, std::string id = "")
@@ -47,10 +65,14 @@ public:
   const std::vector<QosPolicyKind> & get_policy_kinds() const {return policy_kinds_;}
   const QosCallback & get_validation_callback() const {return validation_callback_;}
 
+  /// What declares the parameters: null, and not linked, where no policy may be changed.
+  decltype(&detail::override_qos) override() const {return override_;}
+
 private:
   std::vector<QosPolicyKind> policy_kinds_;
   QosCallback validation_callback_;
   std::string id_;
+  decltype(&detail::override_qos) override_ = nullptr;
 };
 
 }  // namespace rclcpp

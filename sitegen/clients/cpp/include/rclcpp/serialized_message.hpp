@@ -5,12 +5,7 @@
 #include <utility>
 #include <vector>
 
-struct rcl_serialized_message_t
-{
-  std::uint8_t * buffer;
-  std::size_t buffer_length;
-  std::size_t buffer_capacity;
-};
+#include "rcl/types.h"
 
 namespace rclcpp
 {
@@ -55,7 +50,7 @@ public:
   const rcl_serialized_message_t & get_rcl_serialized_message() const {return message_;}
 
 private:
-  void refresh() {message_ = {bytes_.data(), bytes_.size(), bytes_.size()};}
+  void refresh() {message_ = {bytes_.data(), bytes_.size(), bytes_.size(), {}};}
 
   std::vector<std::uint8_t> bytes_;
   rcl_serialized_message_t message_{};

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rclcpp/detail/introspection.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
 
@@ -34,6 +35,11 @@ public:
 protected:
   void respond(
     const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
+  /// The node that it is of; throws RCLError when that is gone.
+  std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
+
+private:
+  std::weak_ptr<const node_interfaces::NodeBaseInterface> node_;
 };
 
 /// A service. A callback that takes no response sends one later, by send_response.
@@ -56,6 +62,13 @@ public:
   void send_response(rmw_request_id_t & to, Response & response)
   {
     respond(to, rosidl_typesupport_sitegen_cpp::members_of<Response>(), &response);
+    introspect(detail::ServiceEvent::kResponseSent, to, nullptr, &response);
+  }
+  /// From now on publish what is received and sent on `<service>/_service_event`, or stop that.
+  void configure_introspection(
+    Clock::SharedPtr clock, const QoS & qos, rcl_service_introspection_state_t state)
+  {
+    introspection_.turn(*this->node(), get_service_name(), std::move(clock), qos, state);
   }
 
 protected:
@@ -68,6 +81,7 @@ protected:
     auto id = std::make_shared<rmw_request_id_t>();
     std::memcpy(id->writer_guid, &writer, sizeof(writer));
     id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
+    introspect(detail::ServiceEvent::kRequestReceived, *id, request.get(), nullptr);
     callback_(*this, std::move(id), std::move(request));
   }
 
@@ -113,7 +127,16 @@ private:
     }
   }
 
+  void introspect(
+    detail::ServiceEvent what, const rmw_request_id_t & id, const Request * request,
+    const Response * response)
+  {
+    const auto client = reinterpret_cast<const std::uint8_t *>(id.writer_guid);
+    introspection_.publish(what, client, id.sequence_number, request, response);
+  }
+
   Handler callback_;
+  detail::IntrospectionSwitch<ServiceT> introspection_;
 };
 
 }  // namespace rclcpp

@@ -14,11 +14,10 @@
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/publisher.hpp"
+#include "rclcpp/topic_statistics_state.hpp"
 
 namespace rclcpp
 {
-
-enum class TopicStatisticsState {Enable, Disable, NodeDefault};
 
 struct ContentFilterOptions
 {
@@ -37,10 +36,9 @@ struct SubscriptionOptionsBase
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
-  /// Kept: a page gathers no statistics.
   struct TopicStatisticsOptions
   {
-    TopicStatisticsState state = TopicStatisticsState::NodeDefault;
+    detail::TopicStatisticsSetting state = TopicStatisticsState::NodeDefault;
     std::string publish_topic = "/statistics";
     std::chrono::milliseconds publish_period{std::chrono::seconds(1)};
     QoS qos = SystemDefaultsQoS();
@@ -97,11 +95,18 @@ public:
 
   /// What calls back for its events.
   std::shared_ptr<detail::Executable> events() const {return events_;}
+  void observe(detail::Arrival arrival) {arrival_ = std::move(arrival);}
 
 protected:
+  void arrived(const rmw_message_info_t & info)
+  {
+    if (arrival_) {arrival_(info);}
+  }
+
   const detail::MessageMembers & type_;
 
 private:
+  detail::Arrival arrival_;
   std::shared_ptr<detail::Events> events_;
 };
 
@@ -142,6 +147,7 @@ public:
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
+    arrived(info);
     if (callback_.wants_bytes()) {
       callback_.dispatch_bytes(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
       return;

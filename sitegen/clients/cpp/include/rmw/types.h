@@ -23,6 +23,7 @@ enum rmw_qos_history_policy_e
   RMW_QOS_POLICY_HISTORY_KEEP_ALL,
   RMW_QOS_POLICY_HISTORY_UNKNOWN
 };
+typedef enum rmw_qos_history_policy_e rmw_qos_history_policy_t;
 enum rmw_qos_reliability_policy_e
 {
   RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT,
@@ -31,6 +32,7 @@ enum rmw_qos_reliability_policy_e
   RMW_QOS_POLICY_RELIABILITY_UNKNOWN,
   RMW_QOS_POLICY_RELIABILITY_BEST_AVAILABLE
 };
+typedef enum rmw_qos_reliability_policy_e rmw_qos_reliability_policy_t;
 enum rmw_qos_durability_policy_e
 {
   RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT,
@@ -39,14 +41,17 @@ enum rmw_qos_durability_policy_e
   RMW_QOS_POLICY_DURABILITY_UNKNOWN,
   RMW_QOS_POLICY_DURABILITY_BEST_AVAILABLE
 };
+typedef enum rmw_qos_durability_policy_e rmw_qos_durability_policy_t;
 enum rmw_qos_liveliness_policy_e
 {
   RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0,
   RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = 1,
+  RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_NODE = 2,  /* deprecated: as automatic */
   RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = 3,
   RMW_QOS_POLICY_LIVELINESS_UNKNOWN = 4,
   RMW_QOS_POLICY_LIVELINESS_BEST_AVAILABLE = 5
 };
+typedef enum rmw_qos_liveliness_policy_e rmw_qos_liveliness_policy_t;
 typedef enum rmw_qos_policy_kind_e
 {
   RMW_QOS_POLICY_INVALID = 1 << 0,
@@ -76,10 +81,11 @@ typedef struct rmw_qos_profile_s
 
 typedef int64_t rmw_time_point_value_t;
 
+#define RMW_GID_STORAGE_SIZE 16u
 typedef struct rmw_gid_s
 {
   const char * implementation_identifier;
-  uint8_t data[16];
+  uint8_t data[RMW_GID_STORAGE_SIZE];
 } rmw_gid_t;
 
 typedef struct rmw_message_info_s

@@ -42,7 +42,8 @@ struct Arguments
 /// Read a command line; throws UnknownROSArgsError for what this release does not know.
 Arguments parse_arguments(int argc, char const * const * argv);
 
-/// Whether a rule for `rule` is one for the node with these names; `/**` is every node.
+/// Whether a rule for `rule` is one for the node with these names: one of them, or a form like `/**`
+/// or `/arm/*/gripper`.
 bool applies_to(
   const std::string & rule, const std::string & name, const std::string & full_name);
 

@@ -41,6 +41,14 @@ typedef struct
 
 typedef struct
 {
+  double name;    /* which one it is: a whole number, unique in the page */
+  ros_qos qos;
+  int32_t kind;
+  int32_t size;   /* with the texts behind it: a multiple of 8 */
+} ros_entry;
+
+typedef struct
+{
   double source_timestamp;    /* when it was sent, ms since 1970 */
   double received_timestamp;  /* when it arrived here */
   double writer;              /* which endpoint sent it: a whole number, unique in the page */
@@ -51,6 +59,8 @@ typedef struct
 int32_t ros_create(
   int32_t kind, const char * node, const char * name, const char * type, const ros_qos * qos);
 void ros_destroy(int32_t id);
+/* Which endpoint of the whole page it is: a whole number. */
+double ros_name(int32_t id);
 /* Returns 0 if the publisher keeps all and is full: its subscriptions must take some first. */
 int32_t ros_publish(int32_t id, const uint8_t * data, uint32_t size);
 /* Whether some reliable subscription has not yet got all that a publisher sent. */
@@ -72,6 +82,14 @@ int32_t ros_matched(int32_t id);
 int32_t ros_next(int32_t id, ros_message_info * info);
 /* Copy that message to `to` (unless null) and remove it. */
 void ros_take(int32_t id, uint8_t * to);
+/* How often the graph changed. From the first call on, the page tells what others do. */
+uint32_t ros_changes(void);
+/* Size of a description of all that is in the graph, -1 while the page has not told. It stays as it
+ * is until the next call. */
+int32_t ros_look(void);
+/* Copy that description to `to`: for each node and endpoint a ros_entry, and behind it three texts
+ * that end with a zero: its node, its name, its type. */
+void ros_read(uint8_t * to);
 /* Suspend the caller until something happened or `milliseconds` passed: 0 lets the event loop
  * turn once, a negative number waits without end. Returns the signal that waits to be handled
  * (2, SIGINT, when the reader pressed Stop), 0 if none. */

@@ -1,6 +1,7 @@
 // The one place where the program waits; everything that blocks comes here.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 namespace rclcpp
@@ -10,6 +11,10 @@ namespace detail
 
 /// Milliseconds since 1970; never steps back.
 double now();
+
+/// The whole nanoseconds of `milliseconds`. The product as one double would be a quarter of a
+/// microsecond off for times since 1970, and then two times further apart than they are, or nearer.
+std::int64_t nanoseconds(double milliseconds);
 
 /// Suspend the caller until something happened in the graph, at most `milliseconds` (0: let the
 /// event loop turn once; negative: no limit). A signal that came is raised before it returns.

@@ -34,6 +34,8 @@ public:
   const std::string & name() const {return name_;}
   const QoS & qos() const {return qos_;}
   std::int32_t id() const {return id_;}
+  /// As those see it that get its messages.
+  rmw_gid_t gid() const;
   /// How many endpoints at the other side match this one now.
   std::size_t matched() const;
 

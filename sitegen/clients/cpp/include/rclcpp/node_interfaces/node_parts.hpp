@@ -27,7 +27,6 @@ private: \
     NodeBaseInterface::SharedPtr base_; \
   };
 
-ROS_NODE_PART(NodeGraphInterface)
 ROS_NODE_PART(NodeServicesInterface)
 ROS_NODE_PART(NodeTimersInterface)
 ROS_NODE_PART(NodeTopicsInterface)

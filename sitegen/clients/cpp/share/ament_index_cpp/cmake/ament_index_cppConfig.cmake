@@ -3,7 +3,4 @@
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)
-add_library(ament_index_cpp::ament_index_cpp INTERFACE IMPORTED GLOBAL)
-target_link_libraries(ament_index_cpp::ament_index_cpp INTERFACE rclcpp::rclcpp)
-set(ament_index_cpp_TARGETS ament_index_cpp::ament_index_cpp)
-set(ament_index_cpp_LIBRARIES ament_index_cpp::ament_index_cpp)
+sitegen_part_of_rclcpp(ament_index_cpp)

@@ -12,3 +12,13 @@ set_target_properties(rclcpp::rclcpp PROPERTIES
   INTERFACE_LINK_LIBRARIES "${builtin_interfaces_TARGETS};${rcl_interfaces_TARGETS};${rosgraph_msgs_TARGETS}")
 set(rclcpp_TARGETS rclcpp::rclcpp)
 set(rclcpp_LIBRARIES rclcpp::rclcpp)
+
+# Let a package be found that is a part of the rclcpp library.
+function(sitegen_part_of_rclcpp package)
+  if(NOT TARGET ${package}::${package})
+    add_library(${package}::${package} INTERFACE IMPORTED GLOBAL)
+    target_link_libraries(${package}::${package} INTERFACE rclcpp::rclcpp)
+  endif()
+  set(${package}_TARGETS ${package}::${package} PARENT_SCOPE)
+  set(${package}_LIBRARIES ${package}::${package} PARENT_SCOPE)
+endfunction()

@@ -2,7 +2,4 @@
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)
-add_library(rmw::rmw INTERFACE IMPORTED GLOBAL)
-target_link_libraries(rmw::rmw INTERFACE rclcpp::rclcpp)
-set(rmw_TARGETS rmw::rmw)
-set(rmw_LIBRARIES rmw::rmw)
+sitegen_part_of_rclcpp(rmw)

@@ -1,8 +1,7 @@
-"""Take from a file of parameters what is for one node."""
+"""Turn a file of parameters into what a command line has for it."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -10,24 +9,36 @@ from typing import Any
 import yaml
 
 VALUES = "ros__parameters"
+OPTION = "--params-file"
 
 
-def for_node(file: Path, node: str) -> dict[str, str]:
-    """Return the parameters that a file has for the node of this whole name, as YAML text.
+def read(file: Path) -> dict[str, str]:
+    """Return the parameters of a file as YAML text, by `pattern:name`; the last of two counts.
 
-    Raises a ValueError if it cannot be read.
+    The pattern says which nodes they are for: `/arm/left`, `/**`. Raises a ValueError if the file
+    cannot be read.
     """
     try:
         given = yaml.safe_load(file.read_text(encoding="utf-8")) or {}
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"'{file.name}' cannot be read: {error}") from None
     except yaml.YAMLError as error:
         raise ValueError(f"'{file.name}' is no YAML: {error}".replace("\n", " ")) from None
     if not isinstance(given, Mapping):
         raise ValueError(f"'{file.name}' has no parameters; begin with the name of a node")
     found: dict[str, str] = {}
     for pattern, values in _sections("", given):
-        if _means(pattern, node):
-            found |= {name: written(value) for name, value in _flat("", values)}
+        if not isinstance(values, Mapping):
+            raise ValueError(f"'{file.name}': '{VALUES}' of '{pattern}' has no names")
+        merge(found, {f"{pattern}:{name}": written(value) for name, value in _flat("", values)})
     return found
+
+
+def merge(parameters: dict[str, str], more: Mapping[str, str]) -> None:
+    """Let `more` come after all that is in `parameters`: of two that fit, the last one counts."""
+    for name, value in more.items():
+        parameters.pop(name, None)
+        parameters[name] = value
 
 
 def written(value: Any) -> str:
@@ -43,20 +54,13 @@ def written(value: Any) -> str:
     )
 
 
-def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
+def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     for key, value in part.items():
         name = f"{path}/{str(key).strip('/')}"
         if isinstance(value, Mapping) and VALUES in value:
             yield name, value[VALUES] or {}
         elif isinstance(value, Mapping):
             yield from _sections(name, value)
-
-
-def _means(pattern: str, node: str) -> bool:
-    if pattern.count("/") == 1 and "*" not in pattern and node.rpartition("/")[2] == pattern[1:]:
-        return node == pattern
-    parts = re.escape(pattern).replace(r"/\*\*", "(/.*)?").replace(r"\*", "[^/]+")
-    return bool(re.fullmatch(parts, node))
 
 
 def _flat(prefix: str, values: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

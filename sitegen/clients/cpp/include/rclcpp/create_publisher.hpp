@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/publisher.hpp"
+
+namespace rclcpp
+{
+
+/// Its QoS is as given: only publishers that a Node makes may be overridden by parameters.
+template<
+  class MessageT, class AllocatorT = std::allocator<void>,
+  class PublisherT = Publisher<MessageT, AllocatorT>, class NodeT>
+std::shared_ptr<PublisherT> create_publisher(
+  NodeT && node, const std::string & topic_name, const QoS & qos,
+  const PublisherOptionsWithAllocator<AllocatorT> & options =
+  PublisherOptionsWithAllocator<AllocatorT>())
+{
+  const auto base = node_interfaces::get_node_base_interface(node);
+  auto publisher = std::make_shared<PublisherT>(*base, topic_name, qos, options);
+  base->add(detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
+  return publisher;
+}
+
+}  // namespace rclcpp

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/node.hpp"
+
+namespace rclcpp
+{
+
+namespace node_interfaces
+{
+
+namespace detail
+{
+
+/// How a node is asked for each of its interfaces, and what a bundle of them calls it.
+template<class InterfaceT>
+struct Part;
+
+#define ROS_NODE_INTERFACE(Interface, name) \
+  template<> \
+  struct Part<Interface> \
+  { \
+    template<class NodeT> \
+    static std::shared_ptr<Interface> of(NodeT & node) {return node.get_ ## name();} \
+    std::shared_ptr<Interface> get_ ## name() const {return part;} \
+    std::shared_ptr<Interface> part; \
+  };
+
+ROS_NODE_INTERFACE(NodeBaseInterface, node_base_interface)
+ROS_NODE_INTERFACE(NodeClockInterface, node_clock_interface)
+ROS_NODE_INTERFACE(NodeGraphInterface, node_graph_interface)
+ROS_NODE_INTERFACE(NodeLoggingInterface, node_logging_interface)
+ROS_NODE_INTERFACE(NodeParametersInterface, node_parameters_interface)
+ROS_NODE_INTERFACE(NodeServicesInterface, node_services_interface)
+ROS_NODE_INTERFACE(NodeTimersInterface, node_timers_interface)
+ROS_NODE_INTERFACE(NodeTimeSourceInterface, node_time_source_interface)
+ROS_NODE_INTERFACE(NodeTopicsInterface, node_topics_interface)
+ROS_NODE_INTERFACE(NodeWaitablesInterface, node_waitables_interface)
+
+#undef ROS_NODE_INTERFACE
+
+}  // namespace detail
+
+/// Some interfaces of a node, whatever its class.
+template<class ... InterfaceTs>
+class NodeInterfaces : public detail::Part<InterfaceTs>...
+{
+public:
+  /// Of anything that has these interfaces.
+  template<
+    class NodeT, std::enable_if_t<rclcpp::detail::IsNode<NodeT>::value, int> = 0>
+  NodeInterfaces(NodeT & node)  // NOLINT: implicit upstream
+  : detail::Part<InterfaceTs>{detail::Part<InterfaceTs>::of(node)}... {}
+  explicit NodeInterfaces(std::shared_ptr<InterfaceTs>... parts)
+  : detail::Part<InterfaceTs>{std::move(parts)}... {}
+
+  template<class InterfaceT>
+  std::shared_ptr<InterfaceT> get() const
+  {
+    return static_cast<const detail::Part<InterfaceT> &>(*this).part;
+  }
+};
+
+}  // namespace node_interfaces
+
+}  // namespace rclcpp

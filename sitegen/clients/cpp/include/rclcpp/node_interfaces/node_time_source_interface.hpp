@@ -1,0 +1,3 @@
+#pragma once
+
+#include "rclcpp/node_interfaces/node_parts.hpp"

@@ -1,0 +1,43 @@
+"""Read a page again whose text alone has changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from sitegen.config.blocks import front_matter
+from sitegen.config.content import Part, Reader
+from sitegen.config.document import read
+from sitegen.config.page import first_heading
+from sitegen.errors import Place, Problems
+from sitegen.model import Markdown, Page
+
+NOWHERE = Place(Path(), 0)
+
+
+def read_again(page: Page, root: Path) -> Page | None:
+    """Return `page` with the text that its file has now, None if anything else is new or wrong.
+
+    What a page runs, is called or is tagged with concerns other pages, too; its text does not.
+    """
+    if not page.file:
+        return None
+    problems = Problems(root)
+    text = read(page.file, problems)
+    front, body = front_matter(text or "")
+    if not front.closed or front.text != page.front:
+        return None
+    reader = Reader(page.nodes, problems, page.file.parent)
+    start = Place(page.file, 1 + body.line)
+    content = tuple(reader.markdown(body.text, start, page.file.parent))
+    if problems.found or _frame(content) != _frame(page.content):
+        return None
+    if first_heading(content) != first_heading(page.content):
+        return None
+    return replace(page, content=content)
+
+
+def _frame(content: Iterable[Part]) -> list[Part]:
+    """Return what is between the text, without lines, which move when text is written."""
+    return [replace(part, place=NOWHERE) for part in content if not isinstance(part, Markdown)]

@@ -1,0 +1,56 @@
+"""Make a package of a component container: a program that is linked with its components."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+
+from sitegen.model import Component, Node, Package
+
+PACKAGE = "rclcpp_components"
+# The executables of upstream's package, and the executor of each. Where each component would have a
+# thread of its own, they take turns in one.
+EXECUTORS = {
+    "component_container": "SingleThreadedExecutor",
+    "component_container_mt": "MultiThreadedExecutor",
+    "component_container_isolated": "SingleThreadedExecutor",
+}
+LIST = """cmake_minimum_required(VERSION 3.16)
+project(container)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp_components REQUIRED)
+{find}
+sitegen_add_container({name} {executor} {components})
+ament_package()
+"""
+
+
+def executable(container: str, components: list[Component]) -> str:
+    """Return the name of the program that is `container` with these components."""
+    digest = hashlib.sha256("\n".join(_classes(components)).encode()).hexdigest()[:8]
+    return f"{container}-{digest}"
+
+
+def package(node: Node, packages: Mapping[str, Package], cache: Path) -> Package:
+    """Return a package with the executable of the container `node`, written to the cache."""
+    names = sorted({component.package for component in node.components})
+    text = LIST.format(
+        find="\n".join(f"find_package({name} REQUIRED)" for name in names),
+        name=node.executable,
+        executor=EXECUTORS[node.executable.partition("-")[0]],
+        components=" ".join(f'"{item}"' for item in _classes(node.components)),
+    )
+    folder = cache / "containers" / hashlib.sha256(text.encode()).hexdigest()[:20]
+    file = folder / "CMakeLists.txt"
+    if not file.exists():
+        folder.mkdir(parents=True, exist_ok=True)
+        draft = file.with_suffix(".draft")
+        draft.write_text(text)
+        draft.replace(file)
+    depends = tuple(name for name in names if name in packages)
+    return Package(PACKAGE, folder, "ament_cmake", depends, (node.executable,), ())
+
+
+def _classes(components: tuple[Component, ...] | list[Component]) -> list[str]:
+    return sorted({f"{each.package}@{each.plugin}" for each in components})

@@ -1,0 +1,44 @@
+"""Run xacro with packages of a workspace.
+
+A program of its own: it reads the folders of packages from the standard input, as JSON, and writes
+the URDF to the standard output, or to the standard error what is wrong, and in which file.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import types
+from pathlib import Path
+
+
+def main() -> int:
+    """Write the URDF that the file given as argument describes."""
+    folders = json.load(sys.stdin)
+    packages = types.ModuleType("ament_index_python.packages")
+
+    def share(package: str) -> str:
+        if package not in folders:
+            raise LookupError(f"no package '{package}' in the workspace")
+        return str(folders[package])
+
+    vars(packages).update(get_package_share_directory=share, PackageNotFoundError=LookupError)
+    sys.modules |= {"ament_index_python": packages, packages.__name__: packages}
+
+    import xacro
+    from xacro.cli import process_args
+
+    options, file = process_args(sys.argv[1:])
+    try:
+        document = xacro.process_file(file, **vars(options))
+    except Exception as error:
+        where = Path((xacro.filestack or [file])[-1] or file).name
+        text = " ".join(str(error).split()) or type(error).__name__
+        print(f"xacro: {where}: {text}", file=sys.stderr)
+        return 1
+    sys.stdout.write(document.toprettyxml(indent="  "))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "message_filters/pass_through.hpp"
+#include "message_filters/simple_filter.hpp"
+
+namespace message_filters
+{
+
+/// Filters one after another, as one.
+template<typename M>
+class Chain : public SimpleFilter<M>
+{
+public:
+  using MConstPtr = std::shared_ptr<M const>;
+  using EventType = MessageEvent<M const>;
+
+  Chain() = default;
+  template<typename F>
+  explicit Chain(F & filter) {connectInput(filter);}
+  ~Chain()
+  {
+    input_.disconnect();
+    output_.disconnect();
+  }
+
+  /// Returns the filter's index. A filter that is given as a plain pointer has to live on.
+  template<class F>
+  std::size_t addFilter(F * filter)
+  {
+    return addFilter(std::shared_ptr<F>(filter, [](F *) {}));
+  }
+  template<class F>
+  std::size_t addFilter(const std::shared_ptr<F> & filter)
+  {
+    output_.disconnect();
+    if (links_.empty()) {
+      filter->connectInput(start_);
+    } else {
+      filter->connectInput(*links_.back().out);
+    }
+    output_ = filter->registerCallback(
+      [this](const EventType & event) {this->signalMessage(event);});
+    // What follows connects to the output of this filter, whatever its class is.
+    links_.push_back({filter, std::make_shared<PassThrough<M>>(*filter)});
+    return links_.size() - 1;
+  }
+  /// Null where there is none.
+  template<class F>
+  std::shared_ptr<F> getFilter(std::size_t index) const
+  {
+    return index < links_.size() ? std::static_pointer_cast<F>(links_[index].filter) : nullptr;
+  }
+
+  template<class F>
+  void connectInput(F & filter)
+  {
+    input_.disconnect();
+    input_ = filter.registerCallback([this](const EventType & event) {add(event);});
+  }
+  void add(const MConstPtr & message) {start_.add(message);}
+  void add(const EventType & event) {start_.add(event);}
+
+private:
+  struct Link
+  {
+    std::shared_ptr<void> filter;
+    std::shared_ptr<PassThrough<M>> out;
+  };
+
+  PassThrough<M> start_;
+  std::vector<Link> links_;
+  Connection input_;
+  Connection output_;
+};
+
+}  // namespace message_filters

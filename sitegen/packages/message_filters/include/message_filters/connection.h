@@ -1,0 +1,3 @@
+#pragma once
+
+#include "message_filters/connection.hpp"

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace message_filters
+{
+
+/// What registerCallback() returns: whether, and how, a callback is taken back.
+class Connection
+{
+public:
+  using VoidDisconnectFunction = std::function<void ()>;
+
+  Connection() = default;
+  explicit Connection(VoidDisconnectFunction disconnect)
+  : disconnect_(std::move(disconnect)) {}
+
+  void disconnect()
+  {
+    if (disconnect_) {std::exchange(disconnect_, nullptr)();}
+  }
+
+private:
+  VoidDisconnectFunction disconnect_;
+};
+
+}  // namespace message_filters

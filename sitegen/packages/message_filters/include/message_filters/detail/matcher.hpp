@@ -1,0 +1,132 @@
+// How messages of several topics are matched: by their times alone, whatever their types are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rclcpp/duration.hpp"
+#include "rclcpp/time.hpp"
+
+namespace message_filters
+{
+namespace detail
+{
+
+/// A message; `stamp` is its time in nanoseconds.
+struct Item
+{
+  std::shared_ptr<const void> message;
+  rclcpp::Time receipt;
+  std::int64_t stamp;
+};
+
+/// One item of each topic.
+using Match = std::vector<Item>;
+
+/// Each topic with the same time.
+class ExactMatcher
+{
+public:
+  ExactMatcher(std::size_t topics, std::uint32_t queue_size)
+  : topics_(topics), size_(queue_size) {}
+
+  void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
+
+private:
+  std::size_t topics_;
+  std::size_t size_;
+  std::map<std::int64_t, std::vector<std::optional<Item>>> waiting_;  // by their time
+};
+
+/// The oldest of each topic, if they are no further apart than `epsilon`.
+class ApproximateEpsilonMatcher
+{
+public:
+  ApproximateEpsilonMatcher(
+    std::size_t topics, std::uint32_t queue_size, rclcpp::Duration epsilon)
+  : queues_(topics), size_(queue_size), epsilon_(epsilon.nanoseconds()) {}
+
+  void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
+
+private:
+  std::vector<std::deque<Item>> queues_;
+  std::size_t size_;
+  std::int64_t epsilon_;
+};
+
+/// Those that are nearest to each other; no message is in two matches, and matches do not cross.
+///
+/// A candidate has one message of each topic. The pivot is the topic whose message was the latest
+/// when the first candidate was found: it is a part of each that follows, so the search ends.
+class ApproximateMatcher
+{
+public:
+  ApproximateMatcher(std::size_t topics, std::uint32_t queue_size);
+
+  void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
+
+  /// How much a later match has to be better than an earlier one; 0.1 unless told.
+  void setAgePenalty(double age_penalty) {age_penalty_ = age_penalty;}
+  /// Messages of topic `i` are at least so far apart, which lets matches be known earlier.
+  void setInterMessageLowerBound(int i, rclcpp::Duration lower_bound)
+  {
+    topics_[i].lower_bound = lower_bound.nanoseconds();
+  }
+  /// Messages that are further apart never match.
+  void setMaxIntervalDuration(rclcpp::Duration max_interval_duration)
+  {
+    max_interval_ = max_interval_duration.nanoseconds();
+  }
+
+private:
+  struct Topic
+  {
+    std::deque<Item> waiting;
+    std::vector<Item> past;  // those that the search has gone past, and may come back to
+    bool dropped = false;
+    bool warned = false;
+    std::int64_t lower_bound = 0;
+  };
+
+  /// The earliest and the latest of the times that topics are at, and which topics are there.
+  struct Interval
+  {
+    std::size_t first;
+    std::size_t last;
+    std::int64_t start;
+    std::int64_t end;
+  };
+
+  bool all_wait() const;
+  /// Where nothing waits, the time before which nothing can come.
+  std::int64_t time_at(const Topic & topic) const;
+  Interval interval() const;
+  bool is_better(const Interval & next) const;
+  bool is_best(const Interval & next) const;
+  void check_bound(std::size_t index);
+  void search(const std::function<void(const Match &)> & emit);
+  void take(const Interval & at);
+  void go_past(std::size_t index);
+  void come_back(std::size_t index, std::size_t count);
+  bool no_other_can_be_better();
+  void publish(const std::function<void(const Match &)> & emit);
+
+  std::vector<Topic> topics_;
+  std::size_t size_;
+  double age_penalty_ = 0.1;
+  std::int64_t max_interval_ = INT64_MAX;
+  Match candidate_;
+  std::int64_t candidate_start_ = 0;
+  std::int64_t candidate_end_ = 0;
+  std::optional<std::size_t> pivot_;
+  std::int64_t pivot_time_ = 0;
+};
+
+}  // namespace detail
+}  // namespace message_filters

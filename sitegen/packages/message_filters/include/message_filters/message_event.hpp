@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "rclcpp/clock.hpp"
+#include "rclcpp/time.hpp"
+
+namespace message_filters
+{
+
+/// A message, and when it came.
+template<typename M>
+class MessageEvent
+{
+public:
+  using Message = std::remove_const_t<M>;
+  using ConstMessage = const Message;
+  using MessagePtr = std::shared_ptr<Message>;
+  using ConstMessagePtr = std::shared_ptr<ConstMessage>;
+
+  MessageEvent() = default;
+  MessageEvent(ConstMessagePtr message)  // NOLINT: implicit upstream
+  : MessageEvent(std::move(message), rclcpp::Clock().now()) {}
+  MessageEvent(ConstMessagePtr message, rclcpp::Time receipt_time)
+  : message_(std::move(message)), receipt_time_(receipt_time) {}
+  template<
+    typename Other,
+    std::enable_if_t<std::is_same_v<std::remove_const_t<Other>, Message> &&
+    !std::is_same_v<Other, M>, int> = 0>
+  MessageEvent(const MessageEvent<Other> & other)  // NOLINT: implicit upstream
+  : MessageEvent(other.getConstMessage(), other.getReceiptTime()) {}
+
+  /// The message; of an event whose message may be changed, a copy.
+  std::shared_ptr<M> getMessage() const
+  {
+    if constexpr (std::is_const_v<M>) {
+      return message_;
+    } else {
+      return std::make_shared<Message>(*message_);
+    }
+  }
+  const ConstMessagePtr & getConstMessage() const {return message_;}
+  const rclcpp::Time & getReceiptTime() const {return receipt_time_;}
+
+  bool operator<(const MessageEvent & other) const {return key() < other.key();}
+  bool operator==(const MessageEvent & other) const {return key() == other.key();}
+  bool operator!=(const MessageEvent & other) const {return !(*this == other);}
+
+private:
+  std::pair<const void *, std::int64_t> key() const
+  {
+    return {message_.get(), receipt_time_.nanoseconds()};
+  }
+
+  ConstMessagePtr message_;
+  rclcpp::Time receipt_time_;
+};
+
+}  // namespace message_filters

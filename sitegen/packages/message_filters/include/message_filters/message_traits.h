@@ -1,0 +1,3 @@
+#pragma once
+
+#include "message_filters/message_traits.hpp"

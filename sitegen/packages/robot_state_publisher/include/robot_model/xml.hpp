@@ -1,0 +1,26 @@
+// A small reader of XML: elements with their attributes, which is all that a URDF consists of.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace robot_model
+{
+
+struct Element
+{
+  std::string name;
+  std::map<std::string, std::string> attributes;
+  std::vector<Element> children;
+
+  /// The first child of that name, or null.
+  const Element * child(const std::string & wanted) const;
+  /// The attribute, or `fallback` where there is none.
+  std::string attribute(const std::string & wanted, const std::string & fallback = "") const;
+};
+
+/// The root of a document. Throws std::runtime_error with the line of what is wrong.
+Element parse_xml(const std::string & text);
+
+}  // namespace robot_model

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "tf2/buffer_core_interface.hpp"

@@ -1,0 +1,112 @@
+// Between messages and classes of a library; for which, other packages say (tf2_geometry_msgs).
+#pragma once
+
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include "builtin_interfaces/msg/time.hpp"
+#include "geometry_msgs/msg/transform_stamped.hpp"
+#include "rosidl_runtime_cpp/traits.hpp"
+#include "tf2/exceptions.hpp"
+#include "tf2/time.hpp"
+#include "tf2/transform_datatypes.hpp"
+#include "tf2/visibility_control.h"
+
+namespace tf2
+{
+
+/// To be specialized for each type that can be transformed.
+template<class T>
+void doTransform(
+  const T & data_in, T & data_out, const geometry_msgs::msg::TransformStamped & transform);
+
+template<typename A, typename B>
+B toMsg(const A & a);
+template<typename A, typename B>
+B & toMsg(const A & a, B & b);
+template<typename A, typename B>
+void fromMsg(const A & a, B & b);
+
+inline TimePoint TimePointFromMsg(const builtin_interfaces::msg::Time & time)
+{
+  return TimePoint(std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nanosec));
+}
+
+namespace detail
+{
+
+template<class T, class = void>
+struct has_header : std::false_type {};
+template<class T>
+struct has_header<T, std::void_t<decltype(std::declval<const T &>().header.frame_id)>>
+  : std::true_type {};
+
+}  // namespace detail
+
+/// Of a message with a header, or of Stamped; for other types to be specialized.
+template<class T>
+TimePoint getTimestamp(const T & t)
+{
+  if constexpr (detail::has_header<T>::value) {
+    return TimePointFromMsg(t.header.stamp);
+  } else {
+    return t.stamp_;
+  }
+}
+
+template<class T>
+std::string getFrameId(const T & t)
+{
+  if constexpr (detail::has_header<T>::value) {
+    return t.header.frame_id;
+  } else {
+    return t.frame_id_;
+  }
+}
+
+inline std::array<std::array<double, 6>, 6> covarianceRowMajorToNested(
+  const std::array<double, 36> & rows)
+{
+  std::array<std::array<double, 6>, 6> nested;
+  for (std::size_t i = 0; i < 36; ++i) {nested[i / 6][i % 6] = rows[i];}
+  return nested;
+}
+
+inline std::array<double, 36> covarianceNestedToRowMajor(
+  const std::array<std::array<double, 6>, 6> & nested)
+{
+  std::array<double, 36> rows;
+  for (std::size_t i = 0; i < 36; ++i) {rows[i] = nested[i / 6][i % 6];}
+  return rows;
+}
+
+/// Of a message with a pose and its covariance, or of WithCovarianceStamped.
+template<class T>
+std::array<std::array<double, 6>, 6> getCovarianceMatrix(const T & t)
+{
+  if constexpr (detail::has_header<T>::value) {
+    return covarianceRowMajorToNested(t.pose.covariance);
+  } else {
+    return t.cov_mat_;
+  }
+}
+
+/// From any type to any other, if there are functions for the way over a message.
+template<class A, class B>
+void convert(const A & a, B & b)
+{
+  constexpr bool from = rosidl_generator_traits::is_message<A>::value;
+  constexpr bool to = rosidl_generator_traits::is_message<B>::value;
+  if constexpr (std::is_same_v<A, B>) {
+    if (&a != &b) {b = a;}
+  } else if constexpr (from) {
+    fromMsg(a, b);
+  } else if constexpr (to) {
+    b = toMsg(a);
+  } else {
+    fromMsg(toMsg(a), b);
+  }
+}
+
+}  // namespace tf2

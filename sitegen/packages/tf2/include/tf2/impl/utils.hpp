@@ -1,0 +1,4 @@
+// Upstream has a part of this here.
+#pragma once
+
+#include "tf2/utils.hpp"

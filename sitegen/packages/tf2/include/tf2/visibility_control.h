@@ -1,0 +1,5 @@
+#pragma once
+
+// A program of a page is linked from static libraries: everything is visible.
+#define TF2_PUBLIC
+#define TF2_LOCAL

@@ -1,0 +1,14 @@
+"""Fill a buffer with what is said on /tf_static."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tf2_ros.transform_listener import TransformListener
+
+
+class StaticTransformListener(TransformListener):
+    """Leaves out what moves."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options, static_only=True)
