@@ -29,6 +29,8 @@ setup(
             "lifecycle = tutorials.lifecycle:main",
             "graph = tutorials.graph:main",
             "executors = tutorials.executors:main",
+            "goals = tutorials.goals:main",
+            "loggers = tutorials.loggers:main",
             "entries = tutorials.entries:main",
         ],
     },
