@@ -116,8 +116,8 @@ class Program:
     def end(self) -> None:
         """Let none of its threads go on."""
         self.over = True
-        for ident in self.threads:
-            threading._active.pop(ident, None)  # type: ignore[attr-defined]
+        # The others take themselves out of the list, when they end.
+        threading._active.pop(self.ident, None)  # type: ignore[attr-defined]
         self.host.wake()
 
 
