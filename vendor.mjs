@@ -12,6 +12,13 @@ const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
   yaml: 'export { FAILSAFE_SCHEMA, load } from "js-yaml";',
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
+  codemirror: `
+    export { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+    export { python } from "@codemirror/lang-python";
+    export { bracketMatching, HighlightStyle, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+    export { EditorState, StateEffect, StateField } from "@codemirror/state";
+    export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
+    export { tags } from "@lezer/highlight";`,
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
 

@@ -15,7 +15,7 @@ VENDOR = RUNTIME / "vendor"
 PYTHON = {".json", ".mjs", ".wasm", ".zip"}
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
-PLAIN = {"buttons", "console", "prompt"}
+PLAIN = {"buttons", "console", "editor", "prompt"}
 # A compiled form of a node: its package, its executable, its engine.
 Form = tuple[str, str, str]
 IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)

@@ -38,7 +38,7 @@ class Panel:
         self.expect_state("stopped")
 
     def expect_state(self, state: str) -> None:
-        expect(self.panel.locator("[aria-live=polite]")).to_have_text(state)
+        expect(self.panel.locator(".ros-state[aria-live=polite]")).to_have_text(state)
 
     def expect_running(self) -> None:
         expect(self.panel.locator(".ros-state").first).to_have_text("running")

@@ -426,8 +426,8 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
-            "prompt, topics, nodes, services, publish, graph, log, robot, found the text 'topics'; "
-            "write it like 'topics:'",
+            "prompt, editor, topics, nodes, services, publish, graph, log, robot, found the text "
+            "'topics'; write it like 'topics:'",
             "site.yaml:10: pages[0].content[1].topics: expected its options (show, echo) or "
             "nothing, found the text '/chatter'; write it like 'topics:'",
             "site.yaml:11: pages[0].content[2].topics.show[0]: expected a name of the graph, found "
@@ -635,8 +635,8 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0]: expected one of markdown, buttons, console, source, "
-            "prompt, topics, nodes, services, publish, graph, log, robot, found the text 'talker'; "
-            "write it like 'console: talker'",
+            "prompt, editor, topics, nodes, services, publish, graph, log, robot, found the text "
+            "'talker'; write it like 'console: talker'",
             "site.yaml:10: pages[0].content[1].plot: nothing is called 'plot' here; "
             "did you mean 'prompt'?",
             "site.yaml:11: pages[0].content[2]: expected one key, found 'buttons', 'console'; "
@@ -663,8 +663,8 @@ WRONG = [
             "did you mean 'talker'?",
             "page.md:9: ros.console: no node 'camera'; known: talker",
             "page.md:13: ros[1].markdown: nothing is called 'markdown' here; "
-            "known: buttons, console, graph, log, nodes, prompt, publish, robot, services, source, "
-            "topics",
+            "known: buttons, console, editor, graph, log, nodes, prompt, publish, robot, services, "
+            "source, topics",
             "page.md:17: yaml: mapping values are not allowed here; "
             "check indentation and quotes here and above",
             "page.md:20: ros: a block begins with 'ros' only, found 'ros console'; "

@@ -105,6 +105,7 @@ RUNTIME_ALLOWED = {
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {"messages", "participant", "place.js", "protocol.js", "vendor", "workers"},
+    "codeView.js": {"vendor"},
     "drawing.js": {"elements.js", "words.js"},
     "elements.js": set(),
     "looking.js": set(),
@@ -113,6 +114,7 @@ RUNTIME_ALLOWED = {
     "robots": {"drawing.js", "elements.js", "protocol.js", "robots", "words.js"},
     "widgets": {
         *{
+            "codeView.js",
             "drawing.js",
             "elements.js",
             "lines.js",

@@ -11,14 +11,14 @@ LEVELS = {
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
     "I4": "panels about the whole graph",
-    "I5": "a Python prompt",
+    "I5": "a Python prompt or an editor",
 }
 
 
 def offered(widgets: Iterable[Widget]) -> str:
     """Return what a visitor of these widgets can do."""
     kinds = [(widget.kind, widget.target) for widget in widgets]
-    if any(kind == "prompt" for kind, _ in kinds):
+    if any(kind in ("prompt", "editor") for kind, _ in kinds):
         return "I5"
     if any(not target for _, target in kinds):
         return "I4"
@@ -36,8 +36,10 @@ def fault(declared: str, offers: str) -> str:
         "I1": "remove the buttons",
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
         "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
-        "I4": "remove the prompt" if offers == "I5" else "add a panel, like 'topics:'",
-        "I5": "add a prompt",
+        "I4": "remove the prompt and the editors"
+        if offers == "I5"
+        else "add a panel, like 'topics:'",
+        "I5": "add a prompt or an editor",
     }
     way = "remove the panels" if offers == "I4" and declared in ways else ways.get(declared)
     offer = f"the page offers {offers} ({LEVELS[offers]})"

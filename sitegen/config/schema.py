@@ -278,6 +278,10 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         _NODE,
         Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
     ),
+    "editor": (
+        _NODE,
+        Key("file", "text", "another Python file of the package", "file: py_pubsub/words.py"),
+    ),
     # Those without a node look at all of the page.
     "topics": (
         Key("show", "list of names", "only these topics", "show: [/chatter]"),

@@ -36,8 +36,10 @@ class Programs:
     own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
 
 
-def page_json(site: Site, page: Page, programs: Programs) -> bytes:
-    """Return the page's PageEntry."""
+def page_json(
+    site: Site, page: Page, programs: Programs, edited: Mapping[str, Mapping[str, str]]
+) -> bytes:
+    """Return the page's PageEntry; `edited` has the files of its editors, by their slots."""
     types = programs.types.get(page.path)
     waiting = {
         widget.target
@@ -58,7 +60,7 @@ def page_json(site: Site, page: Page, programs: Programs) -> bytes:
                 "kind": widget.kind,
                 "element": slot.id,
                 "target": widget.target,
-                "options": dict(widget.options),
+                "options": {**widget.options, **edited.get(slot.id, {})},
             }
             for widget, slot in slots_of(page)
         ],

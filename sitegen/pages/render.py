@@ -15,6 +15,7 @@ from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Page, Site
 from sitegen.pages import app, discovery, preview, search, tags
 from sitegen.pages.blocks import Block, blocks, slots_of
+from sitegen.pages.editor import edited
 from sitegen.pages.entry import Programs, page_json
 from sitegen.pages.history import changed_days, edit_link
 from sitegen.pages.missing import missing
@@ -107,7 +108,8 @@ class Renderer:
         html = self._html(page, parts, prose, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
-            entry = page_json(self.site, page, self._programs)
+            files = edited(self.site, page, problems)
+            entry = page_json(self.site, page, self._programs, files)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:

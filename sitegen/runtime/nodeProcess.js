@@ -32,6 +32,8 @@ export class NodeProcess extends EventTarget {
   /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number} | undefined} */
   #run;
   #startAgain = false;
+  /** What a visitor made of files of a Python node, by their places. @type {Record<string, string>} */
+  #edits = {};
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #grace;
 
@@ -110,7 +112,10 @@ export class NodeProcess extends EventTarget {
     const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
     const { executable: name, arguments: args } = this.#entry;
     const program = { ...entry, bundles };
-    this.#launch("pythonNode", async (id) => ({ op: "interpret", id, name, program, arguments: args }));
+    this.#launch("pythonNode", async (id) => {
+      await this.#ready; // an editor may bring what its visitor changed
+      return { op: "interpret", id, name, program, arguments: args, edits: this.#edits };
+    });
   }
 
   /** Say that this browser cannot run it. @param {string} who needs what it lacks */
@@ -118,6 +123,18 @@ export class NodeProcess extends EventTarget {
     const lacks = "this browser lacks JavaScript Promise Integration, which";
     this.#print("fatal", `${this.name}: ${lacks} ${who}`);
     this.#setState("failed");
+  }
+
+  /** Run with another text of a file from the next start on. @param {string} place @param {string | undefined} text */
+  edit(place, text) {
+    const { [place]: _, ...others } = this.#edits;
+    this.#edits = text === undefined ? others : { ...others, [place]: text };
+  }
+
+  /** Start it anew, whatever it does. */
+  restart() {
+    this.stop();
+    this.start();
   }
 
   /** Hand a prompt what was typed. @param {Typed} typed */
@@ -152,9 +169,7 @@ export class NodeProcess extends EventTarget {
     const running = this.#state === "starting" || this.#state === "running";
     this.#entry = entry;
     this.#module = undefined;
-    if (!running) return;
-    this.stop();
-    this.start();
+    if (running) this.restart();
   }
 
   /** Empty its consoles. */

@@ -68,12 +68,14 @@
  * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
  * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). A prompt takes what is typed; it emits
  * `ready` (detail: whether a line goes on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
+ * From its next start on, a Python node runs with the text that it was given by `edit` for an installed file.
  * While it loads much, it emits `progress` (detail: {loaded, total}, bytes).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number,
  *   start(): void, stop(): void, clear(): void,
  *   type(typed: Typed): void, interrupt(): void,
+ *   edit(place: string, text: string | undefined): void, restart(): void,
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
  *
@@ -147,7 +149,8 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "stop"}} ToWorker
  *
  * With `join`, a worker of Python gets a port through which one more node talks with it, until it leaves.
- * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[]}} Interpret
+ * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],
+ *   edits: Record<string, string>}} Interpret a node, with the files that its visitor changed, by their places
  *
  * What a visitor types at a prompt: a line, or the beginning of a word.
  * @typedef {{op: "line" | "complete", text: string}} Typed

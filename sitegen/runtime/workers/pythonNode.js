@@ -31,7 +31,9 @@ async function load(folder) {
     const loader = new URL("pyodide.mjs", folder);
     const { loadPyodide } = await import(loader.href).catch(() => download.lack(loader));
     const python = await Promise.race([loadPyodide({ indexURL: folder.href }), download.failed]);
-    python.pyimport("sys").path.insert(0, `${PREFIX}/python`);
+    const sys = python.pyimport("sys");
+    sys.path.insert(0, `${PREFIX}/python`);
+    sys.dont_write_bytecode = true; // the next visitor has another interpreter
     return python;
   } finally {
     globalThis.fetch = browsers;
@@ -67,13 +69,17 @@ function serve(way) {
   };
 
   /** @param {Interpret} node @param {Participant} graph */
-  async function run({ name, program, arguments: args }, graph) {
+  async function run({ name, program, arguments: args, edits }, graph) {
     download.expect(program.size, post);
     const files = program.bundles.map(fetched);
     const python = await loading;
     for (const [index, url] of program.bundles.entries()) await unpack(python, url, files[index]);
     download.forget(post);
     if (left) return;
+    for (const [place, text] of Object.entries(edits)) {
+      python.FS.writeFile(`${PREFIX}/${place}`, text);
+      unpacked.delete(program.bundles.at(-1) ?? ""); // the next node has its files as they were
+    }
     const failed = (/** @type {unknown} */ error) => end(1, describe(error));
     // What the interpreter writes by itself; programs have streams of their own.
     for (const set of [python.setStdout, python.setStderr]) {

@@ -18,7 +18,8 @@ from typing import Any, Protocol
 
 OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
 COMMON = {
-    f"rclpy_backend.{name}" for name in ("arrays", "blocking", "fixed_array", "threads", "turns")
+    f"rclpy_backend.{name}"
+    for name in ("arrays", "asyncio_turns", "blocking", "fixed_array", "threads", "turns")
 }
 
 PATH = list(sys.path)
@@ -115,8 +116,8 @@ class Program:
     def end(self) -> None:
         """Let none of its threads go on."""
         self.over = True
-        for ident in self.threads:
-            threading._active.pop(ident, None)  # type: ignore[attr-defined]
+        # The others take themselves out of the list, when they end.
+        threading._active.pop(self.ident, None)  # type: ignore[attr-defined]
         self.host.wake()
 
 
@@ -128,6 +129,11 @@ def running() -> Program:
     """Return the program that runs."""
     assert _running
     return _running
+
+
+def current() -> tuple[Program | None, int]:
+    """Return who runs: the program, if one does, and the number of its thread."""
+    return _running, _thread
 
 
 def current_thread() -> int:

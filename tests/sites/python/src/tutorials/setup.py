@@ -30,6 +30,8 @@ setup(
             "graph = tutorials.graph:main",
             "executors = tutorials.executors:main",
             "introspection = tutorials.introspection:main",
+            "goals = tutorials.goals:main",
+            "loggers = tutorials.loggers:main",
             "entries = tutorials.entries:main",
         ],
     },
