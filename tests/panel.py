@@ -38,10 +38,7 @@ class Panel:
         self.expect_state("stopped")
 
     def expect_state(self, state: str) -> None:
-        expect(self.panel.locator(".ros-state[aria-live=polite]")).to_have_text(state)
-
-    def expect_running(self) -> None:
-        expect(self.panel.locator(".ros-state").first).to_have_text("running")
+        expect(self.panel.locator(".ros-state").first).to_have_text(state)
 
     def lines(self) -> list[str]:
         return [line for line in self.console.inner_text().split("\n") if line]

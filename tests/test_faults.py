@@ -114,7 +114,7 @@ def test_a_node_that_is_terminated_in_the_middle_of_large_messages_spoils_nothin
 ) -> None:
     pour, drink = Panel(page, "pour"), Panel(page, "drink")
     drink.start()
-    drink.expect_running()
+    drink.expect_state("running")
     for turn in range(3):
         before = len(drink.lines())
         pour.start()

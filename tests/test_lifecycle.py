@@ -38,7 +38,7 @@ def test_a_page_that_was_left_goes_on_where_it_was(
     page.goto(url)
     talker, listener = Panel(page, "talker"), Panel(page, "listener")
     listener.start()
-    listener.expect_running()
+    listener.expect_state("running")
     talker.start()
     listener.wait_for("Hello, world! 2")
     page.evaluate("addEventListener('pageshow', (event) => { window.restored = event.persisted; })")

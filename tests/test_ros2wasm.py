@@ -251,7 +251,7 @@ MIRRORED = {
 @pytest.mark.parametrize("case", MIRRORED)
 def test_messages_of_all_kinds_come_back_as_they_went(page: Page, url: str, case: str) -> None:
     page.goto(f"{url}types/")
-    Panel(page, "mirror").expect_running()
+    Panel(page, "mirror").expect_state("running")
     topic, type = case.split()[:2]
     messages = page.evaluate_handle(f"() => {MIRRORED[case]}")
     sent, found = page.evaluate(MIRROR, [topic, type, messages])
@@ -317,7 +317,7 @@ def test_what_is_wrong_is_told_once_and_breaks_nothing(page: Page, url: str) -> 
         "printed <b>as it is</b>",
         "printed <b>as it is</b>",
     ]
-    rude.expect_running()
+    rude.expect_state("running")
     assert page.locator("img[src=x]").count() == 0
     assert graph(page)["nodes"] == ["/minimal_subscriber", "/rude"]
 
@@ -343,7 +343,7 @@ def test_a_flood_and_an_endless_program_can_be_stopped(page: Page, url: str) -> 
     page.goto(f"{url}faults/")
     flood, endless = Panel(page, "flood"), Panel(page, "endless")
     endless.start()
-    endless.expect_running()
+    endless.expect_state("running")
     endless.stop()
     page.evaluate(
         """async () => {

@@ -79,7 +79,7 @@ def test_a_link_carries_what_runs_and_what_panels_show(tab: Page, fresh: Page, u
     panel(tab, "log").get_by_label("severity").select_option("warn")
     panel(tab, "log").get_by_label("text").fill("hello")
     Panel(tab, "talker").wait_for("Hello")
-    Panel(tab, "server").expect_running()
+    Panel(tab, "server").expect_state("running")
     link = shared(tab).get_by_label("Link").input_value()
     assert link.startswith(f"{url}demo05/#share=1.")
     assert len(link) < 600
@@ -87,7 +87,7 @@ def test_a_link_carries_what_runs_and_what_panels_show(tab: Page, fresh: Page, u
 
     fresh.goto(link)
     Panel(fresh, "talker").wait_for("Hello")
-    Panel(fresh, "server").expect_running()
+    Panel(fresh, "server").expect_state("running")
     Panel(fresh, "listener").expect_state("stopped")
     topics = panel(fresh, "topics")
     chosen = topics.locator("[aria-pressed=true]")
