@@ -23,7 +23,8 @@ SEED = "20240607"
 # Programs that end by themselves and print the same everywhere.
 PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
-    *("actions", "lifecycle", "graph", "executors", "introspection", "goals", "loggers"),
+    *("actions", "lifecycle", "graph", "executors", "event_loops"),
+    *("introspection", "goals", "loggers"),
 ]
 
 # Run a node to its end, and return its lines: a console would keep only the last.

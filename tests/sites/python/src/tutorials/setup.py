@@ -29,6 +29,7 @@ setup(
             "lifecycle = tutorials.lifecycle:main",
             "graph = tutorials.graph:main",
             "executors = tutorials.executors:main",
+            "event_loops = tutorials.event_loops:main",
             "introspection = tutorials.introspection:main",
             "goals = tutorials.goals:main",
             "loggers = tutorials.loggers:main",
