@@ -20,11 +20,12 @@ export class WorkerGroups {
     const { worker, members } = known ?? { worker: startWorker(file, group), members: new Set() };
     const { port1, port2 } = new MessageChannel();
     const member = new Member(name, port1, (stuck) => {
+      // A program that ended leaves things behind that could hold others up, so all of a group end together.
       members.delete(member);
-      if (!stuck && members.size > 0) return;
-      worker.terminate();
       if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
-      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which had to be terminated`);
+      worker.terminate();
+      const how = stuck ? "had to be terminated" : "has ended";
+      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which ${how}`);
     });
     if (!known) {
       this.#groups.set(group, { worker, members });
@@ -64,7 +65,7 @@ export class Member {
     this.#port.postMessage(message, transfer);
   }
 
-  /** The node has ended; the others go on. */
+  /** The node has ended. */
   leave() {
     this.postMessage({ op: "leave" });
     this.#port.close();
