@@ -136,7 +136,6 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[]}
  *   | {op: "join"}
- *   | {op: "leave"}
  *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
  *   | {op: "link", peer: number, port: MessagePort}

@@ -67,7 +67,6 @@ export class Member {
 
   /** The node has ended. */
   leave() {
-    this.postMessage({ op: "leave" });
     this.#port.close();
     this.#end(false);
   }

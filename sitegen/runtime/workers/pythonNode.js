@@ -48,15 +48,11 @@ function serve(way) {
   let participant;
   /** @type {Typed[]} */
   const typed = [];
-  let left = false;
 
   /** @param {MessageEvent<ToWorker>} event */
   way.onmessage = ({ data, ports }) => {
     if (data.op === "join" && ports[0]) {
       serve(ports[0]);
-    } else if (data.op === "leave") {
-      left = true;
-      download.forget(post);
     } else if (data.op === "interpret") {
       participant = new Participant(data.id, post);
       run(data, participant).catch((error) => end(1, describe(error)));
@@ -75,7 +71,6 @@ function serve(way) {
     const python = await loading;
     for (const [index, url] of program.bundles.entries()) await unpack(python, url, files[index]);
     download.forget(post);
-    if (left) return;
     for (const [place, text] of Object.entries(edits)) {
       python.FS.writeFile(`${PREFIX}/${place}`, text);
       unpacked.delete(program.bundles.at(-1) ?? ""); // the next node has its files as they were
