@@ -13,14 +13,21 @@ import { now } from "../protocol.js";
 const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal" };
 
 /**
- * @param {Participant} participant
+ * @typedef {Pick<Participant, "create" | "destroy" | "publish" | "behind" | "assertLiveliness" | "request"
+ *   | "respond" | "matched" | "has" | "take" | "look" | "nameOf" | "events" | "takeEvent" | "wait"
+ *   | "wake">} Hosted what programs need of a participant
+ */
+
+/**
+ * @param {Hosted} participant
  * @param {Printer} printer
- * @param {Typed[]} typed what came for a prompt and waits
+ * @param {() => Typed | undefined} typed gives what came for a prompt and waits
  * @param {(message: FromWorker) => void} post to the page
- * @param {(error: unknown) => void} failed called with what a thread ended by
+ * @param {(error: unknown) => void} [failed] called with what a thread ended by; without, there are no threads
  */
 export function pythonHost(participant, printer, typed, post, failed) {
   return {
+    stacks: failed !== undefined,
     object: Object.fromEntries,
     now,
     /**
@@ -43,7 +50,7 @@ export function pythonHost(participant, printer, typed, post, failed) {
     /** @param {number} id */
     matched: (id) => participant.matched(id),
     /** @param {number} id */
-    has: (id) => participant.next(id) !== undefined,
+    has: (id) => participant.has(id),
     /** @param {number} id */
     take: (id) => participant.take(id),
     look: () => participant.look(),
@@ -58,7 +65,7 @@ export function pythonHost(participant, printer, typed, post, failed) {
       return participant.wait(milliseconds);
     },
     wake: () => participant.wake(),
-    typed: () => typed.shift(),
+    typed,
     /** A prompt waits for a line. @param {boolean} more whether the last one goes on */
     ready(more) {
       printer.flush();

@@ -26,7 +26,9 @@ def wait(seconds: float | None) -> None:
     program, me = turns.running(), turns.current_thread()
     _waiting[program] = _waiting.get(program, 0) + 1
     try:
-        number = run_sync(program.host.wait(-1 if seconds is None else seconds * 1000))
+        answer = program.host.wait(-1 if seconds is None else seconds * 1000)
+        # A worker without stacks stood still meanwhile; the others are given a promise.
+        number = answer if isinstance(answer, int) else run_sync(answer)
     finally:
         _waiting[program] -= 1
         if not _waiting[program]:

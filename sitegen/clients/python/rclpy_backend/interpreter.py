@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import asyncio_turns, threads, turns
+from rclpy_backend import interrupts, loops, threads, turns
 
 _begun = False
 
@@ -17,8 +17,9 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
     global _begun
     if not _begun:
         _begun = True
-        threads.install()
-        asyncio_turns.install()
+        threads.install(stacks=host.stacks)
+        loops.install()
+        interrupts.install()
         # From here on they belong to programs.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if name not in turns.COMMON:
