@@ -2,6 +2,7 @@
 // Python in a worker: loaded once, with the files of each program unpacked beside each other.
 
 import { Download } from "./download.js";
+import { setAside } from "./stacks.js";
 
 /** @import { FromWorker, Interpret } from "../protocol.js" */
 /** @import { Printer } from "./printer.js" */
@@ -69,6 +70,7 @@ export class Python {
       const python = await Promise.race([loadPyodide({ indexURL: folder.href }), this.#download.failed]);
       const sys = python.pyimport("sys");
       sys.path.insert(0, `${PREFIX}/python`);
+      setAside(python);
       sys.dont_write_bytecode = true; // the next visitor has another interpreter
       return python;
     } finally {

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import select
 import time
-
-from pyodide.ffi import run_sync
 
 from rclpy_backend import turns
 
@@ -26,9 +25,9 @@ def wait(seconds: float | None) -> None:
     program, me = turns.running(), turns.current_thread()
     _waiting[program] = _waiting.get(program, 0) + 1
     try:
-        answer = program.host.wait(-1 if seconds is None else seconds * 1000)
-        # A worker without stacks stood still meanwhile; the others are given a promise.
-        number = answer if isinstance(answer, int) else run_sync(answer)
+        program.host.wait(-1 if seconds is None else seconds * 1000)
+        if program.stacks:
+            select.poll().poll()  # the others stood still in wait()
     finally:
         _waiting[program] -= 1
         if not _waiting[program]:
@@ -38,7 +37,7 @@ def wait(seconds: float | None) -> None:
     if program.over:
         raise SystemExit
     if program.signals:
-        if number:
+        if number := program.host.signal():
             program.signals.arrive(number)
         program.signals.handle(main=me == program.ident)
 

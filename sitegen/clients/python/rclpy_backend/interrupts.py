@@ -35,5 +35,5 @@ def _hear(number: int, frame: FrameType | None) -> None:
         signal.raise_signal(number)
         return
     end = time.monotonic() + LIMIT
-    while (left := end - time.monotonic()) > 0 and (not program.host.stacks or can_run_sync()):
+    while (left := end - time.monotonic()) > 0 and (not program.stacks or can_run_sync()):
         wait(left)

@@ -86,11 +86,15 @@ class Policy(events._BaseDefaultEventLoopPolicy):  # type: ignore[name-defined, 
     _loop_factory = Loop
 
 
+def none_runs() -> None:
+    """Begin a stack: Pyodide says in each that its own loop runs there."""
+    asyncio._set_running_loop(None)
+
+
 def install() -> None:
     """Take the place of the loop that Pyodide brings, which is one for all and never ends."""
     with warnings.catch_warnings(action="ignore"):
         asyncio.set_event_loop_policy(Policy())
-    asyncio._set_running_loop(None)
     asyncio.run = runners.run
     for name in ("EventLoop", "SelectorEventLoop"):
         setattr(asyncio, name, Loop)

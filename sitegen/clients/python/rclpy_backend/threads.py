@@ -20,7 +20,7 @@ from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import turns
+from rclpy_backend import loops, turns
 from rclpy_backend.blocking import sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
@@ -103,7 +103,7 @@ class Handle:
 def _warn() -> None:
     """Say it once when a program waits for another thread and there can be none."""
     program = turns.running()
-    if program.host.stacks or program in _warned:
+    if program.stacks or program in _warned:
         return
     _warned.add(program)
     print(f"Waiting for another thread, but {NO_STACKS}", file=sys.stderr)
@@ -114,7 +114,7 @@ def _start(
 ) -> Handle:
     handle = handle or Handle()
     program = turns.running()
-    if not program.host.stacks:
+    if not program.stacks:
         raise RuntimeError(f"can't start new thread: {NO_STACKS}")
     handle.ident = turns.new_thread()
 
@@ -122,6 +122,7 @@ def _start(
         if program.over:
             return
         turns.enter(program, handle.ident or 0)
+        loops.none_runs()
         try:
             function()
         finally:

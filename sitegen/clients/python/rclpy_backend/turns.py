@@ -71,6 +71,8 @@ class Program:
 
     def __init__(self, host: Any, own: Iterable[str]) -> None:
         self.host = host
+        # Whether its threads are stacks that the browser sets aside. Otherwise there is one.
+        self.stacks = bool(host.stacks)
         self.ident = next(_idents)
         self.threads = {self.ident}
         self.waiting = 0
