@@ -22,12 +22,11 @@ export class WorkerGroups {
     const { worker, byte, members } = started;
     const { port1, port2 } = new MessageChannel();
     const member = new Member(name, port1, byte, (stuck) => {
-      // A program that ended leaves things behind that could hold others up, so all of a group end together.
       members.delete(member);
-      if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
+      if (!stuck && members.size > 0) return;
       worker.terminate();
-      const how = stuck ? "had to be terminated" : "has ended";
-      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which ${how}`);
+      if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
+      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which had to be terminated`);
     });
     if (!known) {
       this.#groups.set(group, started);
@@ -72,7 +71,7 @@ export class Member {
     this.#port.postMessage(message, transfer);
   }
 
-  /** The node has ended. */
+  /** The node has ended; the others go on. */
   leave() {
     this.#port.close();
     this.#end(false);

@@ -15,8 +15,10 @@ export class Python {
   #loading = this.#load(new URL("../vendor/pyodide/", import.meta.url));
   /** What was unpacked, by its address. @type {Set<string>} */
   #unpacked = new Set();
-  /** The function that runs programs. @type {any} */
+  /** The functions that run programs, and that are called before. @type {any} */
   #run;
+  /** @type {any} */
+  #begin;
 
   constructor() {
     this.#loading.catch(() => {}); // told when a node starts
@@ -52,6 +54,8 @@ export class Python {
   async run({ name, program, arguments: args }, host) {
     const python = await this.#loading;
     this.#run ??= python.pyimport("rclpy_backend.interpreter").run;
+    this.#begin ??= python.pyimport("rclpy_backend.collecting").begin;
+    this.#begin();
     const { module, attribute, own } = program;
     const words = [host, python.toPy(own), module, attribute, python.toPy([`${PREFIX}/lib/${name}`, ...args])];
     return /** @type {number | Promise<number>} */ (

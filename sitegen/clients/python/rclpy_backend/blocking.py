@@ -5,7 +5,7 @@ from __future__ import annotations
 import select
 import time
 
-from rclpy_backend import turns
+from rclpy_backend import collecting, turns
 
 # A program that never waits lets the event loop turn this often (s): often enough for a Stop
 # button, seldom enough to cost nothing.
@@ -33,6 +33,7 @@ def wait(seconds: float | None) -> None:
         if not _waiting[program]:
             del _waiting[program]
         turns.enter(program, me)
+        collecting.look()
         _last_turn = time.monotonic()
     if program.over:
         raise SystemExit

@@ -7,13 +7,16 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import interrupts, loops, threads, turns
+from rclpy_backend import collecting, interrupts, loops, threads, turns
 
 _begun = False
 
 
 def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Sequence[str]) -> int:
-    """Run a program to its end and return its exit code; see Program and program.run()."""
+    """Run a program to its end and return its exit code; see Program and program.run().
+
+    Before, collecting.begin() is called from a stack that is there already.
+    """
     global _begun
     if not _begun:
         _begun = True
@@ -36,4 +39,5 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
             output.end()
         program.end()
         turns.enter(None)
+        collecting.end()
     return code

@@ -20,7 +20,7 @@ from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import loops, turns
+from rclpy_backend import collecting, loops, turns
 from rclpy_backend.blocking import sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
@@ -117,9 +117,11 @@ def _start(
     if not program.stacks:
         raise RuntimeError(f"can't start new thread: {NO_STACKS}")
     handle.ident = turns.new_thread()
+    collecting.begin()
 
     def body() -> None:
         if program.over:
+            collecting.end()
             return
         turns.enter(program, handle.ident or 0)
         loops.none_runs()
@@ -127,6 +129,7 @@ def _start(
             function()
         finally:
             handle._set_done()
+            collecting.end()
 
     program.host.spawn(create_proxy(body))
     return handle

@@ -19,7 +19,10 @@ from typing import Any, Protocol
 OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
 COMMON = {
     f"rclpy_backend.{name}"
-    for name in ("arrays", "blocking", "fixed_array", "interrupts", "loops", "threads", "turns")
+    for name in (
+        *("arrays", "blocking", "collecting", "fixed_array", "interrupts", "loops"),
+        *("threads", "turns"),
+    )
 }
 
 PATH = list(sys.path)
