@@ -101,7 +101,9 @@ def test_the_first_visit_loads_a_page_twice_and_says_so(
     assert noted(tab, "loads") == "3"
 
 
-def test_a_page_that_cannot_be_isolated_says_why(hidden: Path, tab: Page, serve: Serve) -> None:
+def test_a_page_that_cannot_be_isolated_says_why(
+    hidden: Path, tab: Page, serve: Serve, tmp_path: Path
+) -> None:
     tab.add_init_script(WITHOUT_JSPI)
     tab.context.route("**/sw.js", lambda route: route.fulfill(content_type="text/javascript"))
     tab.add_init_script(LISTEN)
@@ -113,8 +115,8 @@ def test_a_page_that_cannot_be_isolated_says_why(hidden: Path, tab: Page, serve:
     assert "loading this page once more did not isolate it; close its other tabs" in lines[0][1]
     assert noted(tab, "loads") == "2"
     # A frame of another page has to be opened by itself.
-    frame = "(url) => { const f = document.createElement('iframe'); f.src = url; "
-    tab.evaluate(f"{frame} document.body.append(f); }}", f"{url}?embed")
+    (tmp_path / "index.html").write_text(f'<iframe src="{url}?embed"></iframe>')
+    tab.goto(serve(tmp_path))
     inner = tab.frame_locator("iframe").get_by_role("region", name="greeter", exact=True)
     inner.get_by_role("button", name="Start").click()
     expect(inner.get_by_role("log")).to_contain_text("inside of another one; open it by itself")
@@ -153,6 +155,7 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
     stopping.start()
     stopping.wait_for("spinning")
     stopping.stop()
+    stopping.wait_for("finally")
     assert stopping.lines()[-2:] == ["interrupted, ok: False", "finally"]
     expect_nothing_left(tab)
 
@@ -190,6 +193,7 @@ def _interrupt_busy(tab: Page) -> None:
         busy.start()
         busy.wait_for("computing")
         busy.stop()
+        busy.wait_for("finally")
         assert busy.lines() == ["computing", "interrupted, ok: False", "finally"]
         busy.button("Clear").click()
 
@@ -234,4 +238,5 @@ def test_webkit_runs_python_in_shared_memory(window: Window, isolated: Path, ser
     busy.start()
     busy.wait_for("computing")
     busy.stop()
+    busy.wait_for("finally")
     assert busy.lines() == ["computing", "interrupted, ok: False", "finally"]
