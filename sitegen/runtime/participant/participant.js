@@ -148,6 +148,11 @@ export class Participant {
     return this.next(id) !== undefined;
   }
 
+  /** The ids of endpoints where messages wait. */
+  filled() {
+    return [...this.#locals.keys()].filter((id) => this.has(id));
+  }
+
   /** Remove that message and return it. @param {number} id @returns {Received | undefined} */
   take(id) {
     const local = this.#locals.get(id);

@@ -15,7 +15,7 @@ const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fata
 
 /**
  * @typedef {Pick<Participant, "create" | "destroy" | "publish" | "behind" | "assertLiveliness" | "request"
- *   | "respond" | "matched" | "has" | "take" | "look" | "nameOf" | "events" | "takeEvent" | "wake">
+ *   | "respond" | "matched" | "has" | "filled" | "take" | "look" | "nameOf" | "events" | "takeEvent" | "wake">
  *   & {wait(milliseconds: number): Promise<number> | number}} Hosted what programs need of a participant
  */
 
@@ -56,6 +56,8 @@ export function pythonHost(participant, printer, typed, post, failed) {
     matched: (id) => participant.matched(id),
     /** @param {number} id */
     has: (id) => participant.has(id),
+    // Text is what Python takes soonest.
+    filled: () => participant.filled().join(" "),
     /** @param {number} id */
     take: (id) => participant.take(id),
     look: () => participant.look(),

@@ -10,7 +10,7 @@ import { heard } from "../interrupt.js";
 /** @import { Hosted } from "./pythonHost.js" */
 
 const ASKED = /** @type {const} */ ([
-  "create", "publish", "behind", "request", "matched", "has", "take", "look", "nameOf", "takeEvent",
+  "create", "publish", "behind", "request", "matched", "has", "filled", "take", "look", "nameOf", "takeEvent",
 ]);
 const TOLD = /** @type {const} */ (["destroy", "assertLiveliness", "respond", "wake"]);
 

@@ -128,9 +128,10 @@ class EventHandle(Destroyable):
         self._event: Any = None
         self._seen = -1
 
-    def is_ready(self) -> bool:
-        """Return whether there is something to tell."""
-        if self._event is None and self._seen != (events := ros_host.events()):
+    def is_ready(self, events: int | None = None) -> bool:
+        """Return whether there is something to tell; `events` is how many there were by now."""
+        events = ros_host.events() if events is None else events
+        if self._event is None and self._seen != events:
             self._seen = events
             self._event = ros_host.takeEvent(self._endpoint.id, self._kind)
         return self._event is not None

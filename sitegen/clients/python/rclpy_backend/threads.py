@@ -40,6 +40,7 @@ class Lock:
 
     def __init__(self) -> None:
         self._locked = False
+        self._wanted = 0
 
     def acquire(self, blocking: bool = True, timeout: float | None = -1) -> bool:
         """Take it; return False if that was not possible in `timeout` seconds."""
@@ -50,7 +51,11 @@ class Lock:
                 return False
             if left is None:
                 _warn()
-            wait(left)
+            self._wanted += 1
+            try:
+                wait(left)
+            finally:
+                self._wanted -= 1
         self._locked = True
         return True
 
@@ -59,7 +64,8 @@ class Lock:
         if not self._locked:
             raise RuntimeError("release unlocked lock")
         self._locked = False
-        wake()
+        if self._wanted:
+            wake()
 
     def locked(self) -> bool:
         """Return whether somebody has it."""

@@ -6,7 +6,10 @@ import time
 from collections import defaultdict
 from typing import Protocol
 
+import ros_host
+
 from rclpy_backend import blocking
+from rclpy_backend.endpoint import Endpoint
 from rclpy_backend.events import EventHandle
 from rclpy_backend.handles import Context, Destroyable, GuardCondition
 from rclpy_backend.service import Client, Service
@@ -107,7 +110,21 @@ class WaitSet(Destroyable):
                 entity.taken()
 
     def _find_ready(self) -> list[Waitable]:
-        return [e for entities in self._entities.values() for e in entities if e.is_ready()]
+        # The page is asked once, and not for each: that takes as long as all else here.
+        filled = set(map(int, ros_host.filled().split()))
+        events: int = ros_host.events()
+        ready: list[Waitable] = []
+        for entities in self._entities.values():
+            for entity in entities:
+                if isinstance(entity, Endpoint):
+                    found = entity.id in filled
+                elif isinstance(entity, EventHandle):
+                    found = entity.is_ready(events)
+                else:
+                    found = entity.is_ready()
+                if found:
+                    ready.append(entity)
+        return ready
 
     def _until_next_timer(self, limit: float | None) -> float | None:
         """Return how long nothing will be ready by itself (s)."""
