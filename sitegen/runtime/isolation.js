@@ -3,11 +3,10 @@
 // cannot send them the site's service worker adds them, so the first visit to a site loads its page twice.
 
 import { create } from "./elements.js";
-import { place } from "./place.js";
 import { say } from "./words.js";
 
-/** In the storage of the tab while a page loads for the second time. */
-const AGAIN = `sitegen:isolated:${place("")}`;
+// In the storage of the tab while a page loads for the second time: before the address of the service worker.
+const AGAIN = "sitegen:isolated:";
 
 let wanted = false;
 /** Why there is no isolation, for the console of who would need it. */
@@ -27,17 +26,17 @@ export function obstacle() {
 export async function isolate(script) {
   wanted = true;
   if (globalThis.crossOriginIsolated) {
-    keep(false);
+    keep(script, false);
     return;
   }
-  reason = hindrance();
+  reason = hindrance(script);
   if (reason) return;
   const word = create("div", "ros-word", say("This page loads once more, so that it may share memory with its nodes."));
   word.setAttribute("role", "status");
   document.body.append(word);
   try {
     await activated(await navigator.serviceWorker.register(script));
-    keep(true);
+    keep(script, true);
     location.reload();
     await new Promise(() => {});
   } catch (error) {
@@ -46,14 +45,14 @@ export async function isolate(script) {
   }
 }
 
-/** What stands in the way, empty if nothing does. */
-function hindrance() {
+/** What stands in the way, empty if nothing does. @param {string} script */
+function hindrance(script) {
   if (window !== top) return "this page is inside of another one; open it by itself";
   if (!isSecureContext) return "this page did not come over https://; open it from there";
   if (!("serviceWorker" in navigator)) return "this browser allows no service workers here; try a window that is not private";
   try {
-    if (sessionStorage.getItem(AGAIN)) {
-      keep(false); // whoever reloads by hand may try again
+    if (sessionStorage.getItem(AGAIN + script)) {
+      keep(script, false); // whoever reloads by hand may try again
       return "loading this page once more did not isolate it; close its other tabs and load it again";
     }
   } catch {
@@ -62,11 +61,11 @@ function hindrance() {
   return "";
 }
 
-/** @param {boolean} loading whether the page loads for the second time */
-function keep(loading) {
+/** @param {string} script @param {boolean} loading whether the page loads for the second time */
+function keep(script, loading) {
   try {
-    if (loading) sessionStorage.setItem(AGAIN, "1");
-    else sessionStorage.removeItem(AGAIN);
+    if (loading) sessionStorage.setItem(AGAIN + script, "1");
+    else sessionStorage.removeItem(AGAIN + script);
   } catch {
     // Then it was isolated by its server.
   }
