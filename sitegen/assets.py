@@ -37,6 +37,7 @@ def runtime(site: Site) -> list[Artifact]:
     workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
     if "pythonNode" in workers:
+        files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
         parts = (VENDOR / "pyodide").iterdir()
         files |= {file for file in parts if file.suffix in PYTHON}
     if any(file.is_relative_to(VENDOR) for file in files):

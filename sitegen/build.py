@@ -190,7 +190,8 @@ def make(
     others.append(Artifact(MARKER, b"written by sitegen\n"))
     if site.deploy.cname:
         others.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
-    others += offline.artifacts(site, [*artifacts, *others])
+    # The server of an author who edits isolates by itself.
+    others += [] if edited else offline.artifacts(site, [*artifacts, *others])
     artifacts += others
     check_paths(artifacts)
     return Made(site, builds, bundles, programs, renderer, rendered, others, artifacts)

@@ -216,7 +216,8 @@ class Site:
     `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
     `notes` is what the author may want to know about a site that is right. `nav` is empty where the
     paths of the pages are the navigation; `languages` are those beside `language`. `offline` is
-    None where nobody said anything, False where the site is to work without a network no more.
+    None where nobody said anything, False where the site is to work without a network no more, and
+    so it is with `isolate`.
     """
 
     root: Path
@@ -238,6 +239,7 @@ class Site:
     feed: bool = False
     deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
+    isolate: bool | None = None
     pyodide: Pyodide = field(default_factory=lambda: Pyodide())
 
     def setup_of(self, node: Node) -> Setup | None:

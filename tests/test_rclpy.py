@@ -23,7 +23,7 @@ SEED = "20240607"
 # Programs that end by themselves and print the same everywhere.
 PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
-    *("actions", "lifecycle", "graph", "executors", "event_loops"),
+    *("actions", "lifecycle", "graph", "executors", "event_loops", "loops"),
     *("introspection", "goals", "loggers"),
 ]
 

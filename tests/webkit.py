@@ -106,7 +106,9 @@ class WindowPanel:
 def webkit() -> Iterator[Window]:
     """Run WebKitGTK on a screen that nobody sees: it has no mode without one."""
     with _screen() as display:
-        service = WebKitGTKService(DRIVER, env={**os.environ, "DISPLAY": display})
+        # Safari shares memory in isolated pages; this one wants to be asked.
+        asked = {"JSC_useSharedArrayBuffer": "1", "DISPLAY": display}
+        service = WebKitGTKService(DRIVER, env={**os.environ, **asked})
         options = WebKitGTKOptions()
         options.add_argument("--automation")
         driver = WebKitGTK(options=options, service=service)

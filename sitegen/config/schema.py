@@ -128,6 +128,13 @@ SITE = (
         default=False,
     ),
     Key(
+        "isolate",
+        "flag",
+        "let pages with Python nodes share memory with them, by a service worker",
+        "isolate: true",
+        default=False,
+    ),
+    Key(
         "asyncify",
         "flag",
         "build every node a second time, for browsers without JSPI",

@@ -78,6 +78,7 @@ def _site(file: Section, problems: Problems) -> Site:
         pyodide=pyodide(file.get("pyodide"), problems),
         deploy=deploy(file.get("deploy"), problems),
         offline=bool(site.option("offline")) if site.get("offline") else None,
+        isolate=bool(site.option("isolate")) if site.get("isolate") else None,
     )
 
 

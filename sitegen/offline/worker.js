@@ -1,5 +1,5 @@
-// The service worker of a site that works without a network. Above this stands BUILD, what the site of one
-// build consists of.
+// The service worker of a site that works without a network. Above this stand BUILD, what the site of one
+// build consists of, and headers.js.
 //
 // A cache holds files of one build only: each is checked against its hash before it is kept, so old and new
 // never meet. A new build waits until no page of the old one is open, or until a visitor asks for it.
@@ -24,10 +24,10 @@ self.addEventListener("fetch", (event) => {
   const name = nameOf(request.url);
   if (request.method !== "GET" || name === undefined) return;
   if (name in BUILD.files) {
-    event.respondWith(answer(name));
+    event.respondWith(answer(name).then(isolating(request)));
     if (request.mode === "navigate") event.waitUntil(keepPage(name));
   } else if (request.mode === "navigate") {
-    event.respondWith(elsewhere(request, name));
+    event.respondWith(elsewhere(request, name).then(isolating(request)));
   }
 });
 

@@ -25,11 +25,13 @@ SOURCE = re.compile(r'\s(?:src|poster)="([^"]+)"')
 
 def artifacts(site: Site, made: Iterable[Artifact]) -> list[Artifact]:
     """Return the service worker for all files of a site, if it is to have one."""
-    if site.offline is None:
+    if site.offline is None and site.isolate is None:
         return []
-    if not site.offline:
+    if not site.offline and not site.isolate:
         # Visitors who have one from before would keep its pages for good.
         return [Artifact(PATH, RETIRED)]
+    if not site.offline:
+        return [Artifact(PATH, _written({"isolate": True}, "passing.js"))]
     contents = {
         artifact.path: _bytes(artifact) for artifact in made if artifact.path not in LEFT_OUT
     }
@@ -46,9 +48,15 @@ def _worker(site: Site, contents: Mapping[str, bytes]) -> bytes:
         "files": files,
         "later": later,
         "pages": {path: needs for path, needs in pages.items() if needs},
+        "isolate": bool(site.isolate),
     }
-    written = json.dumps(build, separators=(",", ":"), ensure_ascii=False)
-    return f"const BUILD = {written};\n{(HERE / 'worker.js').read_text(encoding='utf-8')}".encode()
+    return _written(build, "worker.js")
+
+
+def _written(build: Mapping[str, object], *names: str) -> bytes:
+    about = json.dumps(build, separators=(",", ":"), ensure_ascii=False)
+    scripts = ((HERE / name).read_text(encoding="utf-8") for name in ("headers.js", *names))
+    return "\n".join([f"const BUILD = {about};", *scripts]).encode()
 
 
 def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequence[str]:

@@ -67,6 +67,8 @@ def page_json(
     }
     if types is not None:
         entry["types"] = dict(types)
+    if site.isolate and any(site.setup_of(node) for node in page.nodes.values()):
+        entry["isolate"] = address(page, "sw.js")
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 

@@ -109,7 +109,9 @@ class Renderer:
         artifacts = [Artifact(page.html, html.encode())]
         if any(panel.slots for block in parts for panel in block.panels):
             files = edited(self.site, page, problems)
-            entry = page_json(self.site, page, self._programs, files)
+            # One that is opened as a file has no service worker.
+            site = replace(self.site, isolate=None) if alone else self.site
+            entry = page_json(site, page, self._programs, files)
             artifacts.append(Artifact(f"{page.path}page.json", entry))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:

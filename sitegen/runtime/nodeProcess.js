@@ -1,6 +1,8 @@
 // @ts-check
 // A node of the page and the worker that runs it, from Start to Stop and again.
 
+import { interrupt, sharedByte, sharesMemory } from "./interrupt.js";
+import { obstacle } from "./isolation.js";
 import { place } from "./place.js";
 import { startWorker } from "./workerGroup.js";
 
@@ -29,7 +31,7 @@ export class NodeProcess extends EventTarget {
   /** @type {Promise<WebAssembly.Module> | undefined} */
   #module;
   #groups;
-  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number} | undefined} */
+  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined} */
   #run;
   #startAgain = false;
   /** What a visitor made of files of a Python node, by their places. @type {Record<string, string>} */
@@ -105,17 +107,19 @@ export class NodeProcess extends EventTarget {
 
   /** Start a Python node. @param {PythonEntry} entry @param {Engine} engine of this browser */
   #interpret(entry, engine) {
-    if (engine !== "jspi") {
-      this.#lack("Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it");
+    if (engine !== "jspi" && !sharesMemory) {
+      this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it${obstacle()}`);
       return;
     }
     const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
     const { executable: name, arguments: args } = this.#entry;
     const program = { ...entry, bundles };
-    this.#launch("pythonNode", async (id) => {
+    // Programs share an interpreter as stacks of it, which JSPI sets aside.
+    const group = engine === "jspi" ? entry.group : undefined;
+    this.#launch("pythonNode", async (id, _, byte) => {
       await this.#ready; // an editor may bring what its visitor changed
-      return { op: "interpret", id, name, program, arguments: args, edits: this.#edits };
-    });
+      return { op: "interpret", id, name, program, arguments: args, edits: this.#edits, byte };
+    }, group);
   }
 
   /** Say that this browser cannot run it. @param {string} who needs what it lacks */
@@ -146,7 +150,9 @@ export class NodeProcess extends EventTarget {
 
   /** End what the program does now, as Ctrl-C does; it may go on with something else. */
   interrupt() {
-    if (this.#run) this.#post(this.#run.worker, { op: "stop" });
+    if (!this.#run) return;
+    this.#post(this.#run.worker, { op: "stop" });
+    interrupt(this.#run.byte);
   }
 
   /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
@@ -156,7 +162,7 @@ export class NodeProcess extends EventTarget {
       this.#end("stopped");
     } else if (this.#state === "running" && this.#run) {
       this.#setState("stopping");
-      this.#post(this.#run.worker, { op: "stop" });
+      this.interrupt();
       this.#grace = setTimeout(() => {
         this.#print("warn", `${this.name}: did not end within a second and was terminated`);
         this.#end("stopped", "stuck");
@@ -180,16 +186,17 @@ export class NodeProcess extends EventTarget {
   /**
    * Start a worker and, when programs may run, send it what `prepare` makes.
    * @param {string} file of the worker
-   * @param {(id: number, worker: Worker | Member) => Promise<ToWorker>} prepare
+   * @param {(id: number, worker: Worker | Member, byte?: Uint8Array) => Promise<ToWorker>} prepare
+   * @param {string} [group] of nodes that share the worker
    */
-  async #launch(file, prepare) {
-    const { group } = this.#entry.python ?? {};
+  async #launch(file, prepare, group) {
     const worker = group ? this.#groups.join(group, file, this.name) : startWorker(file, this.name);
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
     const id = this.#graph.join(post, this.name, complain);
-    const run = { worker, id };
+    const byte = worker instanceof Worker ? sharedByte() : worker.byte;
+    const run = { worker, id, byte };
     this.#run = run;
     worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
     worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
@@ -198,7 +205,7 @@ export class NodeProcess extends EventTarget {
       if (this.#run === run) this.#fail(event.message || unloaded);
     };
     try {
-      const [message] = await Promise.all([prepare(id, worker), this.#ready]);
+      const [message] = await Promise.all([prepare(id, worker, byte), this.#ready]);
       if (this.#run === run) this.#post(worker, message); // else it was stopped meanwhile
     } catch (error) {
       this.#module = undefined;

@@ -3,7 +3,8 @@
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>}} PageEntry with types where a widget takes part in the graph
+ *   types?: Record<string, MessageType>, isolate?: string}} PageEntry with types where a widget takes part in the
+ *   graph, and with the site's service worker where that is to isolate the page
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
  *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, python?: PythonEntry,
@@ -149,7 +150,8 @@ export const DEFAULT_QOS = Object.freeze({
  *
  * With `join`, a worker of Python gets a port through which one more node talks with it, until it leaves.
  * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],
- *   edits: Record<string, string>}} Interpret a node, with the files that its visitor changed, by their places
+ *   edits: Record<string, string>, byte?: Uint8Array}} Interpret a node, with the files that its visitor changed,
+ *   by their places, and a byte by which the page interrupts what its worker does
  *
  * What a visitor types at a prompt: a line, or the beginning of a word.
  * @typedef {{op: "line" | "complete", text: string}} Typed

@@ -3,6 +3,7 @@
 // itself.
 
 import { Graph } from "./graph.js";
+import { isolate } from "./isolation.js";
 import { NodeProcess } from "./nodeProcess.js";
 import { place } from "./place.js";
 import { Sharing } from "./sharing.js";
@@ -15,6 +16,8 @@ const fragment = location.hash;
 const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page"));
 /** @type {PageEntry} */
 const page = await (await fetch(link.href)).json();
+
+if (page.isolate) await isolate(new URL(page.isolate, link.href).href);
 
 // Nodes load while the widgets do, and run when those are there: a console would miss the first lines.
 let showTime = () => {};

@@ -1,6 +1,7 @@
 // @ts-check
 // Workers: of one node, or of several that share an interpreter and talk with it through a port each.
 
+import { sharedByte } from "./interrupt.js";
 import { moduleWorkers, place } from "./place.js";
 
 /** @import { ToWorker } from "./protocol.js" */
@@ -11,24 +12,24 @@ export function startWorker(file, name) {
 }
 
 export class WorkerGroups {
-  /** By the names of the groups. @type {Map<string, {worker: Worker, members: Set<Member>}>} */
+  /** By the names of the groups. @type {Map<string, {worker: Worker, byte?: Uint8Array, members: Set<Member>}>} */
   #groups = new Map();
 
   /** Let one more node use the worker of a group. @param {string} group @param {string} file @param {string} name of the node */
   join(group, file, name) {
     const known = this.#groups.get(group);
-    const { worker, members } = known ?? { worker: startWorker(file, group), members: new Set() };
+    const started = known ?? { worker: startWorker(file, group), byte: sharedByte(), members: new Set() };
+    const { worker, byte, members } = started;
     const { port1, port2 } = new MessageChannel();
-    const member = new Member(name, port1, (stuck) => {
-      // A program that ended leaves things behind that could hold others up, so all of a group end together.
+    const member = new Member(name, port1, byte, (stuck) => {
       members.delete(member);
-      if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
+      if (!stuck && members.size > 0) return;
       worker.terminate();
-      const how = stuck ? "had to be terminated" : "has ended";
-      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which ${how}`);
+      if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
+      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which had to be terminated`);
     });
     if (!known) {
-      this.#groups.set(group, { worker, members });
+      this.#groups.set(group, started);
       worker.onerror = (event) => {
         event.preventDefault();
         this.#groups.delete(group);
@@ -48,9 +49,14 @@ export class Member {
   /** @type {((event: {message: string, preventDefault(): void}) => void) | null} */
   onerror = null;
 
-  /** @param {string} name @param {MessagePort} port @param {(stuck: boolean) => void} end */
-  constructor(name, port, end) {
+  /**
+   * @param {string} name @param {MessagePort} port
+   * @param {Uint8Array | undefined} byte by which the page interrupts what the worker does
+   * @param {(stuck: boolean) => void} end
+   */
+  constructor(name, port, byte, end) {
     this.name = name;
+    this.byte = byte;
     this.#port = port;
     this.#end = end;
   }
@@ -65,7 +71,7 @@ export class Member {
     this.#port.postMessage(message, transfer);
   }
 
-  /** The node has ended. */
+  /** The node has ended; the others go on. */
   leave() {
     this.#port.close();
     this.#end(false);

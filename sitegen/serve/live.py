@@ -32,6 +32,8 @@ class LiveSite:
         self._made: Made | None = None
         # Where its 404.html takes it to live.
         self.base = "/"
+        # Whether its pages are to be isolated.
+        self.isolated = False
         self._files: Mapping[str, Artifact] = {}
         self._index: Callable[[], Sequence[Artifact]] = list
         self._digests: Mapping[str, str] = {}
@@ -59,6 +61,7 @@ class LiveSite:
         # It takes all pages, and a search is rare while one writes.
         self._index = functools.cache(lambda: made.renderer.index(made.rendered))
         self.base = urlsplit(made.site.url).path or "/"
+        self.isolated = bool(made.site.isolate)
         names = ", ".join(file.name for file in changed[:3]) + (", …" if len(changed) > 3 else "")
         cause = f"{names}: " if names else ""
         seconds = time.monotonic() - begun

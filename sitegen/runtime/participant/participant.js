@@ -143,6 +143,11 @@ export class Participant {
     return (local?.reader ?? local?.queue)?.peek();
   }
 
+  /** Whether one waits there. @param {number} id */
+  has(id) {
+    return this.next(id) !== undefined;
+  }
+
   /** Remove that message and return it. @param {number} id @returns {Received | undefined} */
   take(id) {
     const local = this.#locals.get(id);

@@ -17,6 +17,8 @@ export const words = {
   "Not running": "Läuft nicht",
   "Starting…": "Startet …",
   "Loading Python: {} of {} MB": "Python wird geladen: {} von {} MB",
+  "This page loads once more, so that it may share memory with its nodes.":
+    "Diese Seite wird noch einmal geladen, damit sie Speicher mit ihren Knoten teilen kann.",
   "Run": "Ausführen",
   "Python source {}": "Python-Quelltext {}",
   "as it was": "wie es war",

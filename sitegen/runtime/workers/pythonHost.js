@@ -3,6 +3,7 @@
 // are. See clients/python/rclpy_backend.
 
 import { now } from "../protocol.js";
+import { suspend } from "./stacks.js";
 
 /** @import { EndpointKind, FromWorker, Qos, Severity, Typed } from "../protocol.js" */
 /** @import { EventKind } from "../participant/status.js" */
@@ -13,14 +14,25 @@ import { now } from "../protocol.js";
 const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal" };
 
 /**
- * @param {Participant} participant
+ * @typedef {Pick<Participant, "create" | "destroy" | "publish" | "behind" | "assertLiveliness" | "request"
+ *   | "respond" | "matched" | "has" | "take" | "look" | "nameOf" | "events" | "takeEvent" | "wake">
+ *   & {wait(milliseconds: number): Promise<number> | number}} Hosted what programs need of a participant
+ */
+
+/**
+ * @param {Hosted} participant
  * @param {Printer} printer
- * @param {Typed[]} typed what came for a prompt and waits
+ * @param {() => Typed | undefined} typed gives what came for a prompt and waits
  * @param {(message: FromWorker) => void} post to the page
- * @param {(error: unknown) => void} failed called with what a thread ended by
+ * @param {(error: unknown) => void} [failed] called with what a thread ended by; without, there are no threads
  */
 export function pythonHost(participant, printer, typed, post, failed) {
+  let signal = 0;
+  const arrived = (/** @type {number} */ number) => {
+    signal ||= number;
+  };
   return {
+    stacks: failed !== undefined,
     object: Object.fromEntries,
     now,
     /**
@@ -43,7 +55,7 @@ export function pythonHost(participant, printer, typed, post, failed) {
     /** @param {number} id */
     matched: (id) => participant.matched(id),
     /** @param {number} id */
-    has: (id) => participant.next(id) !== undefined,
+    has: (id) => participant.has(id),
     /** @param {number} id */
     take: (id) => participant.take(id),
     look: () => participant.look(),
@@ -52,13 +64,21 @@ export function pythonHost(participant, printer, typed, post, failed) {
     events: () => participant.events,
     /** @param {number} id @param {EventKind} kind */
     takeEvent: (id, kind) => participant.takeEvent(id, kind),
-    /** @param {number} milliseconds */
+    /** Wait, or who has stacks: begin to, and do so in the next poll(). @param {number} milliseconds */
     wait(milliseconds) {
       printer.flush();
-      return participant.wait(milliseconds);
+      const wait = participant.wait(milliseconds);
+      if (wait instanceof Promise) suspend(wait.then(arrived));
+      else arrived(wait);
+    },
+    /** The signal that came in a wait, once. */
+    signal() {
+      const last = signal;
+      signal = 0;
+      return last;
     },
     wake: () => participant.wake(),
-    typed: () => typed.shift(),
+    typed,
     /** A prompt waits for a line. @param {boolean} more whether the last one goes on */
     ready(more) {
       printer.flush();

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+import select
 import time
 
-from pyodide.ffi import run_sync
-
-from rclpy_backend import turns
+from rclpy_backend import collecting, turns
 
 # A program that never waits lets the event loop turn this often (s): often enough for a Stop
 # button, seldom enough to cost nothing.
@@ -26,17 +25,20 @@ def wait(seconds: float | None) -> None:
     program, me = turns.running(), turns.current_thread()
     _waiting[program] = _waiting.get(program, 0) + 1
     try:
-        number = run_sync(program.host.wait(-1 if seconds is None else seconds * 1000))
+        program.host.wait(-1 if seconds is None else seconds * 1000)
+        if program.stacks:
+            select.poll().poll()  # the others stood still in wait()
     finally:
         _waiting[program] -= 1
         if not _waiting[program]:
             del _waiting[program]
         turns.enter(program, me)
+        collecting.look()
         _last_turn = time.monotonic()
     if program.over:
         raise SystemExit
     if program.signals:
-        if number:
+        if number := program.host.signal():
             program.signals.arrive(number)
         program.signals.handle(main=me == program.ident)
 

@@ -7,18 +7,22 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import asyncio_turns, threads, turns
+from rclpy_backend import collecting, interrupts, loops, threads, turns
 
 _begun = False
 
 
 def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Sequence[str]) -> int:
-    """Run a program to its end and return its exit code; see Program and program.run()."""
+    """Run a program to its end and return its exit code; see Program and program.run().
+
+    Before, collecting.begin() is called from a stack that is there already.
+    """
     global _begun
     if not _begun:
         _begun = True
-        threads.install()
-        asyncio_turns.install()
+        threads.install(stacks=host.stacks)
+        loops.install()
+        interrupts.install()
         # From here on they belong to programs.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if name not in turns.COMMON:
@@ -26,6 +30,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
     importlib.invalidate_caches()
     program = turns.Program(host, own)
     turns.enter(program, program.ident)
+    loops.none_runs()
     try:
         code: int = importlib.import_module("rclpy_backend.program").run(module, attribute, words)
     finally:
@@ -34,4 +39,5 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
             output.end()
         program.end()
         turns.enter(None)
+        collecting.end()
     return code

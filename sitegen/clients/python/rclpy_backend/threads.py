@@ -1,6 +1,7 @@
 """Threads: each is a stack that is set aside while it waits, and only then another one runs.
 
-The classes of Python's own `threading` stay; what they are made of is replaced.
+The classes of Python's own `threading` stay; what they are made of is replaced. Where the browser
+can set no stacks aside, a program has one thread.
 """
 
 from __future__ import annotations
@@ -13,16 +14,25 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import Future
+from concurrent.futures.thread import ThreadPoolExecutor
 from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import turns
+from rclpy_backend import collecting, loops, turns
 from rclpy_backend.blocking import sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
 # are stacks here and take turns, and one that waits for another must not be the only one.
 PROCESSORS = 4
+
+NO_STACKS = (
+    "this browser lacks JavaScript Promise Integration, which threads in a page need; "
+    "Chrome 137, Edge 137, Firefox 153 and newer have it"
+)
+# The programs that were told that they wait for a thread that cannot be.
+_warned: set[turns.Program] = set()
 
 
 class Lock:
@@ -38,6 +48,8 @@ class Lock:
             left = None if end is None else end - time.monotonic()
             if not blocking or (left is not None and left <= 0):
                 return False
+            if left is None:
+                _warn()
             wait(left)
         self._locked = True
         return True
@@ -88,28 +100,57 @@ class Handle:
             wait(left)
 
 
+def _warn() -> None:
+    """Say it once when a program waits for another thread and there can be none."""
+    program = turns.running()
+    if program.stacks or program in _warned:
+        return
+    _warned.add(program)
+    print(f"Waiting for another thread, but {NO_STACKS}", file=sys.stderr)
+
+
 def _start(
     function: Callable[[], object], handle: Handle | None = None, daemon: bool = True
 ) -> Handle:
     handle = handle or Handle()
     program = turns.running()
+    if not program.stacks:
+        raise RuntimeError(f"can't start new thread: {NO_STACKS}")
     handle.ident = turns.new_thread()
+    collecting.begin()
 
     def body() -> None:
         if program.over:
+            collecting.end()
             return
         turns.enter(program, handle.ident or 0)
+        loops.none_runs()
         try:
             function()
         finally:
             handle._set_done()
+            collecting.end()
 
     program.host.spawn(create_proxy(body))
     return handle
 
 
-def install() -> None:
+def _submit_at_once(
+    _: object, function: Callable[..., Any], /, *args: Any, **kwargs: Any
+) -> Future[Any]:
+    """Stand in for what hands work to a thread: do it, one after another."""
+    future: Future[Any] = Future()
+    try:
+        future.set_result(function(*args, **kwargs))
+    except Exception as error:
+        future.set_exception(error)
+    return future
+
+
+def install(*, stacks: bool) -> None:
     """Let `threading`, and what is made of it, work with such threads."""
+    if not stacks:
+        ThreadPoolExecutor.submit = _submit_at_once  # type: ignore[method-assign]
     replaced: dict[str, Any] = {
         "_start_joinable_thread": _start,
         "_ThreadHandle": Handle,

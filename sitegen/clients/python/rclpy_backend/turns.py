@@ -19,7 +19,10 @@ from typing import Any, Protocol
 OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
 COMMON = {
     f"rclpy_backend.{name}"
-    for name in ("arrays", "asyncio_turns", "blocking", "fixed_array", "threads", "turns")
+    for name in (
+        *("arrays", "blocking", "collecting", "fixed_array", "interrupts", "loops"),
+        *("threads", "turns"),
+    )
 }
 
 PATH = list(sys.path)
@@ -71,6 +74,8 @@ class Program:
 
     def __init__(self, host: Any, own: Iterable[str]) -> None:
         self.host = host
+        # Whether its threads are stacks that the browser sets aside. Otherwise there is one.
+        self.stacks = bool(host.stacks)
         self.ident = next(_idents)
         self.threads = {self.ident}
         self.waiting = 0

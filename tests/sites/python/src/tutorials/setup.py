@@ -30,6 +30,8 @@ setup(
             "graph = tutorials.graph:main",
             "executors = tutorials.executors:main",
             "event_loops = tutorials.event_loops:main",
+            "loops = tutorials.loops:main",
+            "busy = tutorials.busy:main",
             "introspection = tutorials.introspection:main",
             "goals = tutorials.goals:main",
             "loggers = tutorials.loggers:main",
