@@ -237,6 +237,40 @@ SubscriptionBase::SubscriptionBase(
       id(), options.event_callbacks, options.use_default_callbacks,
       detail::logger_name(node.get_fully_qualified_name()), name()))
 {
+  if (!options.content_filter_options.filter_expression.empty()) {
+    filter(options.content_filter_options, "could not create subscription");
+  }
+}
+
+void SubscriptionBase::set_content_filter(
+  const std::string & expression, const std::vector<std::string> & parameters)
+{
+  filter({expression, parameters}, "failed to set cft expression parameters");
+}
+
+ContentFilterOptions SubscriptionBase::get_content_filter() const
+{
+  if (!is_cft_enabled()) {
+    throw exceptions::RCLError("failed to get cft expression parameters: no filter is set");
+  }
+  return filter_;
+}
+
+void SubscriptionBase::filter(const ContentFilterOptions & options, const std::string & what)
+{
+  std::string parameters;
+  for (const auto & parameter : options.expression_parameters) {
+    parameters.append(parameter.c_str(), parameter.size() + 1);
+  }
+  char problem[256];
+  const std::int32_t size = ros_filter(
+    id(), type_.definition, options.filter_expression.c_str(), parameters.c_str(),
+    static_cast<std::int32_t>(options.expression_parameters.size()), problem, sizeof(problem));
+  if (size) {
+    throw exceptions::RCLError(
+            what + ": " + std::string(problem, static_cast<std::size_t>(size)));
+  }
+  filter_ = options;
 }
 
 ServiceBase::ServiceBase(
