@@ -17,6 +17,8 @@ COMMANDS = re.compile(
     r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|em(\+\+|cc): error: '"
     r"|Call Stack \(most recent call first\):$|See also \""
 )
+# Packages that are headers only, which authors install, and how.
+INSTALLED = {"Eigen3": "pip install 'sitegen[eigen]', or apt-get install libeigen3-dev"}
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
@@ -39,7 +41,10 @@ class Diagnosis:
             return [line.replace(f"{self.root}/", "") for line in own]
         missing = self.missing(output)
         if missing:
-            need = f"needs '{missing}', which has no build for the page"
+            how = INSTALLED.get(missing)
+            need = f"needs '{missing}', which " + (
+                f"is not installed here ({how})" if how else "has no build for the page"
+            )
             return [f"{self._cmake}: '{self.package.name}' {need}"]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 

@@ -107,7 +107,7 @@ class Parser {
       return (values) => matches(values) !== negated;
     }
     const compare = COMPARE[this.#peek()];
-    if (!compare || negated) throw new Error(`'${this.#peek()}' is not expected here: a comparison is missing`);
+    if (!compare || negated) throw unexpected(this.#peek(), "a comparison is missing");
     this.#at += 1;
     return both(left, alike(left, this.#operand()), compare);
   }
@@ -126,7 +126,7 @@ class Parser {
     }
     const value = literal(token);
     if (value) return value;
-    if (!/^[A-Za-z_]/.test(token) || RESERVED.test(token)) throw new Error(`'${token}' is not expected here: a value is missing`);
+    if (!/^[A-Za-z_]/.test(token) || RESERVED.test(token)) throw unexpected(token, "a value is missing");
     const { slot, sort } = this.#fields.find(token);
     return { sort, of: (values) => values[slot] };
   }
@@ -141,6 +141,12 @@ class Parser {
     this.#at += 1;
     return true;
   }
+}
+
+/** @param {string} token @param {string} why */
+function unexpected(token, why) {
+  const what = token ? `'${token}' is not expected here` : "the expression ends too early";
+  return new Error(`${what}: ${why}`);
 }
 
 /** @param {string} text */
