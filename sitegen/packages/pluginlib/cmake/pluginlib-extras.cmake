@@ -8,7 +8,7 @@ endif()
 # Only ament_package() knows all libraries.
 function(pluginlib_export_plugin_description_file category file)
   set_property(GLOBAL APPEND PROPERTY SITEGEN_PLUGINS "${category}@${file}")
-  set_property(GLOBAL PROPERTY SITEGEN_BEFORE_PACKAGE _pluginlib_describe_all)
+  set_property(GLOBAL APPEND PROPERTY SITEGEN_BEFORE_PACKAGE _pluginlib_describe_all)
 endfunction()
 
 function(pluginlib_enable_plugin_testing)
