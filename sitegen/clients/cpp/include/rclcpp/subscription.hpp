@@ -14,16 +14,11 @@
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/publisher.hpp"
+#include "rclcpp/subscription_content_filter_options.hpp"
 #include "rclcpp/topic_statistics_state.hpp"
 
 namespace rclcpp
 {
-
-struct ContentFilterOptions
-{
-  std::string filter_expression;
-  std::vector<std::string> expression_parameters;
-};
 
 struct SubscriptionOptionsBase
 {
