@@ -195,7 +195,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
     )
     workspace.package(
         "wrong_name",
-        "add_executable(${PROJECT_NAME}${SUFFIX} src/main.cpp)",
+        "find_package(rmw_other_cpp QUIET)\nadd_executable(${PROJECT_NAME}${SUFFIX} src/main.cpp)",
         main="int main() {}\n",
     )
     names = ("source", "link", "need", "cmake", "name")
@@ -226,7 +226,10 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "CMake Error at CMakeLists.txt:4 (message):",
         "  this robot has no wheels",
     ]
-    assert name == ("src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong'")
+    assert name == (
+        "src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong' "
+        "without 'rmw_other_cpp', which the page does not have"
+    )
     assert {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()} == before
 
 
