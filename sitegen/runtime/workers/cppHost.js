@@ -2,7 +2,7 @@
 // The host functions of clients/cpp/include/rclcpp/detail/host.h, between WebAssembly's memory and
 // the worker's participant. `heap` is a view on that memory, fresh with every call.
 
-import { contentFilter } from "../participant/contentFilter.js";
+import { place } from "../place.js";
 import { KINDS, now } from "../protocol.js";
 
 /** @import { Neighbour, Policy, Qos, Severity } from "../protocol.js" */
@@ -38,6 +38,10 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
   /** @param {Uint8Array} heap @param {number} pointer */
   const text = (heap, pointer) => decoder.decode(heap.subarray(pointer, heap.indexOf(0, pointer)));
 
+  /** @type {typeof import("../filter/contentFilter.js") | undefined} */
+  let filters;
+  /** Why they could not be loaded. @type {unknown} */
+  let lack;
   let known = 0;
   let described = new Uint8Array();
   /** @param {Uint8Array} heap */
@@ -72,7 +76,16 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
       for (let at = parameters; given.length < count; at = heap.indexOf(0, at) + 1) given.push(text(heap, at));
       try {
         const rule = text(heap, expression);
-        participant.filter(id, rule ? contentFilter(text(heap, definition), rule, given) : undefined);
+        if (rule && !filters) {
+          // Few programs have filters: the others need not load what makes them.
+          if (lack) throw lack;
+          import(place("filter/contentFilter.js")).then(
+            (module) => { filters = module; },
+            (error) => { lack = error; },
+          ).finally(() => participant.wake());
+          return -1;
+        }
+        participant.filter(id, rule ? filters?.contentFilter(text(heap, definition), rule, given) : undefined);
         return 0;
       } catch (error) {
         const why = new TextEncoder().encode(/** @type {Error} */ (error).message).subarray(0, capacity);

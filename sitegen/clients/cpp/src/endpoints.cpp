@@ -275,9 +275,13 @@ void SubscriptionBase::filter(const ContentFilterOptions & options, const std::s
     parameters.append(parameter.c_str(), parameter.size() + 1);
   }
   char problem[256];
-  const std::int32_t size = ros_filter(
-    id(), type_.definition, options.filter_expression.c_str(), parameters.c_str(),
-    static_cast<std::int32_t>(options.expression_parameters.size()), problem, sizeof(problem));
+  const auto ask = [&] {
+      return ros_filter(
+        id(), type_.definition, options.filter_expression.c_str(), parameters.c_str(),
+        static_cast<std::int32_t>(options.expression_parameters.size()), problem, sizeof(problem));
+    };
+  std::int32_t size;
+  while ((size = ask()) < 0) {detail::wait(-1);}
   if (size) {
     throw exceptions::RCLError(
             what + ": " + std::string(problem, static_cast<std::size_t>(size)));
