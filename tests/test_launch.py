@@ -264,7 +264,7 @@ def generate_launch_description():
             spawn,
             Node(package="a", executable="late", condition=IfCondition(
                 PythonExpression([side, " == 3 and ", "'\\"' not in 'x y'"])))]),
-        RegisterEventHandler(OnProcessStart(target_action=first, on_start=[
+        RegisterEventHandler(event_handler=OnProcessStart(target_action=first, on_start=[
             Node(package="a", executable="follows", arguments=[
                 PythonExpression(["'%.2f' % sqrt(", side, ")"])])])),
         RegisterEventHandler(OnProcessExit(target_action=spawn, on_exit=lambda event: says)),

@@ -31,8 +31,9 @@ LIFECYCLE = {
 def members(described: Callable[..., Any]) -> dict[str, Any]:
     """Return what stands for their names; `described` makes an action."""
 
-    def handler(given: Any = None, **_: Any) -> Any:
-        return given if getattr(given, "kind", "") == "group" else described("event_handler")
+    def handler(event_handler: Any = None, **_: Any) -> Any:
+        started_with = getattr(event_handler, "kind", "") == "group"
+        return event_handler if started_with else described("event_handler")
 
     def started(*_: Any, on_start: Any = (), **__: Any) -> Any:
         # All that a page has starts together with it.
