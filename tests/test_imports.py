@@ -90,9 +90,11 @@ ALLOWED = {
 # The same for the browser's modules; a folder stands for all that is in it.
 RUNTIME_ALLOWED = {
     "rosMain.js": {
-        *{"graph.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js", "sharing.js"},
-        "workerGroup.js",
+        *{"graph.js", "isolation.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js"},
+        *{"sharing.js", "workerGroup.js"},
     },
+    "interrupt.js": set(),
+    "isolation.js": {"elements.js", "place.js", "words.js"},
     "place.js": set(),
     "sharing.js": {"elements.js", "protocol.js", "words.js"},
     "words.js": {"place.js"},
@@ -101,12 +103,15 @@ RUNTIME_ALLOWED = {
     "pageClient.js": {"graph.js", "messages", "participant", "protocol.js", "words.js"},
     "messages": {"elements.js", "messages", "protocol.js", "vendor", "words.js"},
     "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {"graph.js", "place.js", "protocol.js", "workerGroup.js"},
-    "workerGroup.js": {"place.js", "protocol.js"},
+    "nodeProcess.js": {
+        *{"graph.js", "interrupt.js", "isolation.js", "place.js", "protocol.js", "workerGroup.js"},
+    },
+    "workerGroup.js": {"interrupt.js", "place.js", "protocol.js"},
     "graph.js": {"protocol.js"},
     "protocol.js": set(),
     "workers": {
         "filter",
+        "interrupt.js",
         "messages",
         "participant",
         "place.js",
