@@ -36,6 +36,8 @@ def runtime(site: Site) -> list[Artifact]:
         return []
     workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
+    if "cppNode" in workers:
+        files |= set((RUNTIME / "filter").iterdir())  # loaded by those programs that filter
     if "pythonNode" in workers:
         files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
         parts = (VENDOR / "pyodide").iterdir()

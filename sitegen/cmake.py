@@ -94,6 +94,8 @@ class CMake:
             "SITEGEN_PYTHON": sys.executable,
             "SITEGEN_RCLCPP": self.library,
         }
+        if self.tools.eigen:
+            defines["Eigen3_DIR"] = self.tools.eigen
         words = [f"-D{name}={value}" for name, value in defines.items()]
         command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
         return self.tools.run(*command, *SETTINGS, *words)

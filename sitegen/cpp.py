@@ -186,7 +186,9 @@ class Compiler:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
             if made.returncode:
-                raise SiteError(Diagnosis(self._root, package).of_build("libraries", made.stdout))
+                diagnosis = Diagnosis(self._root, package)
+                tree = cmake.tree(package)
+                raise SiteError(diagnosis.of_build("libraries", made.stdout, tree))
         except SiteError:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             raise
@@ -230,7 +232,8 @@ class Compiler:
         for executable in job.executables:
             done = cmake.make(package, executable)
             if done.returncode:
-                problems += Diagnosis(self._root, package).of_build(executable, done.stdout)
+                diagnosis = Diagnosis(self._root, package)
+                problems += diagnosis.of_build(executable, done.stdout, cmake.tree(package))
             else:
                 program = cmake.program(package, executable)
                 prefixes = [cmake.ros, *map(cmake.prefix, (*job.needs, package))]

@@ -17,6 +17,10 @@ COMMANDS = re.compile(
     r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|em(\+\+|cc): error: '"
     r"|Call Stack \(most recent call first\):$|See also \""
 )
+# In CMake's cache, a package that was looked for in vain.
+ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
+# Packages that are headers only, which authors install, and how.
+INSTALLED = {"Eigen3": "pip install 'sitegen[eigen]', or apt-get install libeigen3-dev"}
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
@@ -39,14 +43,19 @@ class Diagnosis:
             return [line.replace(f"{self.root}/", "") for line in own]
         missing = self.missing(output)
         if missing:
-            need = f"needs '{missing}', which has no build for the page"
+            how = INSTALLED.get(missing)
+            need = f"needs '{missing}', which " + (
+                f"is not installed here ({how})" if how else "has no build for the page"
+            )
             return [f"{self._cmake}: '{self.package.name}' {need}"]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
-    def of_build(self, executable: str, output: str) -> list[str]:
-        """Say why `executable` could not be compiled."""
+    def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
+        """Say why `executable` could not be compiled in the build folder `tree`."""
         if f"unknown target '{executable}'" in output:
             what = f"has no executable '{executable}'"
+            if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
+                what += f" without {names}, which the page does not have"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
         source = FAILED_SOURCE.search(output)
         file = self._cmake
@@ -68,3 +77,9 @@ class Diagnosis:
         shown = [line for line in shown if not line.startswith("-- ")]
         text = re.sub(r"\n{3,}", "\n\n", "\n".join(shown)).strip()
         return text.replace(f"{self.root}/", "")
+
+
+def _not_found(tree: Path) -> list[str]:
+    """Return the packages that CMake looked for and could do without."""
+    cache = tree / "CMakeCache.txt"
+    return ABSENT.findall(cache.read_text(encoding="utf-8")) if cache.exists() else []

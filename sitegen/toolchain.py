@@ -9,10 +9,13 @@ import subprocess
 import sysconfig
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import metadata
 from pathlib import Path
 
 # Debian's Emscripten calls acorn, which its Node finds only here.
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
+# Where Debian, those who compile it, and Homebrew have Eigen.
+EIGEN = [Path(root, "share/eigen3/cmake") for root in ("/usr", "/usr/local", "/opt/homebrew")]
 
 
 class ToolMissingError(Exception):
@@ -21,12 +24,16 @@ class ToolMissingError(Exception):
 
 @dataclass(frozen=True)
 class Toolchain:
-    """The tools that compile C++ for the page, and what identifies the compiler."""
+    """The tools that compile C++ for the page, and what identifies the compiler.
+
+    `eigen` is the folder with CMake's package of Eigen, if its headers are installed.
+    """
 
     compiler: Path
     cmake: Path
     ninja: Path
     identity: str
+    eigen: Path | None = None
 
     @staticmethod
     def find() -> Toolchain:
@@ -34,7 +41,10 @@ class Toolchain:
         compiler = _find("em++", "apt-get install emscripten, or see emscripten.org")
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
-        return Toolchain(compiler, cmake, ninja, _identity(compiler))
+        eigen = _eigen()
+        # Another Eigen makes other programs.
+        identity = _identity(compiler) + (f" {eigen.stat().st_mtime_ns}" if eigen else "")
+        return Toolchain(compiler, cmake, ninja, identity, eigen)
 
     def run(self, *command: str | Path, flags: str = "") -> subprocess.CompletedProcess[str]:
         """Run a tool, em++ below it with `flags`; its output, errors included, is in `stdout`."""
@@ -69,6 +79,15 @@ def _find(name: str, how: str) -> Path:
     if not found:
         raise ToolMissingError(f"{name} not found ({how})")
     return Path(found)
+
+
+def _eigen() -> Path | None:
+    """Return where CMake's package of Eigen is: from PyPI, or where systems have it."""
+    folders = [*EIGEN]
+    with contextlib.suppress(metadata.PackageNotFoundError):
+        place = metadata.distribution("cmeel-eigen").locate_file("cmeel.prefix/share/eigen3/cmake")
+        folders.insert(0, Path(str(place)))
+    return next((folder for folder in folders if (folder / "Eigen3Config.cmake").is_file()), None)
 
 
 def _identity(compiler: Path) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +36,7 @@ class Message:
     name: str
     hash: str
     fields: tuple[Field, ...]
+    definition: str = ""
 
     @property
     def package(self) -> str:
@@ -59,6 +60,8 @@ def read_description(file: Path) -> Iterator[Message]:
     hashes = {entry["type_name"]: entry["hash_string"] for entry in data["type_hashes"]}
     parts = [*description["referenced_type_descriptions"], description["type_description"]]
     messages = [_message(part, hashes) for part in parts]
+    if own.split("/")[1] == "msg":
+        messages[-1] = replace(messages[-1], definition=_definition(parts))
     mine = {m.name: m for m in messages if m.name == own or m.name.startswith(f"{own}_")}
     for name in list(mine):
         # Services and actions are described too, as types with their parts for fields.
@@ -70,6 +73,22 @@ def read_description(file: Path) -> Iterator[Message]:
 def _message(part: dict[str, Any], hashes: dict[str, str]) -> Message:
     fields = tuple(_field(field) for field in part["fields"])
     return Message(part["type_name"], hashes[part["type_name"]], fields)
+
+
+def _definition(parts: Sequence[dict[str, Any]]) -> str:
+    """Write the fields of the last of `parts`, and of those it nests, as the page reads them."""
+    lines = [_line(field) for field in parts[-1]["fields"]]
+    for part in parts[:-1]:
+        lines += [f"={part['type_name']}", *map(_line, part["fields"])]
+    return "\n".join(lines)
+
+
+def _line(field: dict[str, Any]) -> str:
+    """Write a field: its name, its type, the message it nests or "-", the length of an array."""
+    kind = field["type"]
+    words = [field["name"], kind["type_id"], kind["nested_type_name"] or "-", kind["capacity"]]
+    is_array = kind["type_id"] // SCALARS == 1
+    return " ".join(map(str, words if is_array else words[: 3 if words[2] != "-" else 2]))
 
 
 def _field(field: dict[str, Any]) -> Field:
@@ -148,7 +167,8 @@ def _message_support(message: Message) -> list[str]:
         f"get_message_type_support_handle<{message.cpp}>()",
         "{",
         f"  return rosidl_typesupport_sitegen_cpp::handle_of<{message.cpp}>(",
-        f'    "{message.name}", "{message.hash}");',
+        f'    "{message.name}", "{message.hash}",',
+        f"    {json.dumps(message.definition)});",
         "}",
         "}  // namespace rosidl_typesupport_cpp",
     ]

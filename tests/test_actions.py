@@ -62,7 +62,18 @@ def test_components_of_one_program_are_found_by_name(
     composed.expect_state("stopped")
     lines = composed.lines()
     factory = "Load rclcpp_components::NodeFactoryTemplate<components::Fibonacci{}>"
-    assert lines[:2] == [factory.format("Client"), factory.format("Server")]
+    assert lines[:4] == [
+        factory.format("Client"),
+        factory.format("Server"),
+        "1",
+        "Could not load library libnothing.so: this program is not linked with it",
+    ]
+    assert [line for line in lines[4:] if not line.startswith("[")][:4] == [
+        "loaded 1 /deep/spare",
+        "Failed to find class with the requested plugin name.",
+        "1 nodes, unloaded 1 ",
+        "0 nodes, unloaded 0 No node found with unique_id: 1",
+    ]
     said = [line.split("]: ")[1] for line in lines if "[fibonacci_client]: " in line]
     assert said == CLIENT
 

@@ -14,7 +14,9 @@ from panel import Panel
 from playwright.sync_api import Page
 
 from sitegen.build import build
+from sitegen.diagnosis import Diagnosis
 from sitegen.errors import SiteError
+from sitegen.model import Package
 from sitegen.report import Report
 
 SHAPES = Path(__file__).parent / "sites" / "shapes"
@@ -195,7 +197,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
     )
     workspace.package(
         "wrong_name",
-        "add_executable(${PROJECT_NAME}${SUFFIX} src/main.cpp)",
+        "find_package(rmw_other_cpp QUIET)\nadd_executable(${PROJECT_NAME}${SUFFIX} src/main.cpp)",
         main="int main() {}\n",
     )
     names = ("source", "link", "need", "cmake", "name")
@@ -226,7 +228,10 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "CMake Error at CMakeLists.txt:4 (message):",
         "  this robot has no wheels",
     ]
-    assert name == ("src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong'")
+    assert name == (
+        "src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong' "
+        "without 'rmw_other_cpp', which the page does not have"
+    )
     assert {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()} == before
 
 
@@ -293,6 +298,15 @@ def test_a_missing_compiler_is_told_with_who_needs_it(
     assert workspace.problems() == [
         "em++ not found (apt-get install emscripten, or see emscripten.org): "
         "needed for the C++ nodes of 'fine'"
+    ]
+
+
+def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
+    package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", (), (), ())
+    said = 'Could not find a package configuration file provided by "Eigen3" with any of'
+    assert Diagnosis(tmp_path, package).of_cmake(said) == [
+        "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed here "
+        "(pip install 'sitegen[eigen]', or apt-get install libeigen3-dev)"
     ]
 
 

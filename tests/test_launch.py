@@ -156,7 +156,8 @@ def root(tmp_path: Path) -> Path:
         ("<!DOCTYPE x><launch/>", "launch: a document type is not allowed here"),
         ("<launch><node pkg='a'/></launch>", "node: 'exec' is missing"),
         ("<launch><nod pkg='a'/></launch>", "nod: this does not work on a page; did you mean"),
-        ("<launch><executable cmd='ls'/></launch>", "executable: this does not work on a page"),
+        ("<launch><let name='x' value='$(eval 1/0)'/></launch>", "let: '1/0' is no expression"),
+        ("<launch><let name='x' value='$(eval open)'/></launch>", "let: 'open' is no expression"),
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
         ("<launch><let name='x' value='$(var y)'/></launch>", "let: there is no argument 'y'"),
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
@@ -228,6 +229,93 @@ def test_the_same_of_python(root: Path, text: str, expected: str) -> None:
     found, [line, *_] = nodes(root, "x.launch.py")
     assert found == []
     assert line.startswith(f"x.launch.py:{expected}")
+
+
+LEFT_OUT = {
+    "py": """
+from launch import LaunchDescription
+from launch.actions import *
+from launch.conditions import IfCondition, LaunchConfigurationEquals
+from launch.event_handlers import OnProcessExit, OnProcessStart
+from launch.events import Shutdown as ShutdownEvent, matches_action
+from launch.substitutions import *
+from launch_ros.actions import LifecycleNode, Node
+from launch_ros.event_handlers import OnStateTransition
+from launch_ros.events.lifecycle import ChangeState
+from launch_ros.substitutions import FindPackageShare
+from lifecycle_msgs.msg import Transition
+
+
+def generate_launch_description():
+    side = LaunchConfiguration("side")
+    spawn = ExecuteProcess(cmd=[[FindExecutable(name="ros2"), " service call ", side]], shell=True)
+    first = LifecycleNode(
+        package="a", executable="first", name="first", namespace="", on_exit=Shutdown())
+    configure = ChangeState(
+        lifecycle_node_matcher=matches_action(first),
+        transition_id=Transition.TRANSITION_CONFIGURE)
+    says = LogInfo(msg=[LocalSubstitution("event.reason"), EnvironmentVariable("USER")])
+    return LaunchDescription([
+        DeclareLaunchArgument("side", default_value="3"),
+        DeclareLaunchArgument("mood", default_value="it's"),
+        first,
+        spawn,
+        TimerAction(period=2.0, actions=[
+            spawn,
+            Node(package="a", executable="late", condition=IfCondition(
+                PythonExpression([side, " == 3 and ", "'\\"' not in 'x y'"])))]),
+        RegisterEventHandler(event_handler=OnProcessStart(target_action=first, on_start=[
+            Node(package="a", executable="follows", arguments=[
+                PythonExpression(["'%.2f' % sqrt(", side, ")"])])])),
+        RegisterEventHandler(OnProcessExit(target_action=spawn, on_exit=lambda event: says)),
+        RegisterEventHandler(OnStateTransition(
+            target_lifecycle_node=first, goal_state="inactive",
+            entities=[Node(package="a", executable="never")])),
+        EmitEvent(event=configure),
+        EmitEvent(event=ShutdownEvent(reason="done")),
+        Node(package="a", executable="equal", name=[FindPackageShare("mine") / "x"],
+             condition=LaunchConfigurationEquals("mood", "it's")),
+        Node(package="a", executable="not_equal", condition=IfCondition(
+            AndSubstitution(NotEqualsSubstitution(side, "3"), "true"))),
+        Node(package="a", executable="either", namespace=IfElseSubstitution(
+            OrSubstitution("false", EqualsSubstitution(side, "3")), "left", "right")),
+    ])
+""",
+    "xml": """<launch>
+  <arg name="side" default="3"/>
+  <executable cmd="ros2 service call"/>
+  <node pkg="a" exec="first" args="$(eval '1 + $(var side)')"/>
+  <timer period="2.0">
+    <node pkg="a" exec="late" if="$(eval '$(var side) == 3 and &quot;x y&quot; != &quot;x&quot;')"/>
+    <node pkg="a" exec="never" if="$(eval 'len(str($(var side))) > 1')"/>
+  </timer>
+  <set_use_sim_time value="true"/>
+  <node pkg="a" exec="timed"/>
+</launch>""",
+}
+
+
+@pytest.mark.parametrize(
+    ("kind", "expected"),
+    [
+        ("py", ["first", "late", "follows 1.73", "{}/x", "either left"]),
+        ("xml", ["first 4", "late", "timed use_sim_time"]),
+    ],
+)
+def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: list[str]) -> None:
+    (root / f"x.launch.{kind}").write_text(LEFT_OUT[kind])
+    problems, notes = Problems(root), Problems(root)
+    packages = workspace.scan(root)
+    found = launched(root / f"x.launch.{kind}", {}, packages, problems, notes)
+    assert problems.lines == []
+    said = [
+        " ".join([node.name, *node.arguments, *node.parameters, node.namespace.strip("/")]).strip()
+        for node in found
+    ]
+    assert said == [each.format(packages["mine"].path) for each in expected]
+    kinds = {line.split(": ")[1] for line in notes.lines}
+    events = {"event", "event_handler"} if kind == "py" else set()
+    assert kinds == {"executable", "timer", *events}
 
 
 def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:

@@ -64,6 +64,17 @@ def test_a_node_has_its_other_forms(context: BrowserContext, serve: Serve, built
     assert lines == [
         "/space/part forms",
         "/space/part/words",
+        "filter 1: abc b last",
+        "failed to set cft expression parameters: the message has no field 'date'",
+        "data = %0 OR NOT data LIKE 'a%'",
+        "filter 1: b last",
+        "filter 0: a ab abc b last",
+        "components::Circle is a components::Circle of components: ",
+        "Could not create instance of type components::Circle",
+        "square is a components::Square of components: All sides are the same.",
+        "area 9",
+        "According to the loaded plugin descriptions the class triangle with base class type "
+        "components::Shape does not exist. Declared types are  components::Circle square",
         "timer 1",
         "# the robot of this test",
         "package 'nowhere' not found, searching: [/ros]",

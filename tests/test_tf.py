@@ -46,6 +46,7 @@ Frame laser exists with parent base.
   buffer_length: 2.000
 pose world 2.000 1.000 yaw 1.571
 converted 2.000 1.000
+of Eigen 2.000 1.000 in world, back 1.000 0.000
 world <- late is there
 """.strip("\n").split("\n")
 MATCHED = """

@@ -12,9 +12,11 @@ import shlex
 import sys
 import traceback
 import types
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
+
+from sitegen.launch import describe_events, describe_expressions
 
 FILE = ""
 FOLDERS: dict[str, str] = {}
@@ -25,6 +27,9 @@ class Text:
 
     def __init__(self, text: str) -> None:
         self.text = text
+
+    def __truediv__(self, part: Any) -> Text:
+        return Text(f"{self.text}/{text(part)}")
 
 
 class Folder(Text):
@@ -241,11 +246,6 @@ def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Descr
     return Described("launch", entities or ())
 
 
-def refuse(name: str) -> Callable[..., Described]:
-    """Return what stands for an action that does not work on a page."""
-    return lambda *_, **__: Described(name)
-
-
 def environment(name: Any, *, default_value: Any = None) -> Text:
     """Stand for EnvironmentVariable."""
     default = "" if default_value is None else f" '{text(default_value)}'"
@@ -282,11 +282,11 @@ CORE: dict[str, Any] = {
     "UnlessCondition": lambda value: Condition("unless", value),
     "LaunchConfiguration": configuration,
     "TextSubstitution": lambda *, text: Text(text),
+    "PathSubstitution": lambda path: Text(text(path)),
     "PathJoinSubstitution": lambda parts: Text("/".join(text(part) for part in parts)),
     "EnvironmentVariable": environment,
     "ThisLaunchFileDir": lambda: Text("$(dirname)"),
     "ThisLaunchFile": lambda: Text("$(filename)"),
-    "PythonExpression": lambda *_: Text("$(eval)"),
     "Command": command,
     "FileContent": lambda path: Text(f"$(file-content '{text(path)}')"),
     "FindExecutable": lambda name: Text(f"$(find-exec {text(name)})"),
@@ -294,19 +294,10 @@ CORE: dict[str, Any] = {
         f"{kind}LaunchDescriptionSource": lambda file, **_: file
         for kind in ("Python", "XML", "YAML", "Any", "Frontend")
     },
-    **{
-        name: refuse(name)
-        for name in (
-            *("ExecuteProcess", "OpaqueFunction", "RegisterEventHandler", "TimerAction"),
-            *(
-                "EmitEvent",
-                "Shutdown",
-                "OnProcessExit",
-                "OnProcessStart",
-                "AppendEnvironmentVariable",
-            ),
-        )
-    },
+    "AppendEnvironmentVariable": lambda *_, **__: Described("set_env"),
+    "UnsetEnvironmentVariable": lambda *_, **__: Described("unset_env"),
+    **describe_events.members(Described),
+    **describe_expressions.members(Text, Condition),
 }
 ROS: dict[str, Any] = {
     "Node": node,
@@ -325,11 +316,14 @@ ROS: dict[str, Any] = {
     "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
     "ParameterValue": lambda value, *, value_type=None: (
-        Typed(text(value)) if value_type is str else value
+        value if value_type is None else (Typed if value_type is str else Text)(text(value))
     ),
     "ComposableNode": composable,
     "ComposableNodeContainer": container,
     "LoadComposableNodes": load,
+    "SetUseSimTime": lambda value, condition=None: Described(
+        "set_parameter", name="use_sim_time", value=value, condition=condition
+    ),
 }
 ROS["PushROSNamespace"] = ROS["PushRosNamespace"]
 INDEX = {
@@ -340,7 +334,8 @@ INDEX = {
 # Names are where upstream has them; that they are elsewhere, too, hurts nobody.
 MODULES = {
     "launch": CORE,
-    "launch_ros": ROS,
+    "launch_ros": CORE | ROS,
+    "lifecycle_msgs": describe_events.LIFECYCLE,
     "launch_xml": CORE,
     "launch_yaml": CORE,
     "ament_index_python": INDEX,
@@ -348,9 +343,13 @@ MODULES = {
 BELOW = {
     "launch": (
         *("actions", "conditions", "substitutions", "launch_description_sources", "event_handlers"),
-        *("events", "launch_description"),
+        *("events", "events.lifecycle", "events.process", "launch_description"),
     ),
-    "launch_ros": ("actions", "descriptions", "parameter_descriptions", "substitutions"),
+    "launch_ros": (
+        *("actions", "descriptions", "parameter_descriptions", "substitutions"),
+        *("events", "events.lifecycle", "event_handlers"),
+    ),
+    "lifecycle_msgs": ("msg",),
     "launch_xml": ("launch_description_sources",),
     "launch_yaml": ("launch_description_sources",),
     "ament_index_python": ("packages",),
@@ -365,8 +364,9 @@ def install() -> None:
         sys.modules[name] = top
         for part in BELOW[name]:
             module = types.ModuleType(f"{name}.{part}")
-            vars(module).update(members)
-            setattr(top, part, module)
+            vars(module).update(members, __path__=[])
+            above, _, own = module.__name__.rpartition(".")
+            setattr(sys.modules[above], own, module)
             sys.modules[module.__name__] = module
 
 

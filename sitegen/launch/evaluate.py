@@ -17,9 +17,18 @@ from sitegen.model import Component, Node, Package
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
 DEEPEST = 20
 # Of no consequence for what runs on a page.
-IGNORED = {"log", "set_env", "unset_env"}
+IGNORED = {"append_env", "log", "set_env", "unset_env"}
+# What a page does without, which its author gets to know.
+LEFT_OUT = {
+    "executable": "a program of the system does not run in a page",
+    "event": "events of launch files do not happen in a page",
+    "event_handler": "events of launch files do not happen in a page",
+    "shutdown": "a page ends when its reader leaves it",
+}
 # Packages of programs that draw on a screen of their own.
-SCREENS = ("rviz", "rqt", "gazebo", "ros_gz", "turtlesim")
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
+# Programs that read the keys of a terminal.
+KEYS = {("turtlesim", "turtle_teleop_key"): "the window of turtlesim has keys"}
 
 
 @dataclass
@@ -81,6 +90,8 @@ class _Launch:
             "push_namespace": self._push,
             "set_parameter": self._set_parameter,
             "set_remap": self._set_remap,
+            "set_use_sim_time": self._set_use_sim_time,
+            "timer": self._timer,
         }
 
     def file(self, scope: Scope, place: Place) -> None:
@@ -120,9 +131,12 @@ class _Launch:
     def _do(self, action: Action, scope: Scope) -> None:
         if action.kind in IGNORED:
             return
+        if why := LEFT_OUT.get(action.kind):
+            self._notes.add(action.place, action.kind, f"{why}; this is left out")
+            return
         do = self._actions.get(action.kind)
         if do is None:
-            known = sorted([*self._actions, *IGNORED])
+            known = sorted([*self._actions, *IGNORED, *LEFT_OUT])
             advice = nearest(action.kind, known)
             raise ValueError(f"this does not work on a page; {advice}")
         do(action, scope)
@@ -173,10 +187,24 @@ class _Launch:
     def _set_remap(self, action: Action, scope: Scope) -> None:
         scope.remaps[self._needed(action, "from", scope)] = self._needed(action, "to", scope)
 
+    def _set_use_sim_time(self, action: Action, scope: Scope) -> None:
+        scope.parameters["use_sim_time"] = self._needed(action, "value", scope)
+
+    def _timer(self, action: Action, scope: Scope) -> None:
+        period = self._needed(action, "period", scope)
+        message = f"nodes of a page start together: these do not wait for {period} s"
+        self._notes.add(action.place, action.kind, message)
+        self._all(action.inside, scope.inner())
+
     def _node(self, action: Action, scope: Scope) -> None:
         package = self._needed(action, "pkg", scope)
         if package.startswith(SCREENS) and package not in self._packages:
             message = f"'{package}' draws on a screen of its own and is left out of the page"
+            self._notes.add(action.place, action.kind, message)
+            return
+        executable = self._needed(action, "exec", scope)
+        if instead := KEYS.get((package, executable)):
+            message = f"'{executable}' reads the keys of a terminal and is left out; {instead}"
             self._notes.add(action.place, action.kind, message)
             return
         self._started(action, scope)

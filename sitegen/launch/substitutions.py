@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shlex
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from urllib.parse import unquote
+
+# What expressions may use: they have no need of files and modules.
+PLAIN = (abs, all, any, bool, float, int, len, max, min, round, sorted, str, sum)
+NAMES = {**vars(math), "math": math, **{each.__name__: each for each in PLAIN}}
 
 
 class SubstitutionError(Exception):
@@ -37,6 +43,8 @@ def expand(
         "find_pkg_prefix": lambda package: str(share(package)),
         "find_exec": lambda name: name,
         "command": lambda line, *_: output(line),
+        "eval": lambda *words: _evaluated(" ".join(words)),
+        "expression": lambda *words: _evaluated("".join(map(_part, words))),
         "file_content": lambda path: output(shlex.join(["cat", path])),
     }
 
@@ -44,7 +52,8 @@ def expand(
         name, *arguments = words or [""]
         function = known.get(name.replace("-", "_"))
         if function is None:
-            others = ", ".join(f"$({each.replace('_', '-')} …)" for each in known)
+            public = (each.replace("_", "-") for each in known if each != "expression")
+            others = ", ".join(f"$({each} …)" for each in public)
             raise SubstitutionError(f"$({name} …) does not work here; of these do: {others}")
         try:
             return function(*arguments)
@@ -106,6 +115,21 @@ class _Reader:
             else:
                 found += self._substitution() or self._next()
         return found
+
+
+def _part(word: str) -> str:
+    """Return a word of describe_expressions.py as it stands in the expression."""
+    return unquote(word[1:]) if word.startswith("=") else word[1:]
+
+
+def _evaluated(expression: str) -> str:
+    """Return what an expression of Python is, with the names of `math` and the plain functions."""
+    try:
+        return str(eval(expression, {"__builtins__": {}}, NAMES))
+    except Exception as error:
+        raise SubstitutionError(
+            f"'{expression}' is no expression: {type(error).__name__}: {error}"
+        ) from None
 
 
 def _first(*values: str | None, what: str) -> str:

@@ -61,7 +61,8 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
 def _written(file: Path, node: yaml.Node) -> str:
     """Return the value of a parameter as YAML has it: a text that looks like a number is one."""
     if isinstance(node, yaml.ScalarNode):
-        quoted = node.style in ("'", '"')
+        # What stands for something else is what that looks like.
+        quoted = node.style in ("'", '"') and "$(" not in node.value
         return "'" + node.value.replace("'", "''") + "'" if quoted else str(node.value)
     return f"[{', '.join(_written(file, item) for item in _items(file, node))}]"
 

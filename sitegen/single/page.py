@@ -191,8 +191,11 @@ class _Writer(HTMLParser):
         workers = [path for path in modules if path.startswith("runtime/workers/")]
         scripts = [path for path in programs if path.endswith(".js")]
         wasm = [path for path in programs if path.endswith(".wasm")]
-        starts = {path: scripts for path in workers if path.endswith("Node.js")}
-        paths = [path for path in modules if path not in workers] + wasm
+        # A worker has a bundle of its own, with what it loads only when a program asks for it.
+        later = [path for path in modules if path.startswith("runtime/filter/")]
+        begun = [path for path in workers if path.endswith("Node.js")]
+        starts = {path: [*scripts, *later] for path in begun}
+        paths = [path for path in modules if path not in (*workers, *later)] + wasm
         return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
 
     def _policy(self) -> str:

@@ -137,6 +137,15 @@ export class Participant {
     this.#send(id, fromPageId(client), { sequence, timestamp: now(), message });
   }
 
+  /**
+   * Give the program only those messages at the subscription `id` that pass `filter`, all without one.
+   * @param {number} id @param {((message: Uint8Array) => boolean) | undefined} filter
+   */
+  filter(id, filter) {
+    const reader = this.#locals.get(id)?.reader;
+    if (reader) reader.filter = filter;
+  }
+
   /** The oldest message that waits at the endpoint `id`. @param {number} id */
   next(id) {
     const local = this.#locals.get(id);

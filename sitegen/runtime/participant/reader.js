@@ -30,6 +30,8 @@ export class Reader {
   /** By the publisher's name in the page. @type {Map<number, Source>} */
   #sources = new Map();
   #deadline;
+  /** Whether the program is given a message. @type {((message: Uint8Array) => boolean) | undefined} */
+  filter;
   /** How many messages never reached the program, because it was too slow for them. */
   missed = 0;
 
@@ -85,10 +87,15 @@ export class Reader {
     if (lost > 0) this.#status.add("lost", lost);
     source.last = sample.sequence;
     this.#live(source);
+    this.missed += Math.max(lost, 0);
+    if (this.filter && !this.filter(sample.message)) {
+      this.#consumed(sample);
+      return;
+    }
     this.#deadline.touch();
     const replaced = this.#queue.push(sample);
     if (replaced) this.#consumed(replaced);
-    this.missed += Math.max(lost, 0) + (replaced ? 1 : 0);
+    this.missed += replaced ? 1 : 0;
   }
 
   /** The oldest message, which stays. */

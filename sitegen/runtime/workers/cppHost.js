@@ -2,6 +2,7 @@
 // The host functions of clients/cpp/include/rclcpp/detail/host.h, between WebAssembly's memory and
 // the worker's participant. `heap` is a view on that memory, fresh with every call.
 
+import { place } from "../place.js";
 import { KINDS, now } from "../protocol.js";
 
 /** @import { Neighbour, Policy, Qos, Severity } from "../protocol.js" */
@@ -37,6 +38,10 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
   /** @param {Uint8Array} heap @param {number} pointer */
   const text = (heap, pointer) => decoder.decode(heap.subarray(pointer, heap.indexOf(0, pointer)));
 
+  /** @type {typeof import("../filter/contentFilter.js") | undefined} */
+  let filters;
+  /** Why they could not be loaded. @type {unknown} */
+  let lack;
   let known = 0;
   let described = new Uint8Array();
   /** @param {Uint8Array} heap */
@@ -62,6 +67,32 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
     name: (id) => participant.nameOf(id),
     /** @param {Uint8Array} heap @param {number} id @param {number} data @param {number} size */
     publish: (heap, id, data, size) => Number(participant.publish(id, heap.subarray(data, data + size))),
+    /**
+     * @param {Uint8Array} heap @param {number} id @param {number} definition @param {number} expression
+     * @param {number} parameters @param {number} count @param {number} to @param {number} capacity
+     */
+    filter(heap, id, definition, expression, parameters, count, to, capacity) {
+      const given = [];
+      for (let at = parameters; given.length < count; at = heap.indexOf(0, at) + 1) given.push(text(heap, at));
+      try {
+        const rule = text(heap, expression);
+        if (rule && !filters) {
+          // Few programs have filters: the others need not load what makes them.
+          if (lack) throw lack;
+          import(place("filter/contentFilter.js")).then(
+            (module) => { filters = module; },
+            (error) => { lack = error; },
+          ).finally(() => participant.wake());
+          return -1;
+        }
+        participant.filter(id, rule ? filters?.contentFilter(text(heap, definition), rule, given) : undefined);
+        return 0;
+      } catch (error) {
+        const why = new TextEncoder().encode(/** @type {Error} */ (error).message).subarray(0, capacity);
+        heap.set(why, to);
+        return why.length;
+      }
+    },
     /** @param {number} id */
     behind: (id) => Number(participant.behind(id)),
     /** @param {number} id */

@@ -27,6 +27,16 @@ constexpr double kMaxBlocking = 1000;
 // ok() may let the event loop turn, and what then happens would not end the wait after it.
 bool is_valid() {return contexts::get_global_default_context()->is_valid();}
 
+/// Messages travel without a network.
+void refuse_network_flow(rmw_unique_network_flow_endpoints_requirement_t required, const char * what)
+{
+  if (required == RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
+    throw exceptions::RCLError(
+            std::string("could not create ") + what +
+            ": strict requirement on unique network flow endpoints not supported");
+  }
+}
+
 std::shared_ptr<const node_interfaces::NodeBaseInterface> living(
   const std::weak_ptr<const node_interfaces::NodeBaseInterface> & node)
 {
@@ -179,6 +189,7 @@ PublisherBase::PublisherBase(
       endpoint_.id(), options.event_callbacks, options.use_default_callbacks,
       detail::logger_name(node.get_fully_qualified_name()), endpoint_.name()))
 {
+  refuse_network_flow(options.require_unique_network_flow_endpoints, "publisher");
 }
 
 bool PublisherBase::assert_liveliness() const
@@ -237,6 +248,45 @@ SubscriptionBase::SubscriptionBase(
       id(), options.event_callbacks, options.use_default_callbacks,
       detail::logger_name(node.get_fully_qualified_name()), name()))
 {
+  refuse_network_flow(options.require_unique_network_flow_endpoints, "subscription");
+  if (!options.content_filter_options.filter_expression.empty()) {
+    filter(options.content_filter_options, "could not create subscription");
+  }
+}
+
+void SubscriptionBase::set_content_filter(
+  const std::string & expression, const std::vector<std::string> & parameters)
+{
+  filter({expression, parameters}, "failed to set cft expression parameters");
+}
+
+ContentFilterOptions SubscriptionBase::get_content_filter() const
+{
+  if (!is_cft_enabled()) {
+    throw exceptions::RCLError("failed to get cft expression parameters: no filter is set");
+  }
+  return filter_;
+}
+
+void SubscriptionBase::filter(const ContentFilterOptions & options, const std::string & what)
+{
+  std::string parameters;
+  for (const auto & parameter : options.expression_parameters) {
+    parameters.append(parameter.c_str(), parameter.size() + 1);
+  }
+  char problem[256];
+  const auto ask = [&] {
+      return ros_filter(
+        id(), type_.definition, options.filter_expression.c_str(), parameters.c_str(),
+        static_cast<std::int32_t>(options.expression_parameters.size()), problem, sizeof(problem));
+    };
+  std::int32_t size;
+  while ((size = ask()) < 0) {detail::wait(-1);}
+  if (size) {
+    throw exceptions::RCLError(
+            what + ": " + std::string(problem, static_cast<std::size_t>(size)));
+  }
+  filter_ = options;
 }
 
 ServiceBase::ServiceBase(

@@ -7,6 +7,10 @@ mergeInto(LibraryManager.library, {
   ros_destroy: function(id) { Module["ros"]["destroy"](id); },
   ros_name: function(id) { return Module["ros"]["name"](id); },
   ros_publish: function(id, data, size) { return Module["ros"]["publish"](HEAPU8, id, data, size); },
+  ros_filter: function(id, definition, expression, parameters, count, problem, capacity) {
+    return Module["ros"]["filter"](
+      HEAPU8, id, definition, expression, parameters, count, problem, capacity);
+  },
   ros_behind: function(id) { return Module["ros"]["behind"](id); },
   ros_assert: function(id) { Module["ros"]["assert"](id); },
   ros_events: function() { return Module["ros"]["events"](); },

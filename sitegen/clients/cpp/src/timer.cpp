@@ -41,20 +41,20 @@ bool TimerBase::exchange_in_use_by_wait_set_state(bool in_use)
   return std::exchange(in_use_by_wait_set_, in_use);
 }
 
-bool TimerBase::call()
+std::shared_ptr<void> TimerBase::call()
 {
-  if (canceled_) {return false;}
+  if (canceled_) {return nullptr;}
   const Time now = clock_->now();
-  info_ = {Time(next_, now.get_clock_type()), now};
+  *info_ = {Time(next_, now.get_clock_type()), now};
   next_ += period_;
   if (next_ < now.nanoseconds()) {
     const std::int64_t late = now.nanoseconds() - next_;
     next_ = period_ ? next_ + (late / period_ + 1) * period_ : now.nanoseconds();
   }
-  return true;
+  return info_;
 }
 
-void TimerBase::execute_callback() {callback_(*this, info_);}
+void TimerBase::execute_callback(const std::shared_ptr<void> &) {callback_(*this, *info_);}
 
 bool TimerBase::execute_one()
 {

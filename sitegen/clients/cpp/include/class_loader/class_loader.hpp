@@ -1,10 +1,12 @@
 // Classes by their names. There are no libraries to load in a page: all that a program was linked with
-// is there.
+// is there, and a library is the name that its classes were noted with.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,23 +27,43 @@ public:
   using ClassLoaderException::ClassLoaderException;
 };
 
+class LibraryLoadException : public ClassLoaderException
+{
+public:
+  using ClassLoaderException::ClassLoaderException;
+};
+
 namespace impl
 {
 
 template<class Base>
-std::map<std::string, std::function<std::unique_ptr<Base>()>> & classes()
+struct Class
+{
+  std::string library;
+  std::function<std::unique_ptr<Base>()> make;
+};
+
+template<class Base>
+std::map<std::string, Class<Base>> & classes()
 {
   // Never destroyed: nodes with static lifetime may still be made of them.
-  static auto * classes = new std::map<std::string, std::function<std::unique_ptr<Base>()>>;
+  static auto * classes = new std::map<std::string, Class<Base>>;
   return *classes;
+}
+
+inline std::set<std::string> & libraries()
+{
+  static auto * libraries = new std::set<std::string>;
+  return *libraries;
 }
 
 template<class Derived, class Base>
 struct Registration
 {
-  explicit Registration(const char * name)
+  Registration(const char * name, const char * library)
   {
-    classes<Base>()[name] = [] {return std::make_unique<Derived>();};
+    libraries().insert(library);
+    classes<Base>()[name] = {library, [] {return std::make_unique<Derived>();}};
   }
 };
 
@@ -53,8 +75,18 @@ public:
   template<class Base>
   using UniquePtr = std::unique_ptr<Base, std::function<void (Base *)>>;
 
+  /// Of one library, as dlopen() takes its path, or of all if it is empty. Throws LibraryLoadException
+  /// if the program is not linked with it.
   explicit ClassLoader(const std::string & library_path, bool = false)
-  : library_path_(library_path) {}
+  : library_path_(library_path), library_(library_path.substr(library_path.rfind('/') + 1))
+  {
+    library_.erase(std::min(library_.find('.'), library_.size()));
+    if (library_.rfind("lib", 0) == 0) {library_.erase(0, 3);}
+    if (!library_.empty() && !impl::libraries().count(library_)) {
+      throw LibraryLoadException(
+              "Could not load library " + library_path + ": this program is not linked with it");
+    }
+  }
 
   std::string getLibraryPath() const {return library_path_;}
   bool isLibraryLoaded() const {return true;}
@@ -65,13 +97,16 @@ public:
   std::vector<std::string> getAvailableClasses() const
   {
     std::vector<std::string> names;
-    for (const auto & [name, make] : impl::classes<Base>()) {names.push_back(name);}
+    for (const auto & [name, one] : impl::classes<Base>()) {
+      if (has(one.library)) {names.push_back(name);}
+    }
     return names;
   }
   template<class Base>
   bool isClassAvailable(const std::string & name) const
   {
-    return impl::classes<Base>().count(name) != 0;
+    const auto found = impl::classes<Base>().find(name);
+    return found != impl::classes<Base>().end() && has(found->second.library);
   }
   template<class Base>
   std::shared_ptr<Base> createInstance(const std::string & name) {return make<Base>(name);}
@@ -84,17 +119,19 @@ public:
   }
 
 private:
+  bool has(const std::string & library) const {return library_.empty() || library == library_;}
+
   template<class Base>
-  static std::unique_ptr<Base> make(const std::string & name)
+  std::unique_ptr<Base> make(const std::string & name) const
   {
-    const auto found = impl::classes<Base>().find(name);
-    if (found == impl::classes<Base>().end()) {
+    if (!isClassAvailable<Base>(name)) {
       throw CreateClassException("Could not create instance of type " + name);
     }
-    return found->second();
+    return impl::classes<Base>().at(name).make();
   }
 
   std::string library_path_;
+  std::string library_;
 };
 
 }  // namespace class_loader

@@ -2,6 +2,10 @@
 
 #include "class_loader/class_loader.hpp"
 
+#ifndef SITEGEN_LIBRARY
+#define SITEGEN_LIBRARY ""
+#endif
+
 #define CLASS_LOADER_JOIN_(first, second) first ## second
 #define CLASS_LOADER_JOIN(first, second) CLASS_LOADER_JOIN_(first, second)
 
@@ -9,5 +13,5 @@
   namespace \
   { \
   const class_loader::impl::Registration<Derived, Base> \
-  CLASS_LOADER_JOIN(registration_, __COUNTER__)(#Derived); \
+  CLASS_LOADER_JOIN(registration_, __COUNTER__)(#Derived, SITEGEN_LIBRARY); \
   }

@@ -65,6 +65,11 @@ public:
   {
     spin_node_some(node->get_node_base_interface());
   }
+  template<class NodeT>
+  void spin_node_all(std::shared_ptr<NodeT> node, std::chrono::nanoseconds max_duration)
+  {
+    spin_node_all(node->get_node_base_interface(), max_duration);
+  }
   template<class NodeT, class Rep = std::int64_t, class Period = std::milli>
   void spin_node_once(
     std::shared_ptr<NodeT> node,

@@ -16,7 +16,7 @@ namespace detail
 struct NamedType
 {
   explicit NamedType(std::string type)
-  : name(std::move(type)), members{name.c_str(), "", nullptr, nullptr, nullptr} {}
+  : name(std::move(type)), members{name.c_str(), "", "", nullptr, nullptr, nullptr} {}
   RCLCPP_DISABLE_COPY(NamedType)
 
   std::string name;

@@ -37,6 +37,7 @@
 #include "rclcpp/create_timer.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/executors.hpp"
+#include "rclcpp/expand_topic_or_service_name.hpp"
 #include "rclcpp/guard_condition.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/node.hpp"

@@ -14,16 +14,11 @@
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/publisher.hpp"
+#include "rclcpp/subscription_content_filter_options.hpp"
 #include "rclcpp/topic_statistics_state.hpp"
 
 namespace rclcpp
 {
-
-struct ContentFilterOptions
-{
-  std::string filter_expression;
-  std::vector<std::string> expression_parameters;
-};
 
 struct SubscriptionOptionsBase
 {
@@ -44,7 +39,6 @@ struct SubscriptionOptionsBase
     QoS qos = SystemDefaultsQoS();
   } topic_stats_options;
   QosOverridingOptions qos_overriding_options;
-  /// Not supported, as with most middlewares: is_cft_enabled() is false, and all messages arrive.
   ContentFilterOptions content_filter_options;
 };
 
@@ -69,16 +63,14 @@ public:
   const char * get_topic_name() const {return name().c_str();}
   std::size_t get_publisher_count() const {return matched();}
   QoS get_actual_qos() const {return qos();}
-  bool is_cft_enabled() const {return false;}
-  /// Throws RCLError: the page has no content filters.
-  void set_content_filter(const std::string & expression, const std::vector<std::string> &)
-  {
-    throw exceptions::RCLError("failed to set cft expression parameters: " + expression);
-  }
-  ContentFilterOptions get_content_filter() const
-  {
-    throw exceptions::RCLError("failed to get cft expression parameters: not supported");
-  }
+  /// Whether a content filter is set.
+  bool is_cft_enabled() const {return !filter_.filter_expression.empty();}
+  /// Get only messages that pass the filter from now on, all if `expression` is empty. Throws RCLError
+  /// that says what is wrong with it.
+  void set_content_filter(
+    const std::string & expression, const std::vector<std::string> & parameters = {});
+  /// Throws RCLError if none is set.
+  ContentFilterOptions get_content_filter() const;
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   bool can_loan_messages() const {return false;}
   bool is_serialized() const {return false;}
@@ -106,6 +98,10 @@ protected:
   const detail::MessageMembers & type_;
 
 private:
+  /// Throws RCLError with `what` and what is wrong with the filter.
+  void filter(const ContentFilterOptions & options, const std::string & what);
+
+  ContentFilterOptions filter_;
   detail::Arrival arrival_;
   std::shared_ptr<detail::Events> events_;
 };

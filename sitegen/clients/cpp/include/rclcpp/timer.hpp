@@ -42,9 +42,10 @@ public:
   bool is_steady() const {return clock_->get_clock_type() == RCL_STEADY_TIME;}
   bool exchange_in_use_by_wait_set_state(bool in_use);
 
-  /// Arm the timer for its next period; false if it is canceled. The callback comes after it.
-  bool call();
-  void execute_callback();
+  /// Arm the timer for its next period; null if it is canceled. The callback comes after it, with what
+  /// is returned or without.
+  std::shared_ptr<void> call();
+  void execute_callback(const std::shared_ptr<void> & info = nullptr);
 
   bool execute_one() override;
   std::int64_t time_left() const override {return time_until_trigger().count();}
@@ -55,7 +56,7 @@ private:
   std::int64_t next_;
   bool canceled_;
   bool in_use_by_wait_set_ = false;
-  TimerInfo info_;
+  std::shared_ptr<TimerInfo> info_ = std::make_shared<TimerInfo>();
   Callback callback_;
 };
 

@@ -19,6 +19,9 @@ struct MessageMembers
 {
   const char * name;  // as in `ros2 topic list -t`: std_msgs/msg/String
   const char * hash;  // RIHS01_…
+  /// Its fields, see runtime/filter/fields.js; empty for parts of services and actions, which no
+  /// subscription filters.
+  const char * definition;
   void (* visit)(Cdr & cdr, void * message);
   void * (* create)();
   void (* destroy)(void * message);
@@ -35,10 +38,11 @@ const rosidl_message_type_support_t * find(
   const rosidl_message_type_support_t * handle, const char * identifier);
 
 template<class Message>
-const rosidl_message_type_support_t * handle_of(const char * name, const char * hash)
+const rosidl_message_type_support_t * handle_of(
+  const char * name, const char * hash, const char * definition)
 {
   static const MessageMembers members = {
-    name, hash,
+    name, hash, definition,
     [](Cdr & cdr, void * message) {cdr(*static_cast<Message *>(message));},
     []() -> void * {return new Message(rosidl_runtime_cpp::MessageInitialization::ALL);},
     [](void * message) {delete static_cast<Message *>(message);},

@@ -63,6 +63,13 @@ void ros_destroy(int32_t id);
 double ros_name(int32_t id);
 /* Returns 0 if the publisher keeps all and is full: its subscriptions must take some first. */
 int32_t ros_publish(int32_t id, const uint8_t * data, uint32_t size);
+/* Give a subscription only messages that pass a content filter, all of them if `expression` is empty.
+ * `definition` is that of its type, as in message_type_support.hpp; of `count` parameters, each ends with
+ * a zero. Returns 0, or the size of the text written to `problem` (at most `capacity`) that says what is
+ * wrong, or -1 if it has to be asked again after a wait. */
+int32_t ros_filter(
+  int32_t id, const char * definition, const char * expression, const char * parameters,
+  int32_t count, char * problem, int32_t capacity);
 /* Whether some reliable subscription has not yet got all that a publisher sent. */
 int32_t ros_behind(int32_t id);
 /* Say that a publisher is alive. */

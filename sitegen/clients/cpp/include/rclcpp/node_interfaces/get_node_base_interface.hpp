@@ -1,33 +1,24 @@
 #pragma once
 
+#include <memory>
 #include <type_traits>
-#include <utility>
 
+#include "rclcpp/detail/pointed_at.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
 
 namespace rclcpp
 {
-namespace detail
-{
-
-template<class T, class = void>
-struct points : std::is_pointer<T> {};
-template<class T>
-struct points<T, std::void_t<decltype(std::declval<T &>().operator->())>> : std::true_type {};
-
-}  // namespace detail
-
 namespace node_interfaces
 {
 
-/// `node` is anything that has get_node_base_interface(), or a pointer to it.
+/// `node` is anything that has get_node_base_interface(), a pointer to it, or the interface itself.
 template<class NodeT>
-NodeBaseInterface::SharedPtr get_node_base_interface(NodeT && node)
+std::shared_ptr<NodeBaseInterface> get_node_base_interface(NodeT && node)
 {
-  if constexpr (rclcpp::detail::points<std::decay_t<NodeT>>::value) {
-    return node->get_node_base_interface();
+  if constexpr (std::is_convertible_v<NodeT, std::shared_ptr<NodeBaseInterface>>) {
+    return node;
   } else {
-    return node.get_node_base_interface();
+    return rclcpp::detail::pointed_at(node).get_node_base_interface();
   }
 }
 

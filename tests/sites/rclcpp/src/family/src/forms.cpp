@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "ament_index_cpp/get_package_share_directory.hpp"
+#include "components/shape.hpp"
+#include "pluginlib/class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp/type_adapter.hpp"
 #include "rcpputils/join.hpp"
@@ -30,6 +32,60 @@ struct rclcpp::TypeAdapter<std::string, String>
   }
   static void convert_to_custom(const ros_message_type & from, custom_type & to) {to = from.data;}
 };
+
+void load_plugins()
+{
+  pluginlib::ClassLoader<components::Shape> loader("components", "components::Shape");
+  for (const auto & name : loader.getDeclaredClasses()) {
+    std::printf(
+      "%s is a %s of %s: %s\n", name.c_str(), loader.getClassType(name).c_str(),
+      loader.getClassPackage(name).c_str(), loader.getClassDescription(name).c_str());
+    try {
+      std::shared_ptr<components::Shape> shape = loader.createSharedInstance(name);
+      shape->initialize(3);
+      std::printf("area %.0f\n", shape->area());
+    } catch (const pluginlib::CreateClassException & error) {
+      std::printf("%s\n", error.what());
+    }
+  }
+  try {
+    loader.createUniqueInstance("triangle");
+  } catch (const pluginlib::LibraryLoadException & error) {
+    std::printf("%s\n", error.what());
+  }
+}
+
+void filter(const rclcpp::Node::SharedPtr & node)
+{
+  rclcpp::SubscriptionOptions options;
+  options.content_filter_options.filter_expression = "data = %0 OR NOT data LIKE 'a%'";
+  options.content_filter_options.expression_parameters = {"'abc'"};
+  std::string heard;
+  auto subscription = node->create_subscription<String>(
+    "filtered", 20, [&](const String & word) {heard += " " + word.data;}, options);
+  auto publisher = node->create_publisher<String>("filtered", 20);
+  const auto say_all = [&] {
+      for (const char * word : {"a", "ab", "abc", "b", "last"}) {
+        String message;
+        message.data = word;
+        publisher->publish(message);
+      }
+      while (heard.find("last") == std::string::npos) {rclcpp::spin_some(node);}
+      std::printf("filter %d:%s\n", subscription->is_cft_enabled(), heard.c_str());
+      heard.clear();
+    };
+  say_all();
+  try {
+    subscription->set_content_filter("date = 'b'");
+  } catch (const rclcpp::exceptions::RCLError & error) {
+    std::printf("%s\n", error.what());
+  }
+  std::printf("%s\n", subscription->get_content_filter().filter_expression.c_str());
+  subscription->set_content_filter("data >= 'b'");
+  say_all();
+  subscription->set_content_filter("");
+  say_all();
+}
 
 int main(int argc, char ** argv)
 {
@@ -67,6 +123,9 @@ int main(int argc, char ** argv)
   loaned->publish(std::move(message));
   while (heard.size() < 9) {rclcpp::spin_some(node);}
   std::printf("%s\n", rcpputils::join(heard, ", ").c_str());
+
+  filter(node);
+  load_plugins();
 
   int calls = 0;
   auto timer = rclcpp::create_timer(

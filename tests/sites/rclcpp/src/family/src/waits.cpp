@@ -62,8 +62,7 @@ int main(int argc, char ** argv)
           std::puts("timer");
         })});
   if (auto timer = timed.wait().next_ready_timer()) {
-    timer->call();
-    timer->execute_callback();
+    timer->execute_callback(timer->call());
   }
   try {
     set.add_guard_condition(guard);

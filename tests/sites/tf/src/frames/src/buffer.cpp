@@ -11,6 +11,7 @@
 #include "tf2/buffer_core.h"
 #include "tf2/exceptions.h"
 #include "tf2/utils.h"
+#include "tf2_eigen/tf2_eigen.hpp"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
 
 namespace
@@ -106,6 +107,17 @@ int main()
   geometry_msgs::msg::Vector3 vector;
   tf2::convert(as_tf.getOrigin(), vector);
   std::printf("converted %.3f %.3f\n", vector.x, vector.y);
+
+  const tf2::Stamped<Eigen::Vector3d> point(Eigen::Vector3d(1, 0, 0), at(3), "base");
+  tf2::Stamped<Eigen::Vector3d> there;
+  const auto turned = buffer.lookupTransform("world", "base", at(3));
+  tf2::doTransform(point, there, turned);
+  const Eigen::Isometry3d back = tf2::transformToEigen(turned).inverse();
+  geometry_msgs::msg::Point as_message;
+  tf2::convert(Eigen::Vector3d(back * there), as_message);
+  std::printf(
+    "of Eigen %.3f %.3f in %s, back %.3f %.3f\n", there.x(), there.y(), there.frame_id_.c_str(),
+    as_message.x, as_message.y);
   buffer.addTransformableRequest(
     [](auto, const auto & to, const auto & from, auto, auto result) {
       std::printf(

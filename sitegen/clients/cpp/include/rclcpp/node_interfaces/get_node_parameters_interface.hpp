@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <type_traits>
+
+#include "rclcpp/detail/pointed_at.hpp"
+#include "rclcpp/node_interfaces/node_parameters_interface.hpp"
+
+namespace rclcpp
+{
+namespace node_interfaces
+{
+
+/// `node` is anything that has get_node_parameters_interface(), a pointer to it, or the interface itself.
+template<class NodeT>
+std::shared_ptr<NodeParametersInterface> get_node_parameters_interface(NodeT && node)
+{
+  if constexpr (std::is_convertible_v<NodeT, std::shared_ptr<NodeParametersInterface>>) {
+    return node;
+  } else {
+    return rclcpp::detail::pointed_at(node).get_node_parameters_interface();
+  }
+}
+
+}  // namespace node_interfaces
+}  // namespace rclcpp

@@ -1,0 +1,64 @@
+"""What launch files in Python have for events and for processes that are no nodes.
+
+A page has neither: what these describe is left out of it, by its name in launch files in XML.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+PROCESSES = ("ExecuteProcess", "ExecuteLocal")
+HANDLERS = (
+    *("EventHandler", "OnExecutionComplete", "OnIncludeLaunchDescription", "OnProcessExit"),
+    *("OnProcessIO", "OnShutdown", "OnStateTransition"),
+)
+EVENTS = (
+    *("ChangeState", "ProcessExited", "ProcessStarted", "ShutdownProcess", "SignalProcess"),
+    *("matches_action", "matches_executable", "matches_name", "matches_node_name", "matches_pid"),
+)
+TRANSITIONS = ("CREATE", "CONFIGURE", "CLEANUP", "ACTIVATE", "DEACTIVATE")
+SHUTDOWNS = ("UNCONFIGURED_SHUTDOWN", "INACTIVE_SHUTDOWN", "ACTIVE_SHUTDOWN")
+# The module that files take the numbers of transitions from.
+LIFECYCLE = {
+    "Transition": SimpleNamespace(
+        **{f"TRANSITION_{name}": n for n, name in enumerate((*TRANSITIONS, *SHUTDOWNS))}
+    )
+}
+
+
+def members(described: Callable[..., Any]) -> dict[str, Any]:
+    """Return what stands for their names; `described` makes an action."""
+
+    def handler(event_handler: Any = None, **_: Any) -> Any:
+        started_with = getattr(event_handler, "kind", "") == "group"
+        return event_handler if started_with else described("event_handler")
+
+    def started(*_: Any, on_start: Any = (), **__: Any) -> Any:
+        # All that a page has starts together with it.
+        actions = on_start if isinstance(on_start, (list, tuple)) else [on_start]
+        return described("group", [each for each in actions if not callable(each)], scoped=False)
+
+    def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Any:
+        return described("timer", actions, period=period, condition=condition)
+
+    def process(*_: Any, condition: Any = None, **__: Any) -> Any:
+        return described("executable", condition=condition)
+
+    def nothing(*_: Any, **__: Any) -> None:
+        return None
+
+    return {
+        **dict.fromkeys(PROCESSES, process),
+        **dict.fromkeys((*HANDLERS, *EVENTS), nothing),
+        "RegisterEventHandler": handler,
+        "UnregisterEventHandler": lambda *_, **__: described("event_handler"),
+        "OnProcessStart": started,
+        "EmitEvent": lambda *_, **__: described("event"),
+        "Shutdown": lambda *_, **__: described("shutdown"),
+        "TimerAction": timer,
+        "RosTimer": timer,
+        "LocalSubstitution": lambda *_, **__: "",  # tells of an event
+        "OpaqueFunction": lambda *_, **__: described("OpaqueFunction"),
+    }

@@ -1,0 +1,56 @@
+# Plugins: classes of libraries that a file in XML describes.
+set(_pluginlib_describe "${CMAKE_CURRENT_LIST_DIR}/describe.py")
+set(_pluginlib_include "${CMAKE_CURRENT_LIST_DIR}/../include")
+if(NOT TARGET sitegen_plugins)
+  add_library(sitegen_plugins INTERFACE IMPORTED GLOBAL)
+endif()
+
+# Only ament_package() knows all libraries.
+function(pluginlib_export_plugin_description_file category file)
+  set_property(GLOBAL APPEND PROPERTY SITEGEN_PLUGINS "${category}@${file}")
+  set_property(GLOBAL APPEND PROPERTY SITEGEN_BEFORE_PACKAGE _pluginlib_describe_all)
+endfunction()
+
+function(pluginlib_enable_plugin_testing)
+endfunction()
+
+# Put what describes plugins into their libraries, and these into the programs of this package.
+function(_pluginlib_describe_all)
+  get_property(items GLOBAL PROPERTY SITEGEN_PLUGINS)
+  foreach(item IN LISTS items)
+    string(REPLACE "@" ";" item "${item}")
+    list(GET item 0 category)
+    list(GET item 1 file)
+    get_filename_component(path "${file}" ABSOLUTE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    execute_process(
+      COMMAND "${SITEGEN_PYTHON}" "${_pluginlib_describe}" "${path}" "${PROJECT_NAME}" "${category}"
+        "${CMAKE_CURRENT_BINARY_DIR}/pluginlib"
+      OUTPUT_VARIABLE libraries ERROR_VARIABLE problems RESULT_VARIABLE failed)
+    if(failed)
+      message(FATAL_ERROR "\n${problems}")
+    endif()
+    foreach(library IN LISTS libraries)
+      _pluginlib_target("${library}" "${file}" target)
+      target_sources(${target} PRIVATE
+        "${CMAKE_CURRENT_BINARY_DIR}/pluginlib/${category}.${library}.cpp")
+      target_include_directories(${target} PRIVATE "${_pluginlib_include}")
+      sitegen_keep(${target})
+      set_property(TARGET sitegen_plugins APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${target})
+      sitegen_link_with("sitegen_plugins" ${target})
+    endforeach()
+  endforeach()
+endfunction()
+
+# The target of which `library` is the file, without "lib" before its name.
+function(_pluginlib_target library file result)
+  sitegen_libraries_below("${PROJECT_SOURCE_DIR}" targets)
+  foreach(target IN LISTS targets)
+    get_target_property(name ${target} OUTPUT_NAME)
+    if(target STREQUAL library OR name STREQUAL library)
+      set(${result} ${target} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  message(FATAL_ERROR "${file} names the library '${library}', which this package does not build")
+endfunction()
