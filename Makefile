@@ -2,6 +2,8 @@
 PYTHON ?= python3
 BIN := .venv/bin
 PORT ?= 8000
+# How many tests run at once. Most wait for browsers most of the time.
+AT_ONCE ?= 2
 
 .PHONY: demo serve test test-firefox lint bench clean
 
@@ -17,11 +19,11 @@ serve:
 
 # Everything in Chromium; what drives nodes, graph and panels in Firefox and WebKitGTK, too.
 test: .venv/ready .venv/emscripten .venv/chromium .venv/firefox .venv/webkit lint
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadgroup
 
 # Everything in Firefox, but what only Chromium has.
 test-firefox: .venv/ready .venv/emscripten .venv/chromium .venv/firefox .venv/webkit
-	$(BIN)/python -m pytest --firefox
+	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadgroup --firefox
 
 lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/ruff check .

@@ -59,7 +59,7 @@ class Listing:
 
     `sources` has the files of executables, relative to the file that names them, the package's own.
     `installs` has what is installed as it is: the places below the prefix, and what goes there.
-    `finds` has the packages that are looked for.
+    `finds` has the packages that are looked for, but for those that may be missing.
     """
 
     executables: list[str] | None = field(default_factory=list)
@@ -86,7 +86,7 @@ class Listing:
             self.executables = None
         elif name == "rosidl_generate_interfaces":
             self._add_interfaces(words[1:])
-        elif name == "find_package":
+        elif name == "find_package" and ("QUIET" not in words or "REQUIRED" in words):
             self.finds += self._expand(words[:1])
         elif name == "install":
             self._add_install(self._expand(words))

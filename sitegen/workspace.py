@@ -26,6 +26,7 @@ PYTHON = "ament_python"
 OWN = "sitegen"
 # Packages of ROS that are written anew here: a workspace need not have them, and may.
 GIVEN = Path(__file__).parent / "packages"
+TURTLESIM, TURTLESIM_MSGS = "turtlesim", "turtlesim_msgs"
 IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
 SHEBANG = re.compile(rb"#!.*\bpython")
 DEPENDS = {
@@ -99,6 +100,10 @@ def with_given(packages: Mapping[str, Package], names: Iterable[str] = ()) -> di
         if name in given() and name not in found:
             found[name] = given()[name]
             waiting += found[name].depends
+    if TURTLESIM in found and TURTLESIM not in packages and TURTLESIM_MSGS in found:
+        # Its interfaces are of the package that those use who speak with it.
+        turtlesim = found[TURTLESIM]
+        found[TURTLESIM] = replace(turtlesim, depends=(*turtlesim.depends, TURTLESIM_MSGS))
     return found
 
 

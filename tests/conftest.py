@@ -47,14 +47,21 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Run a test of a page once more when it fails, and name it.
+    """Run a test of a page once more when it fails, and name it; keep together what has to be.
 
     The three browsers are programs of others, on a machine that others use; one of a thousand runs
     fails by their doing. What is wrong here fails twice.
+
+    Where several tests run at once, those of a file run in one process, since they share sites; and
+    those in WebKitGTK do, since two of it on one machine wait for each other.
     """
     for item in items:
-        if {"browser_name", "webkit_window"} & set(getattr(item, "fixturenames", ())):
+        fixtures = set(getattr(item, "fixturenames", ()))
+        if {"browser_name", "webkit_window"} & fixtures:
             item.add_marker(pytest.mark.flaky(reruns=1))
+        parameters = item.callspec.params if hasattr(item, "callspec") else {}
+        webkit = "webkit_window" in fixtures or parameters.get("browser_name") == "webkit"
+        item.add_marker(pytest.mark.xdist_group("webkit" if webkit else item.path.stem))
 
 
 @pytest.fixture(scope="session")

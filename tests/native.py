@@ -46,10 +46,9 @@ class Native:
     def call(self, function: str, prefix: Path) -> subprocess.CompletedProcess[str]:
         """Call "module:function" of a package that is installed in `prefix`, as a script does."""
         module, _, name = function.partition(":")
-        env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
+        env = self._environment()
         env["AMENT_PREFIX_PATH"] = f"{prefix}:{self._folder}"
         env["PYTHONPATH"] = f"{prefix / 'python'}"
-        env["ROS_DOMAIN_ID"] = str(os.getpid() % 100 + 1)
         program = f"import sys; from {module} import {name}; sys.exit({name}())"
         command: list[str | Path] = [self._python, "-c", program, "a", "b c"]
         return subprocess.run(command, env=env, text=True, capture_output=True)
@@ -61,17 +60,21 @@ class Native:
 
     def run(self, program: str, *arguments: str, stdin: str = "") -> list[str]:
         """Run a program of tests/ros2 and return the lines that it prints."""
-        # The wheels' start-up hook sets library paths and then this, which a child must not see.
-        env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
         done = subprocess.run(
             [self._python, HERE / program, *arguments],
-            env=env | {"AMENT_PREFIX_PATH": str(self._folder)},
+            env=self._environment() | {"AMENT_PREFIX_PATH": str(self._folder)},
             input=stdin,
             text=True,
             capture_output=True,
         )
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
+
+    def _environment(self) -> dict[str, str]:
+        # The wheels' start-up hook sets library paths and then this, which a child must not see.
+        env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
+        # Other tests, which run at the same time, have graphs of their own.
+        return env | {"ROS_DOMAIN_ID": str(os.getpid() % 100 + 1)}
 
 
 def test_cache() -> Path:

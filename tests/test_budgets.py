@@ -43,6 +43,7 @@ BUDGETS = [
     Budget("demo06/", 1650 * KB, 17500 * KB),
     Budget("demo07/", 1650 * KB, 17500 * KB),
     Budget("demo08/", 2000 * KB, 17500 * KB),
+    Budget("demo09/", 2000 * KB, 17500 * KB),
 ]
 
 

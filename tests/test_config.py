@@ -459,9 +459,9 @@ WRONG = [
 """,
         [
             "site.yaml:9: pages[0].content[0].robot: expected keys and values, found nothing; "
-            "the keys are kind, twist, color, sensors, odometry",
+            "the keys are kind, twist, color, sensors, odometry, window",
             "site.yaml:10: pages[0].content[1].robot: expected keys and values, found the text "
-            "'vernie'; the keys are kind, twist, color, sensors, odometry",
+            "'vernie'; the keys are kind, twist, color, sensors, odometry, window",
             "site.yaml:11: pages[0].content[2].robot.kind: missing; write it like 'kind: vernie'",
             "site.yaml:12: pages[0].content[3].robot.kind: no robot is called 'verne'; "
             "did you mean 'vernie'?",
@@ -470,7 +470,7 @@ WRONG = [
             "site.yaml:14: pages[0].content[5].robot.twist: expected a name of the graph, found "
             "the text 'cmd_vel'; write it like 'twist: /cmd_vel'",
             "site.yaml:14: pages[0].content[5].robot.speed: unknown key; "
-            "known: color, kind, odometry, sensors, twist",
+            "known: color, kind, odometry, sensors, twist, window",
         ],
     ),
     Wrong(

@@ -254,7 +254,7 @@ def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     expect(page).to_have_url(f"{url}demo03/")
 
 
-@pytest.mark.parametrize("demo", [f"demo0{n}" for n in range(1, 9)])
+@pytest.mark.parametrize("demo", [f"demo0{n}" for n in range(1, 10)])
 def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
     build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
     assert (tmp_path / "dist" / "index.html").exists()

@@ -267,7 +267,12 @@ def _giver(name: str, page: Section, front: Section) -> Section:
 
 
 def _panels(nodes: Mapping[str, Declared]) -> Iterable[Widget]:
-    """Yield buttons and a console for each node that a launch file starts."""
+    """Yield buttons and a console for each node that a launch file starts, and its window."""
+    for node, _ in nodes.values():
+        if (node.package, node.executable) == ("turtlesim", "turtlesim_node"):
+            full = f"{node.namespace.rstrip('/')}/{node.remap.get('__node', 'turtlesim')}"
+            options = {"kind": "turtlesim", "window": f"{full}/window"}
+            yield Widget("robot", "", options, node.place)
     for name, (node, _) in nodes.items():
         yield Widget("buttons", name, {"autostart": True}, node.place)
         yield Widget("console", name, {"lines": 1000}, node.place)

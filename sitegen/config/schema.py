@@ -306,6 +306,13 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("color", "name", "the topic of its colours", "color: /color", default="/color"),
         Key("sensors", "name", "where it publishes", "sensors: /vernie", default="/vernie"),
         Key("odometry", "name", "the topic of where it is", "odometry: /odom"),
+        Key(
+            "window",
+            "name",
+            "the topic of what a turtlesim_node shows",
+            "window: /sim/window",
+            default="/turtlesim/window",
+        ),
     ),
 }
 
@@ -313,4 +320,5 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
 ROBOTS: Mapping[str, tuple[str, ...]] = {
     "vernie": ("twist", "color", "sensors"),
     "diffdrive": ("twist", "odometry"),
+    "turtlesim": ("window",),
 }

@@ -19,7 +19,9 @@ DEEPEST = 20
 # Of no consequence for what runs on a page.
 IGNORED = {"log", "set_env", "unset_env"}
 # Packages of programs that draw on a screen of their own.
-SCREENS = ("rviz", "rqt", "gazebo", "ros_gz", "turtlesim")
+SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
+# Programs that read the keys of a terminal.
+KEYS = {("turtlesim", "turtle_teleop_key"): "the window of turtlesim has keys"}
 
 
 @dataclass
@@ -177,6 +179,11 @@ class _Launch:
         package = self._needed(action, "pkg", scope)
         if package.startswith(SCREENS) and package not in self._packages:
             message = f"'{package}' draws on a screen of its own and is left out of the page"
+            self._notes.add(action.place, action.kind, message)
+            return
+        executable = self._needed(action, "exec", scope)
+        if instead := KEYS.get((package, executable)):
+            message = f"'{executable}' reads the keys of a terminal and is left out; {instead}"
             self._notes.add(action.place, action.kind, message)
             return
         self._started(action, scope)

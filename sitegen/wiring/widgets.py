@@ -12,6 +12,7 @@ ANY = "*"
 # These start nodes or look at who is there, and are no side of anything.
 _LOOK_ON = {"buttons", "console", "graph", "log", "nodes"}
 _TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
+_WINDOW = "turtlesim_window/msg/Window"
 _SENSORS = {
     "distance": "std_msgs/msg/Float32",
     "tilt": "geometry_msgs/msg/Vector3",
@@ -54,6 +55,9 @@ def _publish(widget: Widget) -> Iterator[Endpoint]:
 
 def _robot(widget: Widget) -> Iterator[Endpoint]:
     given: Mapping[str, object] = widget.options
+    if given["kind"] == "turtlesim":
+        yield Endpoint(SUBSCRIPTION, str(given["window"]), _WINDOW, widget.place)
+        return
     if given.get("odometry"):
         yield Endpoint(SUBSCRIPTION, str(given["odometry"]), _ODOMETRY, widget.place)
     else:
