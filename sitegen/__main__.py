@@ -64,14 +64,15 @@ def _build(arguments: argparse.Namespace) -> None:
         page, output = arguments.single_file, arguments.output
         build_single(arguments.folder, page, output=output, report=Report())
         return
-    said = unchanged.recall(arguments.folder, arguments.output, cache_folder())
+    folder, output, debug = arguments.folder, arguments.output, arguments.debug
+    said = unchanged.recall(folder, output, cache_folder(), debug=debug)
     if said is not None:
         print(*said, f"nothing has changed since → {arguments.output}", sep="\n")
         return
     # The rest takes longer to load than a glance at what is there.
     from sitegen.build import build
 
-    build(arguments.folder, output=arguments.output, report=Report())
+    build(folder, output=output, report=Report(), debug=debug)
 
 
 def _new(arguments: argparse.Namespace) -> None:
@@ -118,7 +119,7 @@ def _serve(arguments: argparse.Namespace) -> None:
     from sitegen.report import Report
     from sitegen.serve import serve
 
-    serve(arguments.folder, port=arguments.port, report=Report())
+    serve(arguments.folder, port=arguments.port, report=Report(), debug=arguments.debug)
 
 
 def _schema(arguments: argparse.Namespace) -> None:
@@ -139,7 +140,11 @@ def _copy_theme(arguments: argparse.Namespace) -> None:
 
 def _parse(argv: list[str] | None) -> argparse.Namespace:
     debug = argparse.ArgumentParser(add_help=False, argument_default=argparse.SUPPRESS)
-    debug.add_argument("--debug", action="store_true", help="show where every error comes from")
+    debug.add_argument(
+        "--debug",
+        action="store_true",
+        help="show where errors come from, those of C++ nodes included",
+    )
     parser = argparse.ArgumentParser(
         "sitegen",
         description="Package a ROS 2 workspace into a static web page that runs it.",

@@ -26,10 +26,10 @@ def takes_part(page: Page) -> bool:
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
 
 
-def runtime(site: Site) -> list[Artifact]:
+def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
     """Return the runtime's files, with only those widgets that a page shows and what they import.
 
-    A site without nodes needs none of them.
+    A site without nodes needs none of them; `debug` adds what tells where programs are.
     """
     files = {file for page in site.pages for file in _modules(site, page)}
     if not files:
@@ -38,6 +38,8 @@ def runtime(site: Site) -> list[Artifact]:
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
     if "cppNode" in workers:
         files |= set((RUNTIME / "filter").iterdir())  # loaded by those programs that filter
+    if debug:
+        files.add(RUNTIME / "workers" / "stackTrace.js")
     if "pythonNode" in workers:
         files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
         parts = (VENDOR / "pyodide").iterdir()
@@ -113,6 +115,11 @@ def versions(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> dict[
     }
 
 
+def lines(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> set[Form]:
+    """Return those compiled forms of nodes that come with their lines."""
+    return {(*name, build.engine) for name, forms in builds for build in forms if build.lines}
+
+
 def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:
     """Return the compiled nodes."""
     artifacts = []
@@ -121,6 +128,8 @@ def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[
             stem = f"nodes/{package}/{executable}.{build.engine}"
             artifacts.append(Artifact(f"{stem}.js", build.script))
             artifacts.append(Artifact(f"{stem}.wasm", build.wasm))
+            if build.lines:
+                artifacts.append(Artifact(f"{stem}.lines.json", build.lines))
     return artifacts
 
 

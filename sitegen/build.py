@@ -52,10 +52,13 @@ class Made:
     artifacts: Sequence[Artifact]
 
 
-def build(folder: Path, *, output: Path, report: Report) -> None:
-    """Build the site of `folder` into `output`, which stays as it was when anything is wrong."""
+def build(folder: Path, *, output: Path, report: Report, debug: bool = False) -> None:
+    """Build the site of `folder` into `output`, which stays as it was when anything is wrong.
+
+    With `debug`, its C++ nodes tell where they failed.
+    """
     begun = time.monotonic()
-    made = make(folder, report, output=output)
+    made = make(folder, report, output=output, debug=debug)
     write(made.artifacts, output)
     summarize(made, report)
     pages, nodes = count(len(made.site.pages), "page"), count(len(nodes_of(made.site)), "node")
@@ -67,7 +70,7 @@ def build(folder: Path, *, output: Path, report: Report) -> None:
     shelf = made.site.pyodide.packages
     shelves = [shelf] if isinstance(shelf, Path) else []
     roots = (made.site.workspace, made.site.theme, *theirs, *shelves)
-    unchanged.note(folder, roots, output, cache_folder(), report.said[:-1])
+    unchanged.note(folder, roots, output, cache_folder(), report.said[:-1], debug=debug)
 
 
 def build_single(folder: Path, path: str, *, output: Path | None, report: Report) -> None:
@@ -128,6 +131,7 @@ def make(
     output: Path | None = None,
     compiling: bool = True,
     edited: bool = False,
+    debug: bool = False,
 ) -> Made:
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
@@ -155,6 +159,7 @@ def make(
         root=site.root,
         cache=cache_folder(),
         report=report,
+        debug=debug,
     )
     builds = {**own, **given}
 
@@ -175,13 +180,23 @@ def make(
     loaded = assets.preloads(site)
     modules = bundles.own if bundles else {}
     digest = digests(archives)
-    programs = pages.Programs(loaded, types, foreign, versions, digest, needed, sizes, modules)
+    programs = pages.Programs(
+        loaded,
+        types,
+        foreign,
+        versions,
+        digest,
+        needed,
+        sizes,
+        modules,
+        assets.lines(builds.items()),
+    )
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)
 
     # These, and what they use, are the site.
-    others = assets.runtime(site)
+    others = assets.runtime(site, debug=debug)
     others += assets.search(site)
     others += [] if edited else renderer.index(rendered)
     others += assets.programs(builds.items())

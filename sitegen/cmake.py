@@ -6,17 +6,17 @@ import hashlib
 import subprocess
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen.model import Package
 from sitegen.toolchain import Toolchain
 
 CLIENT = Path(__file__).parent / "clients" / "cpp"
-OPTIMIZE = "-O2"
+# In programs that are to tell where they are, little is moved about.
+OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
 SETTINGS = [
     "-DCMAKE_BUILD_TYPE=Release",
-    *(f"-DCMAKE_{language}_FLAGS_RELEASE={OPTIMIZE}" for language in ("C", "CXX")),
     # Emscripten's own file lets CMake find packages in its system root only.
     "-DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH",
     # A program of the page cannot be run to try the compiler out, and need not be.
@@ -34,11 +34,15 @@ Done = subprocess.CompletedProcess[str]
 
 @dataclass(frozen=True)
 class CMake:
-    """What CMake makes of packages for `engine`, all of it below `work`."""
+    """What CMake makes of packages for `engine`, all of it below `work`.
+
+    With `debug`, programs can tell where they are. The library is the same, for it is not theirs.
+    """
 
     tools: Toolchain
     work: Path
     engine: str
+    debug: bool = False
 
     @property
     def ros(self) -> Path:
@@ -53,7 +57,8 @@ class CMake:
     def tree(self, package: Package) -> Path:
         """The build folder of `package`: by its place, so that a change compiles what changed."""
         place = hashlib.sha256(str(package.path).encode()).hexdigest()[:12]
-        return self.work / self.engine / "packages" / f"{package.name}-{place}"
+        kind = f"{self.engine}-debug" if self.debug else self.engine
+        return self.work / kind / "packages" / f"{package.name}-{place}"
 
     def prefix(self, package: Package) -> Path:
         """Where `package` puts what other packages use of it."""
@@ -66,12 +71,16 @@ class CMake:
     def make_library(self) -> Done:
         """Compile the rclcpp library."""
         tree = self.library.parent
-        done = self._configure(CLIENT, tree, [])
+        done = replace(self, debug=False)._configure(CLIENT, tree, [], "rclcpp")
         return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
 
-    def configure(self, package: Package, needs: Sequence[Package]) -> Done:
-        """Configure `package`, with what the packages `needs` have for others."""
-        return self._configure(package.path, self.tree(package), list(map(self.prefix, needs)))
+    def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
+        """Configure `package`, with what the packages `needs` have for others.
+
+        Its programs call its folder `shown`.
+        """
+        prefixes = list(map(self.prefix, needs))
+        return self._configure(package.path, self.tree(package), prefixes, shown)
 
     def make(self, package: Package, target: str) -> Done:
         """Build one target of a configured package."""
@@ -82,17 +91,22 @@ class CMake:
             done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
         return done
 
-    def _configure(self, source: Path, tree: Path, prefixes: Sequence[Path]) -> Done:
+    def _configure(self, source: Path, tree: Path, prefixes: Sequence[Path], shown: str) -> Done:
+        optimize = OPTIMIZE_DEBUG if self.debug else OPTIMIZE
         defines = {
             "CMAKE_TOOLCHAIN_FILE": self.tools.platform_file,
             "CMAKE_MAKE_PROGRAM": self.tools.ninja,
             "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
             "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
             "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
+            "CMAKE_C_FLAGS_RELEASE": optimize,
+            "CMAKE_CXX_FLAGS_RELEASE": optimize,
+            "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_ENGINE": self.engine,
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PYTHON": sys.executable,
             "SITEGEN_RCLCPP": self.library,
+            "SITEGEN_SHOWN": shown,
         }
         if self.tools.eigen:
             defines["Eigen3_DIR"] = self.tools.eigen

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from sitegen import interfaces, messages
+from sitegen import interfaces, messages, sourcemap
 from sitegen.cmake import CLIENT, CMake
 from sitegen.diagnosis import Diagnosis
 from sitegen.digest import digest_of
@@ -22,7 +22,14 @@ from sitegen.toolchain import Toolchain, ToolMissingError, alone
 
 HERE = Path(__file__).parent
 # What a program depends on besides its sources, the library and the compiler.
-GENERATOR = ("cmake.py", "definitions.py", "interfaces.py", "messages.py", "typesupport.py")
+GENERATOR = (
+    "cmake.py",
+    "definitions.py",
+    "interfaces.py",
+    "messages.py",
+    "sourcemap.py",
+    "typesupport.py",
+)
 
 
 @dataclass(frozen=True)
@@ -38,11 +45,18 @@ Builds = Mapping[tuple[str, str], Sequence[Build]]
 
 
 def compile_nodes(
-    jobs: Sequence[Job], engines: Sequence[str], *, root: Path, cache: Path, report: Report
+    jobs: Sequence[Job],
+    engines: Sequence[str],
+    *,
+    root: Path,
+    cache: Path,
+    report: Report,
+    debug: bool = False,
 ) -> Builds:
     """Compile each executable for each engine, or take it from the cache.
 
-    Returns the builds by package and executable. Raises a SiteError that quotes the compiler.
+    With `debug`, the programs can tell where they are in their sources. Returns the builds by
+    package and executable. Raises a SiteError that quotes the compiler.
     """
     if not jobs:
         return {}
@@ -51,7 +65,7 @@ def compile_nodes(
     except ToolMissingError as error:
         names = ", ".join(f"'{job.package.name}'" for job in jobs)
         raise SiteError([f"{error}: needed for the C++ nodes of {names}"]) from None
-    compiler = Compiler(tools, root, cache, report)
+    compiler = Compiler(tools, root, cache, report, debug)
     missing = [
         (job, engine)
         for job in jobs
@@ -87,10 +101,13 @@ class Compiler:
     place.
     """
 
-    def __init__(self, tools: Toolchain, root: Path, cache: Path, report: Report) -> None:
+    def __init__(
+        self, tools: Toolchain, root: Path, cache: Path, report: Report, debug: bool
+    ) -> None:
         self._tools = tools
         self._root = root
         self._report = report
+        self._debug = debug
         paths = [
             CLIENT,
             *(HERE / name for name in GENERATOR),
@@ -111,15 +128,21 @@ class Compiler:
         """Where one program is, or will be."""
         folder = self._nodes / self._digest(job.package, job.needs)
         stem = f"{executable}.{engine}"
-        files = (folder / f"{stem}.{suffix}" for suffix in ("js", "wasm", "types.json"))
-        return Build(engine, *files)
+        suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
+        return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
 
     def _digest(self, package: Package, needs: Sequence[Package]) -> str:
         all_of_them = [*sorted(needs, key=lambda need: need.name), package]
         for one in all_of_them:
             if one.path not in self._digests:
                 self._digests[one.path] = digest_of([one.path])
-        return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them))
+        places = ["debug", *map(self._shown, all_of_them)] if self._debug else []
+        return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them), *places)
+
+    def _shown(self, package: Package) -> str:
+        """What programs call the folder of a package; only those that tell lines know its place."""
+        below = self._debug and package.path.is_relative_to(self._root)
+        return package.path.relative_to(self._root).as_posix() if below else package.name
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
         """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
@@ -138,7 +161,7 @@ class Compiler:
             raise SiteError(problems)
 
     def _cmake(self, engine: str) -> CMake:
-        return CMake(self._tools, self._work, engine)
+        return CMake(self._tools, self._work, engine, self._debug)
 
     def _write_ros(self) -> None:
         complete = self._work / "ros.complete"
@@ -206,7 +229,7 @@ class Compiler:
     def _configure(
         self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Problems
     ) -> None:
-        done = cmake.configure(package, needs)
+        done = cmake.configure(package, needs, self._shown(package))
         if done.returncode:
             diagnosis = Diagnosis(self._root, package)
             missing = failed.get(diagnosis.missing(done.stdout))
@@ -237,14 +260,21 @@ class Compiler:
             else:
                 program = cmake.program(package, executable)
                 prefixes = [cmake.ros, *map(cmake.prefix, (*job.needs, package))]
-                self._keep(program, prefixes, self.build(job, executable, engine))
+                theirs = [one for one in (*job.needs, package) if not one.path.is_relative_to(HERE)]
+                shown = list(map(self._shown, theirs))
+                self._keep(program, prefixes, shown, self.build(job, executable, engine))
             self._report.done(f"{package.name}/{executable} ({engine})")
         return problems
 
-    def _keep(self, program: Path, prefixes: Sequence[Path], build: Build) -> None:
+    def _keep(
+        self, program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: Build
+    ) -> None:
         build.wasm.parent.mkdir(parents=True, exist_ok=True)
         types = messages.types_of(program.with_suffix(".wasm"), prefixes)
         build.types.write_text(json.dumps(types))
+        if build.lines:
+            lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
+            build.lines.write_text(json.dumps(lines, separators=(",", ":")))
         shutil.copyfile(program.with_suffix(".js"), build.script)
         # Last, and in one step: its presence says that the program is complete.
         draft = build.wasm.with_suffix(".draft")

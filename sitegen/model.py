@@ -286,10 +286,12 @@ class Package:
 class Build:
     """One compiled form of a node: an ES module and its WebAssembly, for engines of `engine`.
 
-    `types` is a file with the message types that it uses (MessageType in protocol.js), by name.
+    `types` is a file with the message types that it uses (MessageType in protocol.js), by name;
+    `lines` one that tells where it is in its sources, if it was made for that.
     """
 
     engine: str
     script: Path
     wasm: Path
     types: Path
+    lines: Path | None = None

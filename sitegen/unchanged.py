@@ -16,12 +16,13 @@ PACKAGE = Path(__file__).resolve().parent
 OWN = (PACKAGE, PACKAGE.parent / "themes")
 
 
-def recall(folder: Path, output: Path, cache: Path) -> list[str] | None:
+def recall(folder: Path, output: Path, cache: Path, *, debug: bool) -> list[str] | None:
     """Return what the last build of `folder` to `output` said, if nothing has changed since."""
     try:
         record = json.loads(_file(output, cache).read_text(encoding="utf-8"))
         roots = [Path(root) for root in record["roots"]]
-        if record["read"] == _read(folder, roots, output) and record["wrote"] == _digest([output]):
+        same = record["debug"] == debug and record["read"] == _read(folder, roots, output)
+        if same and record["wrote"] == _digest([output]):
             return [str(line) for line in record["said"]]
     except (OSError, ValueError, KeyError, TypeError):
         pass  # no record, or one that another version wrote
@@ -29,11 +30,18 @@ def recall(folder: Path, output: Path, cache: Path) -> list[str] | None:
 
 
 def note(
-    folder: Path, roots: Iterable[Path], output: Path, cache: Path, said: Sequence[str]
+    folder: Path,
+    roots: Iterable[Path],
+    output: Path,
+    cache: Path,
+    said: Sequence[str],
+    *,
+    debug: bool,
 ) -> None:
     """Keep for the next time that `output` was built, of `folder` and the other folders `roots`."""
     roots = sorted(set(roots))
     record = {
+        "debug": debug,
         "roots": [str(root) for root in roots],
         "read": _read(folder, roots, output),
         "wrote": _digest([output]),

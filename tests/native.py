@@ -58,8 +58,8 @@ class Native:
         """Where its packages keep their interface definitions."""
         return self._folder / "share"
 
-    def run(self, program: str, *arguments: str, stdin: str = "") -> list[str]:
-        """Run a program of tests/ros2 and return the lines that it prints."""
+    def run(self, program: str | Path, *arguments: str, stdin: str = "") -> list[str]:
+        """Run a program, of tests/ros2 if only named, and return the lines that it prints."""
         done = subprocess.run(
             [self._python, HERE / program, *arguments],
             env=self._environment() | {"AMENT_PREFIX_PATH": str(self._folder)},

@@ -19,7 +19,8 @@ SITE = Path(__file__).parent / "sites" / "faults"
 ENDS = {
     "throw": (["throw: robot::BatteryError: battery <b>low</b>"], "failed"),
     "throw_in_callback": (["throw_in_callback: std::out_of_range: no such wheel"], "failed"),
-    "abort": (["Aborted()", "abort: Aborted()."], "failed"),
+    "abort": (["abort: aborted"], "failed"),
+    "assert": (["assert: faults/src/fault.cpp:70: assertion failed: zero == 1"], "failed"),
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
     "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
@@ -47,6 +48,8 @@ ENDS = {
         "stopped",
     ),
 }
+# The last line of what failed by itself.
+ADVICE = "    (sitegen build --debug tells where)"
 
 
 def plain(lines: list[str]) -> list[str]:
@@ -76,7 +79,8 @@ def test_each_end_is_told_and_leaves_nothing(page: Page) -> None:
     for name, (lines, state) in ENDS.items():
         panels[name].expect_state(state)
         panels[name].wait_for(lines[-1].split(" ", 1)[-1])
-        assert plain(panels[name].lines()) == lines
+        advice = [ADVICE] if state == "failed" and name != "exit" else []
+        assert plain(panels[name].lines()) == [*lines, *advice]
     expect_nothing_left(page)
 
 

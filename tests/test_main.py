@@ -26,15 +26,17 @@ def build_with(monkeypatch: pytest.MonkeyPatch) -> Callable[[Build], None]:
 
 
 def test_it_builds_the_folder(build_with: Callable[[Build], None]) -> None:
-    calls: list[tuple[Path, Path]] = []
-    build_with(lambda folder, output, report: calls.append((folder, output)))
+    calls: list[tuple[Path, Path, bool]] = []
+    build_with(lambda folder, output, report, debug: calls.append((folder, output, debug)))
     assert main(["build"]) == 0
     assert main(["build", "demo"]) == 0
     assert main(["build", "demo", "--output", "public"]) == 0
+    assert main(["build", "--debug"]) == 0
     assert calls == [
-        (Path(), Path("dist")),
-        (Path("demo"), Path("demo/dist")),
-        (Path("demo"), Path("public")),
+        (Path(), Path("dist"), False),
+        (Path("demo"), Path("demo/dist"), False),
+        (Path("demo"), Path("public"), False),
+        (Path(), Path("dist"), True),
     ]
 
 

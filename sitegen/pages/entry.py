@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 
 from sitegen.model import Node, Page, Setup, Site
@@ -23,7 +23,8 @@ class Programs:
     digest of each program, by package, executable and engine; `archives` has one of each archive of
     Python nodes, by its path inside `dist/`; `needed` has the paths of those that a node unpacks,
     by package and executable; `sizes` has the bytes of each archive, and those of Python by "";
-    `own` names the modules of the workspace that a Python node has, by package and executable.
+    `own` names the modules of the workspace that a Python node has, by package and executable;
+    `lines` has those programs, by package, executable and engine, that come with their lines.
     """
 
     modules: Mapping[str, Sequence[str]] = field(default_factory=dict)
@@ -34,6 +35,7 @@ class Programs:
     needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
     sizes: Mapping[str, int] = field(default_factory=dict)
     own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    lines: Set[tuple[str, str, str]] = frozenset()
 
 
 def page_json(
@@ -112,4 +114,6 @@ def _builds(site: Site, page: Page, node: Node, programs: Programs) -> dict[str,
         version = programs.versions.get((node.package, node.executable, engine), "")
         query = f"?v={version}" if version else ""
         builds[engine] = {"script": f"{stem}.js{query}", "wasm": f"{stem}.wasm{query}"}
+        if (node.package, node.executable, engine) in programs.lines:
+            builds[engine]["lines"] = f"{stem}.lines.json{query}"
     return builds

@@ -97,11 +97,12 @@ export class NodeProcess extends EventTarget {
     }
     const script = new URL(build.script, this.#base).href;
     const wasm = place(new URL(build.wasm, this.#base).href);
+    const lines = build.lines && new URL(build.lines, this.#base).href;
     this.#launch("cppNode", async (id, worker) => {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
       const { executable: name, arguments: args } = this.#entry;
-      return { op: "start", id, engine, module, name, arguments: args };
+      return { op: "start", id, engine, module, name, arguments: args, lines };
     });
   }
 

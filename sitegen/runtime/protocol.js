@@ -7,9 +7,11 @@
  *   graph, and with the site's service worker where that is to isolate the page
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
- *   builds?: Partial<Record<Engine, {script: string, wasm: string}>>, python?: PythonEntry,
+ *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
+ * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` tell where it is in its sources:
+ *   see Lines in workers/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
  *   group?: string}} PythonEntry a Python node: archives to unpack in its interpreter, how much it loads with
  *   them (bytes), and what it calls; without `attribute` the place of a program. `own` are the modules that
@@ -135,7 +137,7 @@ export const DEFAULT_QOS = Object.freeze({
  * went elsewhere since the last time; the first says who is there.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
- *     arguments: string[]}
+ *     arguments: string[], lines?: string}
  *   | {op: "join"}
  *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}

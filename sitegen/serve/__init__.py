@@ -12,9 +12,12 @@ from sitegen.serve.watcher import changes
 __all__ = ["serve"]
 
 
-def serve(folder: Path, *, port: int, report: Report) -> None:
-    """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it."""
-    live = LiveSite(folder, report)
+def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> None:
+    """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it.
+
+    With `debug`, its C++ nodes tell where they failed.
+    """
+    live = LiveSite(folder, report, debug=debug)
     live.rebuild()
     with Server(live, port) as server:
         if server.port != port:

@@ -26,9 +26,10 @@ BEAT = 15
 class LiveSite:
     """Built again and again; threads may ask for files and wait for news meanwhile."""
 
-    def __init__(self, folder: Path, report: Report) -> None:
+    def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
         self._folder = folder
         self._report = report
+        self._debug = debug
         self._made: Made | None = None
         # Where its 404.html takes it to live.
         self.base = "/"
@@ -45,7 +46,7 @@ class LiveSite:
         begun = time.monotonic()
         try:
             made = edited(self._made, changed) if self._made else None
-            made = made or make(self._folder, self._report, edited=True)
+            made = made or make(self._folder, self._report, edited=True, debug=self._debug)
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)

@@ -16,6 +16,8 @@ const KEEP_ALL = 4;
 const MANUAL = 8;
 /** Size of a ros_entry. */
 const ENTRY = 48;
+/** So many exceptions may be on their way. */
+const REMEMBERED = 100;
 /** @type {EventKind[]} */
 const EVENTS = ["deadline", "liveliness", "incompatible", "matched", "lost", "type"];
 /** As rmw numbers them. @type {Partial<Record<Policy, number>>} */
@@ -27,7 +29,8 @@ const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fata
  * @param {Participant} participant
  * @param {Printer} printer
  * @param {string[]} args the command line, the program's name first
- * @param {(error: string) => void} fail called with the text of an exception that left main()
+ * @param {(error: string, stack: string) => void} fail called with the text of an exception that left main(),
+ *   and with the stack where it was thrown, if that is known
  * @param {(error: unknown) => void} ended called with what a suspended program ended by
  * @param {(bytes: number) => void} grown called with the size of its memory when that changed
  */
@@ -42,6 +45,9 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
   let filters;
   /** Why they could not be loaded. @type {unknown} */
   let lack;
+  /** Where exceptions were thrown, by their addresses: of programs built with --debug. @type {Map<number, string>} */
+  const thrown = new Map();
+  let blamed = "";
   let known = 0;
   let described = new Uint8Array();
   /** @param {Uint8Array} heap */
@@ -167,7 +173,20 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
       return word.length;
     },
     /** @param {Uint8Array} heap @param {number} message */
-    fail: (heap, message) => fail(text(heap, message)),
+    fail: (heap, message) => fail(text(heap, message), blamed),
+    /** @param {number} exception its address */
+    thrown(exception) {
+      thrown.delete(exception);
+      thrown.set(exception, new Error().stack ?? "");
+      for (const oldest of thrown.keys()) {
+        if (thrown.size <= REMEMBERED) break;
+        thrown.delete(oldest);
+      }
+    },
+    /** @param {number} exception */
+    blame(exception) {
+      blamed = thrown.get(exception) ?? "";
+    },
     ended,
   };
 }

@@ -8,6 +8,11 @@ import { Printer } from "./printer.js";
 
 /** @import { FromWorker, ToWorker } from "../protocol.js" */
 
+// So many frames of a stack are kept; browsers keep ten.
+const DEPTH = 100;
+// What a program that was built without its lines cannot tell.
+const ADVICE = "    (sitegen build --debug tells where)";
+
 /** @param {FromWorker} message */
 const post = (message) => postMessage(message);
 const printer = new Printer(post);
@@ -15,6 +20,8 @@ const printer = new Printer(post);
 let participant;
 /** @type {Promise<any> | undefined} */
 let script;
+/** The address of its lines, of a program built with --debug. @type {string | undefined} */
+let lines;
 
 /** @param {MessageEvent<ToWorker>} event */
 onmessage = (event) => {
@@ -36,19 +43,23 @@ onmessage = (event) => {
  */
 async function run(node, graph) {
   let failure = "";
+  let whence = "";
+  lines = node.lines;
+  if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
   const ended = (error) => {
     // With fibers, exit() throws its status and does not tell it by onExit.
     const status = /** @type {{name?: string, status?: number}} */ (error);
     if (status?.name === "ExitStatus") {
-      end(status.status ?? 0, failure);
+      end(status.status ?? 0, failure, whence);
     } else {
-      end(1, failure || describe(error));
+      end(1, failure || describe(error), error instanceof Error ? error.stack : "");
     }
   };
-  /** @param {string} text */
-  const fail = (text) => {
+  /** @param {string} text @param {string} stack */
+  const fail = (text, stack) => {
     failure = text;
+    whence = stack;
   };
   const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
   const args = [node.name, ...node.arguments];
@@ -63,7 +74,7 @@ async function run(node, graph) {
     /** @param {string} line */
     printErr: (line) => printer.print("stderr", line),
     /** @param {number} code */
-    onExit: (code) => end(code, failure),
+    onExit: (code) => end(code, failure, whence),
     /**
      * @param {WebAssembly.Imports} imports
      * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
@@ -92,14 +103,25 @@ let over = false;
 
 /**
  * Report the end of the program, once: exit() also throws, after it called onExit.
- * @param {number} code @param {string} error
+ * @param {number} code @param {string} error @param {string} [stack] where that was
  */
-function end(code, error) {
+async function end(code, error, stack = "") {
   if (over) return;
   over = true;
   participant?.flush();
   printer.flush();
-  post({ op: "exit", code, error });
+  const told = error && `${error.trimEnd()}\n${lines ? await where(stack, lines) : ADVICE}`;
+  post({ op: "exit", code, error: told });
+}
+
+/** @param {string} stack @param {string} address of the lines */
+async function where(stack, address) {
+  try {
+    const { traceOf } = await import(place("workers/stackTrace.js"));
+    return traceOf(stack, await (await fetch(address)).json());
+  } catch {
+    return `    (${address} could not be loaded, which tells where)`;
+  }
 }
 
 /** @param {unknown} error */

@@ -29,11 +29,26 @@ set(_threads
   create join detach self mutexattr_init mutexattr_settype mutex_init mutex_lock mutex_timedlock mutex_trylock mutex_unlock
   cond_init cond_wait cond_timedwait cond_signal cond_broadcast
   key_create key_delete getspecific setspecific)
-list(TRANSFORM _threads PREPEND pthread_)
+list(TRANSFORM _threads PREPEND pthread_ OUTPUT_VARIABLE _wrapped)
+list(APPEND _wrapped abort __assert_fail)
 if(SITEGEN_ENGINE STREQUAL "jspi")
-  list(APPEND _threads __cxa_get_globals __cxa_get_globals_fast)
+  list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
 endif()
-foreach(_function IN LISTS _threads)
+if(SITEGEN_DEBUG)
+  # Names and lines, and what programs are checked for: src/debug.cpp says what is wrong with them.
+  add_compile_options(
+    -gline-tables-only -fno-inline
+    -fsanitize=null,bounds,integer-divide-by-zero,return -fno-sanitize-recover=all
+    -fsanitize-minimal-runtime "SHELL:-include ${SITEGEN_CPP}/src/checks.h")
+  add_link_options(-gsource-map --profiling-funcs "SHELL:--source-map-base /")
+  list(APPEND _wrapped __cxa_throw ros_fail)
+endif()
+# Where files are on the author's computer is no business of the page's.
+get_filename_component(_work "${SITEGEN_RCLCPP}/../../.." ABSOLUTE)
+add_compile_options(
+  "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=${SITEGEN_SHOWN}" "-ffile-prefix-map=${_work}=build"
+  "-ffile-prefix-map=${SITEGEN_CPP}=rclcpp" "-ffile-prefix-map=${EMSCRIPTEN_ROOT_PATH}=emscripten")
+foreach(_function IN LISTS _wrapped)
   add_link_options("LINKER:--wrap=${_function}")
 endforeach()
 # ros_main() and the sleeps of libc are in the library, which CMake puts last.

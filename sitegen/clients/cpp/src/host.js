@@ -51,4 +51,6 @@ mergeInto(LibraryManager.library, {
     return Module["ros"]["argument"](HEAPU8, index, to, capacity);
   },
   ros_fail: function(text) { Module["ros"]["fail"](HEAPU8, text); },
+  ros_thrown: function(exception) { Module["ros"]["thrown"](exception); },
+  ros_blame: function(exception) { Module["ros"]["blame"](exception); },
 });

@@ -159,6 +159,22 @@ EMSCRIPTEN_KEEPALIVE void * ros_main_pointer(void)
   return reinterpret_cast<void *>(&ros_main);
 }
 
+// Emscripten ends a program by an exception of JavaScript, which functions that are noexcept stop, and so
+// never end. A trap passes through all of them. The linker puts these in the place of Emscripten's.
+[[noreturn]] void __wrap_abort(void)
+{
+  ros_fail("aborted");
+  __builtin_trap();
+}
+
+[[noreturn]] void __wrap___assert_fail(
+  const char * condition, const char * file, int line, const char *)
+{
+  const auto place = std::string(file) + ":" + std::to_string(line);
+  ros_fail((place + ": assertion failed: " + condition).c_str());
+  __builtin_trap();
+}
+
 // libc's own sleeps would spin: std::this_thread::sleep_for and its elders come here instead.
 int nanosleep(const struct timespec * time, struct timespec *)
 {

@@ -22,6 +22,40 @@ std::int64_t limit(const Duration & duration)
   return duration.nanoseconds() == 0 ? Duration::max().nanoseconds() : duration.nanoseconds();
 }
 
+/// What is left to the system by one side or both, so that nobody can tell whether it fits.
+std::string warnings(const rmw_qos_profile_t & offered, const rmw_qos_profile_t & requested)
+{
+  std::string found;
+  const auto check = [&found](
+    int theirs, int ours, int system, int weak, int strong, const char * both,
+    const char * demanding, const char * modest) {
+      const char * what = nullptr;
+      if (theirs == system && ours == system) {what = both;}
+      if (theirs == system && ours == strong) {what = demanding;}
+      if (theirs == weak && ours == system) {what = modest;}
+      if (what) {found += std::string("WARNING: ") + what + ";";}
+    };
+  check(
+    offered.reliability, requested.reliability, RMW_QOS_POLICY_RELIABILITY_SYSTEM_DEFAULT,
+    RMW_QOS_POLICY_RELIABILITY_BEST_EFFORT, RMW_QOS_POLICY_RELIABILITY_RELIABLE,
+    "Publisher reliability is system_default and subscription reliability is system_default",
+    "Reliable subscription, but publisher is system_default",
+    "Best effort publisher, but subscription is system_default");
+  check(
+    offered.durability, requested.durability, RMW_QOS_POLICY_DURABILITY_SYSTEM_DEFAULT,
+    RMW_QOS_POLICY_DURABILITY_VOLATILE, RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL,
+    "Publisher durabilty is system_default and subscription durability is system_default",
+    "Transient local subscription, but publisher is system_default",
+    "Volatile publisher, but subscription is system_default");
+  check(
+    offered.liveliness, requested.liveliness, RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT,
+    RMW_QOS_POLICY_LIVELINESS_AUTOMATIC, RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC,
+    "Publisher liveliness is system_default and subscription liveliness is system_default",
+    "Subscription's liveliness is manual by topic, but publisher's is system_default",
+    "Publisher's liveliness is automatic, but subscription's is system_default");
+  return found;
+}
+
 }  // namespace
 
 std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind)
@@ -98,7 +132,9 @@ QoSCheckCompatibleResult qos_check_compatible(
   check(
     leases.first != none && leases.second < leases.first,
     "Subscription liveliness lease duration is less than publisher");
-  return {reason.empty() ? QoSCompatibility::Ok : QoSCompatibility::Error, reason};
+  if (!reason.empty()) {return {QoSCompatibility::Error, reason};}
+  reason = warnings(offered.get_rmw_qos_profile(), requested.get_rmw_qos_profile());
+  return {reason.empty() ? QoSCompatibility::Ok : QoSCompatibility::Warning, reason};
 }
 
 }  // namespace rclcpp

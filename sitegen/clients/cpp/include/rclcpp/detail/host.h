@@ -115,6 +115,10 @@ void ros_log(int32_t severity, const char * logger, const char * text);
 int32_t ros_argument(int32_t index, char * to, int32_t capacity);
 /* An exception left main(): the program ends with this text. */
 void ros_fail(const char * text);
+/* Of programs built with --debug: an exception, known by its address, is thrown here; and it is the one
+ * that the program ends by. */
+void ros_thrown(const void * exception);
+void ros_blame(const void * exception);
 
 #ifdef __cplusplus
 }

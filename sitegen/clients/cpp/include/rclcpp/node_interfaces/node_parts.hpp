@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "rclcpp/clock.hpp"
@@ -15,7 +16,7 @@ namespace node_interfaces
 {
 
 /// They lead to the node, and nothing else: what is made of them is made of the node.
-#define ROS_NODE_PART(Name) \
+#define ROS_NODE_PART(Name, Members) \
   class Name \
   { \
 public: \
@@ -23,16 +24,24 @@ public: \
     explicit Name(NodeBaseInterface::SharedPtr base) \
     : base_(std::move(base)) {} \
     NodeBaseInterface::SharedPtr get_node_base_interface() const {return base_;} \
+    Members \
 private: \
     NodeBaseInterface::SharedPtr base_; \
   };
 
-ROS_NODE_PART(NodeServicesInterface)
-ROS_NODE_PART(NodeTimersInterface)
-ROS_NODE_PART(NodeTopicsInterface)
-ROS_NODE_PART(NodeWaitablesInterface)
-ROS_NODE_PART(NodeTimeSourceInterface)
+#define ROS_RESOLVE(function, is_service) \
+  std::string function(const std::string & name, bool only_expand = false) const \
+  { \
+    return base_->resolve_topic_or_service_name(name, is_service, only_expand); \
+  }
 
+ROS_NODE_PART(NodeServicesInterface, ROS_RESOLVE(resolve_service_name, true))
+ROS_NODE_PART(NodeTimersInterface, )
+ROS_NODE_PART(NodeTopicsInterface, ROS_RESOLVE(resolve_topic_name, false))
+ROS_NODE_PART(NodeWaitablesInterface, )
+ROS_NODE_PART(NodeTimeSourceInterface, )
+
+#undef ROS_RESOLVE
 #undef ROS_NODE_PART
 
 class NodeClockInterface

@@ -1,4 +1,5 @@
 // Ends, or does not, in the way that its argument names.
+#include <cassert>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +24,11 @@ struct BatteryError : std::runtime_error
 };
 }  // namespace robot
 
+struct Robot
+{
+  int wheels = 2;
+};
+
 using NodePtr = rclcpp::Node::SharedPtr;
 
 static volatile int zero = 0;
@@ -41,11 +47,16 @@ static int deeper(int depth)
   return zero == 0 ? deeper(depth + 1) + here[zero] : depth;
 }
 
+static void roll(int wheel)
+{
+  if (wheel == 0) {throw std::invalid_argument("no wheel");}
+}
+
 static const std::map<std::string, void (*)(NodePtr)> kFaults = {
   {"throw", [](NodePtr) {throw robot::BatteryError("battery <b>low</b>");}},
   {"throw-in-callback", [](NodePtr node) {
       auto timer = node->create_wall_timer(20ms, []() {throw std::out_of_range("no such wheel");});
-      rclcpp::spin(node);
+      rclcpp::spin(node);  // throws
     }},
   {"catch", [](NodePtr node) {
       auto timer = node->create_wall_timer(20ms, []() {throw std::runtime_error("a small thing");});
@@ -56,6 +67,17 @@ static const std::map<std::string, void (*)(NodePtr)> kFaults = {
       }
     }},
   {"abort", [](NodePtr) {std::abort();}},
+  {"assert", [](NodePtr) {assert(zero == 1);}},
+  {"null", [](NodePtr) {
+      const std::shared_ptr<Robot> nobody;
+      nobody->wheels += 1;
+    }},
+  {"outside", [](NodePtr) {
+      const std::vector<int> wheels(4);
+      zero = wheels[4 + zero];
+    }},
+  {"library", [](NodePtr) {rclcpp::Node node("no name");}},
+  {"thread", [](NodePtr) {std::thread([] {roll(zero);}).join();}},
   {"trap", [](NodePtr) {__builtin_trap();}},
   {"trap-after-wait", [](NodePtr) {
       std::this_thread::sleep_for(20ms);
