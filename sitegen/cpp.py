@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 
 from sitegen import interfaces, messages, sourcemap
+from sitegen.cache import forget_old, use
 from sitegen.cmake import CLIENT, CMake
 from sitegen.diagnosis import Diagnosis
 from sitegen.digest import digest_of
@@ -74,11 +75,15 @@ def compile_nodes(
     ]
     if missing:
         compiler.compile(missing)
-    return {
+        forget_old(cache)
+    builds = {
         (job.package.name, executable): [compiler.build(job, executable, e) for e in engines]
         for job in jobs
         for executable in job.executables
     }
+    for folder in {build.wasm.parent for each in builds.values() for build in each}:
+        use(folder)
+    return builds
 
 
 # What is wrong with packages that others need, by their names.
@@ -148,6 +153,7 @@ class Compiler:
         """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
+        use(self._work)
         with alone(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             self._write_ros()
             # Every program needs the library, and then what the packages it needs have for others.

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from sitegen import interfaces, workspace
+from sitegen.cache import use
 from sitegen.digest import digest_of
 from sitegen.errors import SiteError
 from sitegen.model import Package, Site
@@ -40,6 +41,7 @@ def described(site: Site, named: Iterable[str], *, cache: Path) -> Path:
                 _describe(fresh, package, folder, files, site.root)
             with contextlib.suppress(OSError):  # another build was first
                 fresh.rename(prefix)
+    use(prefix)
     return prefix
 
 

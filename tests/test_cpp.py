@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import os
 import re
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from textwrap import dedent
@@ -154,6 +156,16 @@ def test_what_changed_is_compiled_and_nothing_else(workspace: Workspace) -> None
     workspace.write("src/counts/msg/Count.msg", "int32 value\n")
     workspace.write("src/counts/msg/Other.msg", "int64 value\n")
     assert workspace.build() == []
+
+    # What was not used for long goes when something is compiled, and what was used stays.
+    long_ago = time.time() - 61 * 24 * 3600
+    for folder in (*workspace.cache.glob("nodes/*"), *workspace.cache.glob("work/*")):
+        os.utime(folder, (long_ago, long_ago))
+    assert workspace.build() == []
+    workspace.write("src/pair/src/two.cpp", main.format("") + "\n")
+    assert workspace.build() == ["counts", "pair/one", "pair/two"]
+    assert len([*workspace.cache.glob("nodes/*")]) == 2
+    assert len([*workspace.cache.glob("work/*")]) == 1
 
     # A message that is gone is not found in what was generated before.
     (workspace.folder / "src/counts/msg/Count.msg").unlink()
