@@ -141,11 +141,15 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
     native = Native()
     installed = hidden.parent / "installed"
     shutil.unpack_archive(hidden / "nodes" / "tutorials" / "python.zip", installed)
-    for program in ("pubsub", "policies", "loops", "lifecycle"):
+    for program in ("pubsub", "policies", "loops", "lifecycle", "graph", "introspection"):
         state, lines = run(tab, program)
         expected = native.call(f"tutorials.{program}:main", installed)
         assert printed(lines) == expected.stdout.splitlines(), (program, lines)
         assert state == "stopped"
+    # Of an executor with threads, one callback runs while another waits for it; other threads do not.
+    state, lines = run(tab, "executors")
+    assert state == "failed"
+    assert printed(lines)[:2] == ["added again: False", "answer within a callback: yes"]
     state, lines = run(tab, "threads")
     assert state == "failed"
     assert printed(lines, "stderr")[-1].startswith(

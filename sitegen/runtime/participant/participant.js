@@ -206,6 +206,11 @@ export class Participant {
     return this.#waiting.wait(milliseconds);
   }
 
+  /** How often something happened that ends waits. */
+  get wakes() {
+    return this.#waiting.wakes;
+  }
+
   /** End all waits. */
   wake() {
     this.#waiting.wake();

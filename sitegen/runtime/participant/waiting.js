@@ -8,6 +8,8 @@ export class Waiting {
   /** @type {Set<() => void>} */
   #waiters = new Set();
   #signal = 0;
+  /** How often something happened. */
+  wakes = 0;
   #turn = new MessageChannel();
   /** @type {(() => void)[]} */
   #turns = [];
@@ -50,6 +52,7 @@ export class Waiting {
 
   /** End all waits. */
   wake() {
+    this.wakes += 1;
     for (const done of [...this.#waiters]) done();
   }
 

@@ -38,6 +38,14 @@ export function remoteParticipant(caller, byte) {
 /** What it asks for. @param {Participant} participant @param {Typed[]} typed */
 export function answersOf(participant, typed) {
   /** @type {[string, Function][]} */
-  const named = [...ASKED, ...TOLD, /** @type {const} */ ("wait")].map((name) => [name, participant[name].bind(participant)]);
-  return { ...Object.fromEntries(named), events: () => participant.events, typed: () => typed.shift() };
+  const named = [...ASKED, ...TOLD].map((name) => [name, participant[name].bind(participant)]);
+  let seen = participant.wakes;
+  /** @param {number} milliseconds */
+  const wait = async (milliseconds) => {
+    // Things happen here between two questions, too: the program looked before, and would wait for what is there.
+    const signal = await participant.wait(participant.wakes === seen ? milliseconds : 0);
+    seen = participant.wakes;
+    return signal;
+  };
+  return { ...Object.fromEntries(named), wait, events: () => participant.events, typed: () => typed.shift() };
 }

@@ -14,13 +14,11 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from concurrent.futures import Future
-from concurrent.futures.thread import ThreadPoolExecutor
 from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import collecting, loops, turns
+from rclpy_backend import collecting, loops, pool, turns
 from rclpy_backend.blocking import sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
@@ -49,7 +47,7 @@ class Lock:
             left = None if end is None else end - time.monotonic()
             if not blocking or (left is not None and left <= 0):
                 return False
-            if left is None:
+            if left is None and not pool.has_room():
                 _warn()
             self._wanted += 1
             try:
@@ -141,22 +139,10 @@ def _start(
     return handle
 
 
-def _submit_at_once(
-    _: object, function: Callable[..., Any], /, *args: Any, **kwargs: Any
-) -> Future[Any]:
-    """Stand in for what hands work to a thread: do it, one after another."""
-    future: Future[Any] = Future()
-    try:
-        future.set_result(function(*args, **kwargs))
-    except Exception as error:
-        future.set_exception(error)
-    return future
-
-
 def install(*, stacks: bool) -> None:
     """Let `threading`, and what is made of it, work with such threads."""
     if not stacks:
-        ThreadPoolExecutor.submit = _submit_at_once  # type: ignore[method-assign]
+        pool.install()
     replaced: dict[str, Any] = {
         "_start_joinable_thread": _start,
         "_ThreadHandle": Handle,
