@@ -21,7 +21,7 @@ COMMON = {
     f"rclpy_backend.{name}"
     for name in (
         *("arrays", "blocking", "collecting", "fixed_array", "interrupts", "loops"),
-        *("threads", "turns"),
+        *("pool", "threads", "turns"),
     )
 }
 
