@@ -174,7 +174,7 @@ def test_what_computes_without_a_pause_is_interrupted(
     tab.goto(f"{url}prompt/")
     tab.get_by_role("button", name="Start").click()
     line, log = tab.get_by_role("textbox"), tab.get_by_role("log")
-    line.fill(r"exec('print(6 * 6)\nwhile True: pass')")
+    line.fill(r"exec('import time; print(6 * 6); time.sleep(0.1)\nwhile True: pass')")
     line.press("Enter")
     expect(log).to_contain_text("36")
     tab.get_by_role("button", name="Interrupt").click()
