@@ -47,10 +47,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Run a test of a page once more when it fails, and name it; keep together what has to be.
+    """Run a test of a page again when it fails, and name it; keep together what has to be.
 
-    The three browsers are programs of others, on a machine that others use; one of a thousand runs
-    fails by their doing. What is wrong here fails twice.
+    The three browsers are programs of others, on a machine that others use, with a second test
+    beside this one; a few of a thousand runs fail by that. What is wrong here fails three times.
 
     Where several tests run at once, those of a file run in one process, since they share sites; and
     those in WebKitGTK do, since two of it on one machine wait for each other.
@@ -58,7 +58,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         fixtures = set(getattr(item, "fixturenames", ()))
         if {"browser_name", "webkit_window"} & fixtures:
-            item.add_marker(pytest.mark.flaky(reruns=1))
+            item.add_marker(pytest.mark.flaky(reruns=2))
         parameters = item.callspec.params if hasattr(item, "callspec") else {}
         webkit = "webkit_window" in fixtures or parameters.get("browser_name") == "webkit"
         item.add_marker(pytest.mark.xdist_group("webkit" if webkit else item.path.stem))

@@ -44,6 +44,7 @@ def test_a_loop_runs_beside_a_node_that_spins_until_stop(
     spinning.start()
     spinning.wait_for("heard from the loop")
     spinning.stop()
+    spinning.wait_for("all ended")
     said = spinning.messages()
     assert sorted(said[:3]) == ["busy ended", "heard from the loop", "loop ended"]
     assert said[3:] == ["all ended"]
