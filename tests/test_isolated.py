@@ -237,9 +237,3 @@ def test_webkit_runs_python_in_shared_memory(window: Window, isolated: Path, ser
     node = WindowPanel(window, "pubsub")
     node.start()
     node.wait_for("ok False")
-    busy = WindowPanel(window, "busy")
-    busy.start()
-    busy.wait_for("computing")
-    busy.stop()
-    busy.wait_for("finally")
-    assert busy.lines() == ["computing", "interrupted, ok: False", "finally"]
