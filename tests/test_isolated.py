@@ -146,7 +146,7 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
         expected = native.call(f"tutorials.{program}:main", installed)
         assert printed(lines) == expected.stdout.splitlines(), (program, lines)
         assert state == "stopped"
-    # Of an executor with threads, one callback runs while another waits for it; other threads do not.
+    # A callback of an executor with threads runs while another waits for it; threads do not.
     state, lines = run(tab, "executors")
     assert state == "failed"
     assert printed(lines)[:2] == ["added again: False", "answer within a callback: yes"]
