@@ -59,7 +59,7 @@ ALLOWED = {
     "sourcemap": set(),
     "git": {"errors"},
     "github": {"errors"},
-    "init": {"errors", "github", "model", "report", "workspace"},
+    "init": {"config", "errors", "github", "launch", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "imports": {"errors"},
     "launch": {"containers", "errors", "model", "parameterfiles"},
