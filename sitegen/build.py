@@ -151,6 +151,9 @@ def make(
     # Nodes that were compiled elsewhere are fetched.
     site, given = compiled.resolve(site, cache=cache_folder(), report=report)
 
+    # Python nodes become archives: before what takes minutes, for this tells in a second what is wrong.
+    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
     own = cpp.compile_nodes(
@@ -162,9 +165,6 @@ def make(
         debug=debug,
     )
     builds = {**own, **given}
-
-    # Python nodes become one archive for all and one for each package.
-    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
 
     # Markdown pages become HTML with a page.json each.
     types = {
