@@ -151,7 +151,7 @@ def make(
     # Nodes that were compiled elsewhere are fetched.
     site, given = compiled.resolve(site, cache=cache_folder(), report=report)
 
-    # Python nodes become archives: before what takes minutes, for this tells in a second what is wrong.
+    # Python nodes become archives; what is wrong there is told before anything takes minutes.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
 
     # C++ nodes become WebAssembly.
