@@ -12,7 +12,8 @@ from pathlib import Path
 from sitegen.model import Package
 from sitegen.toolchain import Toolchain
 
-CLIENT = Path(__file__).parent / "clients" / "cpp"
+HERE = Path(__file__).parent
+CLIENT = HERE / "clients" / "cpp"
 # In programs that are to tell where they are, little is moved about.
 OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
 SETTINGS = [
@@ -68,11 +69,22 @@ class CMake:
         """Where the build leaves `executable`, less its suffix."""
         return self.tree(package) / "bin" / executable
 
+    @property
+    def _launcher(self) -> list[str | Path]:
+        """What CMake runs in front of the compiler: see precompiled.py."""
+        store = self.work / self.engine / "precompiled"
+        script = HERE / "precompiled.py"
+        return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
+
     def make_library(self) -> Done:
         """Compile the rclcpp library."""
         tree = self.library.parent
         done = replace(self, debug=False)._configure(CLIENT, tree, [], "rclcpp")
-        return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
+        if not done.returncode:
+            done = self.tools.run(self.tools.ninja, "-C", tree)
+        for header in tree.glob("**/*.pch"):  # large, and nothing is compiled here again
+            header.unlink()
+        return done
 
     def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
         """Configure `package`, with what the packages `needs` have for others.
@@ -82,9 +94,11 @@ class CMake:
         prefixes = list(map(self.prefix, needs))
         return self._configure(package.path, self.tree(package), prefixes, shown)
 
-    def make(self, package: Package, target: str) -> Done:
-        """Build one target of a configured package."""
-        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), target]
+    def make(self, package: Package, *targets: str) -> Done:
+        """Build targets of a configured package; with several, what fails stops none but itself."""
+        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
+        if len(targets) > 1:
+            command += ["-k", "0"]
         done = self.tools.run(*command)
         if UNDEFINED in done.stdout:
             # The linker knows who wants the symbol, but to let it look takes time at every link.
@@ -108,6 +122,8 @@ class CMake:
             "SITEGEN_RCLCPP": self.library,
             "SITEGEN_SHOWN": shown,
         }
+        if source != CLIENT:
+            defines["CMAKE_CXX_COMPILER_LAUNCHER"] = ";".join(map(str, self._launcher))
         if self.tools.eigen:
             defines["Eigen3_DIR"] = self.tools.eigen
         words = [f"-D{name}={value}" for name, value in defines.items()]
