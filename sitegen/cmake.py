@@ -80,11 +80,7 @@ class CMake:
         """Compile the rclcpp library."""
         tree = self.library.parent
         done = replace(self, debug=False)._configure(CLIENT, tree, [], "rclcpp")
-        if not done.returncode:
-            done = self.tools.run(self.tools.ninja, "-C", tree)
-        for header in tree.glob("**/*.pch"):  # large, and nothing is compiled here again
-            header.unlink()
-        return done
+        return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
 
     def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
         """Configure `package`, with what the packages `needs` have for others.
@@ -114,6 +110,7 @@ class CMake:
             "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
             "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
             "CMAKE_C_FLAGS_RELEASE": optimize,
+            "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
             "CMAKE_CXX_FLAGS_RELEASE": optimize,
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_ENGINE": self.engine,
@@ -122,8 +119,6 @@ class CMake:
             "SITEGEN_RCLCPP": self.library,
             "SITEGEN_SHOWN": shown,
         }
-        if source != CLIENT:
-            defines["CMAKE_CXX_COMPILER_LAUNCHER"] = ";".join(map(str, self._launcher))
         if self.tools.eigen:
             defines["Eigen3_DIR"] = self.tools.eigen
         words = [f"-D{name}={value}" for name, value in defines.items()]

@@ -95,8 +95,14 @@ class Reader:
     _read: set[Path] = field(default_factory=set)
 
     def finds(self, source: Path) -> bool:
-        """Tell whether `source` includes rclcpp.hpp before all that could make a difference."""
-        return bool(self._reads(source))
+        """Tell whether `source` includes rclcpp.hpp before all that could make a difference.
+
+        For sources of ours, nothing does: it is enough that they include anything of rclcpp.
+        """
+        if self._reads(source):
+            return True
+        parts = list(LIBRARY.glob("rclcpp*"))
+        return _is_in(source, OURS) and any(_is_in(file, parts) for file in self._read)
 
     def _reads(self, file: Path) -> bool | None:
         """Tell what comes first: rclcpp.hpp (True), something else (False), or the end (None)."""
@@ -175,6 +181,7 @@ class Store:
             made.unlink(missing_ok=True)
             return set()
         headers = listed.read_text().replace("\\\n", " ").split()[1:]
+        listed.unlink()
         names = {part for header in headers for part in self._first(Path(header))}
         draft.replace(made)
         return names

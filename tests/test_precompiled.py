@@ -54,8 +54,9 @@ class Compiler:
         return self.tools.run(self.tools.compiler, *self.words(source, *more))
 
     def run(self, source: Path, *more: str) -> subprocess.CompletedProcess[str]:
-        script = [sys.executable, "-I", "-S", precompiled.__file__, self.store, self.ros]
-        return self.tools.run(*script, self.tools.compiler, *self.words(source, *more))
+        script = ["-I", "-S", precompiled.__file__, str(self.store), str(self.ros)]
+        words = self.words(source, *more)
+        return self.tools.run(sys.executable, *script, self.tools.compiler, *words)
 
     def made(self) -> list[Path]:
         return sorted(self.store.glob("*.pch"))
