@@ -70,6 +70,7 @@ ALLOWED = {
     "offline": {"model"},
     "pages": {"errors", "model", "prose", "theme"},
     "parameterfiles": set(),
+    "precompiled": set(),
     "prose": {"errors", "model"},
     "report": set(),
     "python": {
