@@ -24,7 +24,7 @@ SEED = "20240607"
 PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
     *("actions", "lifecycle", "graph", "executors", "event_loops", "loops"),
-    *("introspection", "goals", "loggers"),
+    *("introspection", "goals", "loggers", "overrides", "scheduling", "observers"),
 ]
 
 # Run a node to its end, and return its lines: a console would keep only the last.
@@ -110,6 +110,15 @@ def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> Non
 def test_packages_of_pypi_come_along(page: Page) -> None:
     state, lines = run(page, "sorting")
     assert (state, printed(lines)) == ("stopped", ["SortedList([1, 2, 3]) None"])
+
+
+@pytest.mark.parametrize("name", ["packing", "packed"])
+@pytest.mark.firefox
+def test_compiled_packages_of_pypi_come_along(page: Page, name: str) -> None:
+    """By itself, and in an interpreter that several nodes share."""
+    state, lines = run(page, name)
+    assert printed(lines) == ["msgpack._cmsgpack {'speeds': [0.5, -1], 'name': 'left'}"], lines
+    assert state == "stopped"
 
 
 WATCH = """async (name) => {

@@ -23,6 +23,8 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     """
     sys.argv[:] = list(arguments)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
+    # Where libraries are that compiled modules share.
+    os.environ["LD_LIBRARY_PATH"] = f"/usr/lib:{PREFIX}/lib"
     turns.running().signals = signals
     code = 0
     try:

@@ -19,7 +19,7 @@ from typing import Any
 from pyodide.ffi import create_proxy
 
 from rclpy_backend import collecting, loops, pool, turns
-from rclpy_backend.blocking import sleep, wait, wake
+from rclpy_backend.blocking import breathe, sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
 # are stacks here and take turns, and one that waits for another must not be the only one.
@@ -88,6 +88,7 @@ class Handle:
 
     def is_done(self) -> bool:
         """Return whether it has ended."""
+        breathe()  # a loop may ask for this and nothing else
         return self._done
 
     def _set_done(self) -> None:
