@@ -181,6 +181,30 @@ def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
     expect_nothing_left(page)
 
 
+def test_who_reads_the_keyboard_waits_and_is_told(page: Page) -> None:
+    node = Panel(page, "keys")
+    node.start()
+    node.wait_for("Nobody types for a program in a page")
+    node.wait_for("while it waits")
+    node.stop()
+    node.wait_for("and the terminal is as it was")
+    node.expect_state("stopped")
+    printed = [line for line in node.lines() if line != "while it waits"]
+    assert printed == [
+        "i: forward, k: stop",
+        "Nobody types for a program in a page: what it reads from the keyboard never comes",
+        "no key yet: []",
+        "and the terminal is as it was",
+    ]
+
+
+def test_what_is_printed_before_a_computation_is_shown_before_its_end(page: Page) -> None:
+    node = Panel(page, "busy")
+    node.start()
+    node.wait_for("computing")
+    node.stop()
+
+
 def test_a_browser_without_jspi_is_told_which_have_it(
     browser: Browser, serve: Serve, built: Built
 ) -> None:

@@ -38,6 +38,7 @@ setup(
             "observers = tutorials.observers:main",
             "scheduling = tutorials.scheduling:main",
             "overrides = tutorials.overrides:main",
+            "spinning = tutorials.spinning:main",
             "entries = tutorials.entries:main",
         ],
     },

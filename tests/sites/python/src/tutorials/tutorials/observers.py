@@ -1,6 +1,5 @@
 """Parameters of another node: asked for, set from a file, and watched as they change."""
 
-import os
 import tempfile
 
 import rclpy
@@ -57,7 +56,10 @@ def main():
         )
         every = handler.add_parameter_event_callback(
             lambda event: seen.append(
-                (event.node, sorted(p.name for p in event.new_parameters + event.changed_parameters))
+                (
+                    event.node,
+                    sorted(p.name for p in event.new_parameters + event.changed_parameters),
+                )
             )
         )
 
@@ -82,7 +84,7 @@ def main():
         [about] = ask(executor, client.describe_parameters(["speed"])).descriptors
         print("about:", about.description, about.floating_point_range[0].step)
 
-        file = os.path.join(get_package_share_directory("tutorials"), "config", "robot.yaml")
+        file = f"{get_package_share_directory('tutorials')}/config/robot.yaml"
         done = ask(executor, client.load_parameter_file(file, use_wildcard=True))
         print("loaded:", [each.successful for each in done.results])
         print("in the file:", sorted(parameter_dict_from_yaml_file(file, use_wildcard=True)))

@@ -10,6 +10,7 @@ from rclpy.clock_type import ClockType as Kind
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.exceptions import ParameterNotDeclaredException
+from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import (
     DurabilityPolicy,
@@ -25,7 +26,6 @@ from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
 from rclpy.timer import TimerInfo
 from std_msgs.msg import String
-from rclpy.node import Node
 
 
 def few(qos):
@@ -48,7 +48,9 @@ def qos_by_parameters():
     profile = publisher.qos_profile
     print(profile.depth, profile.reliability.name, profile.history.name)
     only = QoSOverridingOptions([QoSPolicyKind.DURABILITY], entity_id="own")
-    subscription = node.create_subscription(String, "chatter", print, 5, qos_overriding_options=only)
+    subscription = node.create_subscription(
+        String, "chatter", print, 5, qos_overriding_options=only
+    )
     print(subscription.qos_profile.depth, subscription.qos_profile.durability.name)
     try:
         node.create_publisher(String, "deep", 5, qos_overriding_options=options)

@@ -1,4 +1,4 @@
-"""Executors and callback groups of one's own, and a thread that spins beside a loop."""
+"""Executors and callback groups of one's own, and a thread that hears beside a loop."""
 
 import os
 import threading
@@ -183,30 +183,8 @@ def monitor():
     print("alive:", thread.is_alive())
 
 
-def spinning_thread():
-    """The shape of most: a thread spins the node, the main thread keeps a rate."""
-    rclpy.init()
-    node = Listener()
-    publisher = node.create_publisher(String, "chatter", 10)
-    thread = threading.Thread(target=rclpy.spin, args=(node,), daemon=True)
-    thread.start()
-    rate = node.create_rate(50)
-    count = 0
-    while rclpy.ok() and count < ENOUGH:
-        if publisher.get_subscription_count():
-            publisher.publish(String(data=f"rate {count}"))
-            count += 1
-        rate.sleep()
-    while len(node.heard) < ENOUGH:
-        rate.sleep()
-    print("kept:", node.heard)
-    rclpy.shutdown()
-    thread.join()
-
-
 def main():
     """Run all."""
     own_executor()
     own_group()
     monitor()
-    spinning_thread()
