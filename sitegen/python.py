@@ -14,7 +14,7 @@ from sitegen.descriptions import described
 from sitegen.errors import Place
 from sitegen.messages import MessageType
 from sitegen.model import Node, Package, Site
-from sitegen.wheels import archived
+from sitegen.wheel import archived
 
 KINDS = ("msg", "srv", "action")
 # What is most likely to be typed at a prompt.
