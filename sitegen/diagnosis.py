@@ -14,7 +14,7 @@ NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.
 # The command lines of a build, and what Ninja and em++ say about them.
 COMMANDS = re.compile(
     r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
-    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|em(\+\+|cc): error: '"
+    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|\S.* -I -S \S.*/precompiled\.py|em(\+\+|cc): error: '"
     r"|Call Stack \(most recent call first\):$|See also \""
 )
 # In CMake's cache, a package that was looked for in vain.
