@@ -240,3 +240,10 @@ def test_webkit_runs_python_in_shared_memory(window: Window, isolated: Path, ser
     node = WindowPanel(window, "pubsub")
     node.start()
     node.wait_for("ok False")
+    # A second worker: WebKit asks whether the first one's program is still right.
+    busy = WindowPanel(window, "busy")
+    busy.start()
+    busy.wait_for("computing")
+    busy.stop()
+    busy.wait_for("finally")
+    assert busy.lines() == ["ready", "computing", "interrupted, ok: False", "finally"]
