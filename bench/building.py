@@ -110,7 +110,8 @@ def _one_run(tree: Path, output: Path) -> list[str]:
     compiling, linking = (shlex.split(line) for line in commands.splitlines()[-2:])
     linking = linking[linking.index("&&") + 1 : -2]
     source = compiling.pop()
-    flags = compiling[: compiling.index("-MD")]
+    # What CMake runs in front of the compiler is ours.
+    flags = compiling[compiling.index(str(tools.compiler)) : compiling.index("-MD")]
     at = linking.index("-o")
     # What stands before -o is the object, what comes after it are the libraries.
     return [*flags, source, *linking[1 : at - 1], "-o", str(output), *linking[at + 2 :]]

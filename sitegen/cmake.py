@@ -12,7 +12,8 @@ from pathlib import Path
 from sitegen.model import Package
 from sitegen.toolchain import Toolchain
 
-CLIENT = Path(__file__).parent / "clients" / "cpp"
+HERE = Path(__file__).parent
+CLIENT = HERE / "clients" / "cpp"
 # In programs that are to tell where they are, little is moved about.
 OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
 SETTINGS = [
@@ -68,6 +69,13 @@ class CMake:
         """Where the build leaves `executable`, less its suffix."""
         return self.tree(package) / "bin" / executable
 
+    @property
+    def _launcher(self) -> list[str | Path]:
+        """What CMake runs in front of the compiler: see precompiled.py."""
+        store = self.work / self.engine / "precompiled"
+        script = HERE / "precompiled.py"
+        return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
+
     def make_library(self) -> Done:
         """Compile the rclcpp library."""
         tree = self.library.parent
@@ -82,9 +90,11 @@ class CMake:
         prefixes = list(map(self.prefix, needs))
         return self._configure(package.path, self.tree(package), prefixes, shown)
 
-    def make(self, package: Package, target: str) -> Done:
-        """Build one target of a configured package."""
-        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), target]
+    def make(self, package: Package, *targets: str) -> Done:
+        """Build targets of a configured package; with several, what fails stops none but itself."""
+        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
+        if len(targets) > 1:
+            command += ["-k", "0"]
         done = self.tools.run(*command)
         if UNDEFINED in done.stdout:
             # The linker knows who wants the symbol, but to let it look takes time at every link.
@@ -100,6 +110,7 @@ class CMake:
             "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
             "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
             "CMAKE_C_FLAGS_RELEASE": optimize,
+            "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
             "CMAKE_CXX_FLAGS_RELEASE": optimize,
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_ENGINE": self.engine,

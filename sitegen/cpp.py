@@ -28,6 +28,7 @@ GENERATOR = (
     "definitions.py",
     "interfaces.py",
     "messages.py",
+    "precompiled.py",
     "sourcemap.py",
     "typesupport.py",
 )
@@ -258,8 +259,12 @@ class Compiler:
         if not self._is_prepared(cmake, package, job.needs):  # else others read what it would write
             self._configure(cmake, package, job.needs, failed)
         problems = []
+        done = cmake.make(package, *job.executables)
+        # If anything fails, each is asked for by itself, to know what is said of which.
+        again = bool(done.returncode) and len(job.executables) > 1
         for executable in job.executables:
-            done = cmake.make(package, executable)
+            if again:
+                done = cmake.make(package, executable)
             if done.returncode:
                 diagnosis = Diagnosis(self._root, package)
                 problems += diagnosis.of_build(executable, done.stdout, cmake.tree(package))

@@ -59,7 +59,7 @@ ALLOWED = {
     "sourcemap": set(),
     "git": {"errors"},
     "github": {"errors"},
-    "init": {"errors", "github", "model", "report", "workspace"},
+    "init": {"config", "errors", "github", "launch", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "imports": {"errors"},
     "launch": {"containers", "errors", "model", "parameterfiles"},
@@ -70,6 +70,7 @@ ALLOWED = {
     "offline": {"model"},
     "pages": {"errors", "model", "prose", "theme"},
     "parameterfiles": set(),
+    "precompiled": set(),
     "prose": {"errors", "model"},
     "report": set(),
     "python": {

@@ -1,0 +1,201 @@
+"""rclcpp.hpp is compiled beforehand for programs, and nobody can tell."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from sitegen import interfaces, precompiled
+from sitegen.precompiled import HEADER, INTERFACES, LIBRARY, Command, Reader
+from sitegen.toolchain import Toolchain
+
+NODE = """\
+#include <memory>
+#include "rclcpp/rclcpp.hpp"
+#include "name.hpp"
+int main(int argc, char ** argv) {{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>(NAME);
+  {}
+  rclcpp::spin(node);
+}}
+"""
+
+
+class Compiler:
+    """The compiler, below a folder with sources and interfaces, with and without."""
+
+    def __init__(self, folder: Path, ros: Path) -> None:
+        self.folder = folder
+        self.ros = ros
+        self.store = folder / "store"
+        self.tools = Toolchain.find()
+
+    def write(self, name: str, text: str) -> Path:
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return file
+
+    def flags(self, *more: str) -> list[str]:
+        folders = [LIBRARY, *sorted(self.ros.iterdir()), *sorted(INTERFACES.iterdir())]
+        system = [word for folder in folders for word in ("-isystem", str(folder))]
+        return [*more, "-I", f"{self.folder}/include", *system, "-std=gnu++17", "-fwasm-exceptions"]
+
+    def words(self, source: Path, *more: str) -> list[str]:
+        files = ["-MD", "-MT", "x.o", "-MF", f"{source}.d", "-o", f"{source}.o", "-c", str(source)]
+        return [*self.flags(*more), *files]
+
+    def plain(self, source: Path, *more: str) -> subprocess.CompletedProcess[str]:
+        return self.tools.run(self.tools.compiler, *self.words(source, *more))
+
+    def run(self, source: Path, *more: str) -> subprocess.CompletedProcess[str]:
+        script = ["-I", "-S", precompiled.__file__, str(self.store), str(self.ros)]
+        words = self.words(source, *more)
+        return self.tools.run(sys.executable, *script, self.tools.compiler, *words)
+
+    def made(self) -> list[Path]:
+        return sorted(self.store.glob("*.pch"))
+
+    def is_as_without(self, source: Path, *more: str) -> bool:
+        """Tell whether `source` becomes the same bytes, and whether the same is said."""
+        done = self.run(source, *more)
+        made = Path(f"{source}.o").read_bytes() if not done.returncode else b""
+        plain = self.plain(source, *more)
+        assert (done.returncode, done.stdout) == (plain.returncode, plain.stdout)
+        return not plain.returncode and Path(f"{source}.o").read_bytes() == made
+
+
+@pytest.fixture(scope="module")
+def ros(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The headers of interfaces, where a build has them."""
+    prefix = tmp_path_factory.mktemp("work") / "ros"
+    interfaces.write_ros(prefix)
+    interfaces.write_own(prefix)
+    return prefix / "include"
+
+
+@pytest.fixture(scope="module")
+def compiler(tmp_path_factory: pytest.TempPathFactory, ros: Path) -> Compiler:
+    """One for all tests here, since its store takes seconds to fill."""
+    compiler = Compiler(tmp_path_factory.mktemp("author"), ros)
+    compiler.write("include/name.hpp", '#define NAME "node"\n')
+    return compiler
+
+
+def test_what_is_made_once_serves_all_sources(compiler: Compiler) -> None:
+    sources = [compiler.write(f"{name}.cpp", NODE.format("")) for name in ("one", "two", "three")]
+    with ThreadPoolExecutor(3) as pool:
+        results = list(pool.map(compiler.run, sources, ["-Wall", "-Wextra", "-Wpedantic"]))
+    assert [(done.returncode, done.stdout) for done in results] == [(0, "")] * 3
+    assert len(compiler.made()) == 1
+    for source in sources:
+        assert Path(f"{source}.o").read_bytes().startswith(b"\0asm")
+        listed = Path(f"{source}.d").read_text()  # what Ninja looks at when it is asked again
+        assert "include/name.hpp" in listed
+        assert str(HEADER) in listed
+    # The folder that sources are in is no matter; how they are compiled is.
+    again = compiler.write("elsewhere/one.cpp", NODE.format(""))
+    assert not compiler.run(again, f"-ffile-prefix-map={again.parent}=shown").returncode
+    assert len(compiler.made()) == 1
+    assert not compiler.run(sources[0], "-DNAMED=1").returncode
+    assert len(compiler.made()) == 2
+
+
+def test_what_the_compiler_says_is_the_same(compiler: Compiler) -> None:
+    wrong = compiler.write("wrong.cpp", NODE.format("std::make_shared<rclcpp::Node>(1, 2);"))
+    assert not compiler.is_as_without(wrong)
+    assert f"In file included from {wrong}:1:" in compiler.run(wrong).stdout
+    unused = compiler.write("unused.cpp", NODE.format("int unused = 1;"))
+    assert compiler.is_as_without(unused, "-Wall")
+    assert "unused variable 'unused'" in compiler.run(unused, "-Wall").stdout
+
+
+def test_what_is_said_before_counts(compiler: Compiler) -> None:
+    early = '#define RCLCPP_INFO(logger, ...) static_assert(true)\n#include "rclcpp/rclcpp.hpp"\n'
+    own = compiler.write("own.cpp", early + "#undef RCLCPP_INFO\nint main() {}\n")
+    before = compiler.made()
+    assert compiler.is_as_without(own, "-DOTHER=1")
+    assert compiler.made() == before
+
+
+def test_a_header_of_the_author_that_stands_in_the_way(compiler: Compiler) -> None:
+    source = compiler.write("way/node.cpp", NODE.format(""))
+    compiler.write("way/include/rmw/rmw.h", "#error of the author\n")
+    assert not compiler.is_as_without(source, f"-I{source.parent}/include")
+    assert "of the author" in compiler.run(source, f"-I{source.parent}/include").stdout
+
+
+def test_what_is_broken_is_made_again(compiler: Compiler) -> None:
+    source = compiler.write("broken.cpp", NODE.format(""))
+    before = compiler.made()
+    assert not compiler.run(source, "-DBROKEN=1").returncode
+    (made,) = set(compiler.made()) - set(before)
+    whole = made.stat().st_size
+    made.write_bytes(made.read_bytes()[:1000])
+    for _ in range(2):
+        done = compiler.run(source, "-DBROKEN=1")
+        assert (done.returncode, done.stdout) == (0, "")
+    assert made.stat().st_size == whole
+
+
+OWN = {
+    "own/guarded.hpp": '#ifndef OWN_HPP_\n#define OWN_HPP_\n#include "rclcpp/rclcpp.hpp"\nint x;\n',
+    "own/once.hpp": "// Mine.\n#pragma once\n#include <rclcpp/rclcpp.hpp>\n",
+    "own/words.hpp": "#pragma once\n#define WORDS\n",
+    "own/msg/word.hpp": "#define WORDS\n",
+    "own/empty.hpp": "#pragma once\n",
+}
+BEGINNINGS = {
+    '#include "rclcpp/rclcpp.hpp"': True,
+    "#include <rclcpp/rclcpp.hpp>": True,
+    '/* #define A\n */ // B\n#include <map>\n#include "rclcpp/rclcpp.hpp"': True,
+    '#include "std_msgs/msg/string.hpp"\n# include  "rclcpp/rclcpp.hpp" // it': True,
+    '#include "rclcpp_action/rclcpp_action.hpp"\n#include "rclcpp/rclcpp.hpp"': True,
+    '#include "own/guarded.hpp"': True,
+    '#include "own/once.hpp"': True,
+    '#include "own/empty.hpp"\n#include "own/once.hpp"': True,
+    '#include "tf2_ros/buffer.hpp"\n#include "rclcpp/rclcpp.hpp"': True,
+    "#include <map>\nint main() {}": False,
+    "": False,
+    '#define A\n#include "rclcpp/rclcpp.hpp"': False,
+    '#undef NDEBUG\n#include "rclcpp/rclcpp.hpp"': False,
+    '#ifdef A\n#include "rclcpp/rclcpp.hpp"\n#endif': False,
+    '#pragma pack(1)\n#include "rclcpp/rclcpp.hpp"': False,
+    'using A = int;\n#include "rclcpp/rclcpp.hpp"': False,
+    '// as \\\n#include "rclcpp/rclcpp.hpp"': False,
+    '#include "own/words.hpp"\n#include "rclcpp/rclcpp.hpp"': False,
+    '#include "own/msg/word.hpp"\n#include "rclcpp/rclcpp.hpp"': False,
+    '#include "rclcpp/node.hpp"': False,
+}
+
+
+@pytest.mark.parametrize("text", BEGINNINGS)
+def test_only_where_it_comes_first(text: str, tmp_path: Path, ros: Path) -> None:
+    for name, content in {**OWN, "main.cpp": text + "\n"}.items():
+        file = tmp_path / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(content)
+    tf2_ros = LIBRARY.parents[2] / "packages" / "tf2_ros" / "include"
+    folders = [tmp_path, tf2_ros, LIBRARY, *sorted(ros.iterdir())]
+    assert Reader(folders, ros).finds(tmp_path / "main.cpp") is BEGINNINGS[text]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "-c a.cpp -include-pch theirs.pch",
+        "-c a.cpp -include theirs.hpp",
+        "-c a.cpp -Xclang -fmodules",
+        "-c a.cpp b.cpp",
+        "-E a.cpp",
+        "-c @words",
+        f"-I{LIBRARY} -c a.cpp",
+    ],
+)
+def test_what_is_unusual_is_left_alone(words: str) -> None:
+    assert Command.read(words.split()) is None
