@@ -23,6 +23,8 @@ PURE = "-none-any.whl"
 LARGEST = 100_000_000
 # Of what comes to each page with rclpy.
 THERE = {"pyyaml", "typing-extensions"}
+# How PyPI names the packages of ROS: those come with rclpy and the messages.
+OF_ROS = "ros-"
 ADVICE = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
 POINT = "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
 
@@ -89,6 +91,8 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
     for wheel in wheels:
         place = Place(file, _line(file, wheel.package))
         for need in sorted(wheel.needs - there - THERE):
+            if need.startswith(OF_ROS):
+                continue
             if need in lock and site.pyodide.packages:
                 names.append(need)
                 continue
