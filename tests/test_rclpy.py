@@ -185,6 +185,7 @@ def test_who_reads_the_keyboard_waits_and_is_told(page: Page) -> None:
     node = Panel(page, "keys")
     node.start()
     node.wait_for("Nobody types for a program in a page")
+    node.wait_for("which key?")
     node.wait_for("while it waits")
     node.stop()
     node.wait_for("and the terminal is as it was")
