@@ -43,7 +43,7 @@ class Made:
 
     site: Site
     builds: cpp.Builds
-    bundles: python.Bundles | None
+    bundles: python.Bundles
     programs: pages.Programs
     renderer: pages.Renderer
     rendered: Sequence[pages.Rendered]
@@ -151,6 +151,9 @@ def make(
     # Nodes that were compiled elsewhere are fetched.
     site, given = compiled.resolve(site, cache=cache_folder(), report=report)
 
+    # Python nodes become archives; what is wrong there is told before anything takes minutes.
+    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
+
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
     own = cpp.compile_nodes(
@@ -163,33 +166,23 @@ def make(
     )
     builds = {**own, **given}
 
-    # Python nodes become one archive for all and one for each package.
-    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
-
     # Markdown pages become HTML with a page.json each.
     types = {
         page.path: types_of(site, page, builds, bundles, foreign)
         for page in site.pages
         if assets.takes_part(page)
     }
-    versions = assets.versions(builds.items())
-    archives = assets.archives(bundles.archives) if bundles else []
-    needed = bundles.needed if bundles else {}
-    sizes = {path: len(data) for path, data in bundles.archives.items()} if bundles else {}
-    sizes[""] = assets.python_size()
-    loaded = assets.preloads(site)
-    modules = bundles.own if bundles else {}
-    digest = digests(archives)
+    archives = assets.archives(bundles.archives)
     programs = pages.Programs(
-        loaded,
-        types,
-        foreign,
-        versions,
-        digest,
-        needed,
-        sizes,
-        modules,
-        assets.lines(builds.items()),
+        modules=assets.preloads(site),
+        types=types,
+        foreign=foreign,
+        versions=assets.versions(builds.items()),
+        archives=digests(archives),
+        needed=bundles.needed,
+        sizes={"": assets.python_size(), **bundles.sizes()},
+        own=bundles.own,
+        lines=assets.lines(builds.items()),
     )
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
@@ -244,7 +237,7 @@ def types_of(
     site: Site,
     page: Page,
     builds: cpp.Builds,
-    bundles: python.Bundles | None,
+    bundles: python.Bundles,
     foreign: ros2wasm.Types,
 ) -> dict[str, object]:
     """Return the message types that the nodes of `page` use, by name."""
@@ -252,7 +245,7 @@ def types_of(
     for name, node in page.nodes.items():
         if node.ros2wasm:
             types |= foreign[page.path][name]
-        elif bundles and site.setup_of(node):
+        elif site.setup_of(node):
             types |= bundles.types[node.package]
         elif forms := builds.get((node.package, node.executable)):
             types |= json.loads(forms[0].types.read_text())
@@ -330,14 +323,14 @@ def summarize(made: Made, report: Report) -> None:
             script = node.ros2wasm.script.relative_to(site.root).as_posix()
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
-        if made.bundles and site.setup_of(node):
-            needed = made.bundles.needed[node.package, node.executable]
-            total = sum(len(made.bundles.archives[path]) for path in needed)
+        if site.setup_of(node):
+            sizes = made.bundles.sizes()
+            total = sum(sizes[path] for path in made.bundles.needed[node.package, node.executable])
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue
         forms = made.builds[node.package, node.executable]
-        sizes = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)
-        report.say(f"  {node.package}/{node.executable}: {sizes}")
+        engines = ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in forms)
+        report.say(f"  {node.package}/{node.executable}: {engines}")
 
 
 def count(number: int, noun: str) -> str:

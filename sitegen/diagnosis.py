@@ -21,6 +21,10 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Packages that are headers only, which authors install, and how.
 INSTALLED = {"Eigen3": "pip install 'sitegen[eigen]', or apt-get install libeigen3-dev"}
+# Headers of packages that CMake finds and that have nothing in them (clients/cpp/share).
+HOLLOW = re.compile(r"fatal error: '(opencv2)/")
+HOLLOW_NAMES = {"opencv2": "OpenCV"}
+NO_BUILD = "has no build for the page"
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
@@ -44,10 +48,7 @@ class Diagnosis:
         missing = self.missing(output)
         if missing:
             how = INSTALLED.get(missing)
-            need = f"needs '{missing}', which " + (
-                f"is not installed here ({how})" if how else "has no build for the page"
-            )
-            return [f"{self._cmake}: '{self.package.name}' {need}"]
+            return [self._needs(missing, f"is not installed here ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
@@ -57,12 +58,17 @@ class Diagnosis:
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
                 what += f" without {names}, which the page does not have"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
+        if hollow := HOLLOW.search(output):
+            return [self._needs(HOLLOW_NAMES[hollow[1]], NO_BUILD)]
         source = FAILED_SOURCE.search(output)
         file = self._cmake
         if source:
             file = self._show(self.package.path / (source[1] or "") / source[2])
         what = "em++ failed" if source else f"em++ could not link '{executable}'"
         return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
+
+    def _needs(self, missing: str, why: str) -> str:
+        return f"{self._cmake}: '{self.package.name}' needs '{missing}', which {why}"
 
     @property
     def _cmake(self) -> str:

@@ -3,21 +3,42 @@
 from __future__ import annotations
 
 import json
-from collections import Counter
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
+import yaml
+
 from sitegen import workspace
-from sitegen.errors import Problems, SiteError
+from sitegen.config.nodes import Declared, check_package
+from sitegen.config.paths import segment
+from sitegen.errors import Place, Problems, SiteError, relative
 from sitegen.github import workflows
-from sitegen.model import Package
+from sitegen.launch import launched
+from sitegen.model import Node, Package
 from sitegen.report import Report
 
 FILE = "site.yaml"
-LAUNCH = ("launch/**/*.launch.py", "launch/**/*.launch.xml", "launch/**/*.launch.yaml")
+# Both ways in which ROS names them: robot.launch.py and robot_launch.py.
+LAUNCH = ("launch/**/*launch.py", "launch/**/*launch.xml", "launch/**/*launch.yaml")
+ENDING = re.compile(r"[._]?launch\.(py|xml|yaml)$")
 ROBOTS = ("urdf/**/*.urdf", "urdf/**/*.xacro")
 # Of each kind, no more are listed.
 LISTED = 12
+
+
+@dataclass(frozen=True)
+class Runs:
+    """What of a workspace can run on pages.
+
+    `packages` are those with executables, `launch` has a launch file for each path of a page;
+    `faults` says of the others what is in the way, a line each.
+    """
+
+    packages: Sequence[Package]
+    launch: Mapping[str, Path]
+    faults: Sequence[str]
 
 
 def init(folder: Path, report: Report, *, github: bool = False) -> None:
@@ -42,46 +63,85 @@ def _write_site(folder: Path, report: Report) -> None:
     file = folder / FILE
     if file.exists():
         raise SiteError([f"{file} exists already; remove it, or edit it"])
-    problems = Problems(folder.resolve())
-    packages = workspace.scan(folder.resolve(), problems=problems)
+    root = folder.resolve()
+    problems = Problems(root)
+    packages = workspace.scan(root, problems=problems)
     problems.raise_if_any()
-    shown = {name: package for name, package in packages.items() if package.executables}
-    if not shown:
-        raise SiteError([_nothing(folder, packages)])
-    lines = _lines(folder.resolve().name, shown, packages)
-    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    for name, package in shown.items():
-        report.say(f"  /{name}/  {', '.join(package.executables or ())}")
+    runs = _runs(root, packages)
+    if not runs.packages and not runs.launch:
+        raise SiteError([_nothing(root, packages), *runs.faults])
+    file.write_text("\n".join(_lines(root, runs, packages)) + "\n", encoding="utf-8")
+    for package in runs.packages:
+        report.say(f"  /{segment(package.name)}/  {', '.join(package.executables or ())}")
+    for path, launch in runs.launch.items():
+        report.say(f"  /{path}  {relative(launch, root)}")
     for name, package in packages.items():
         if package.executables is None:
             report.say(f"  {name}: only CMake can tell its executables; add those that you want")
+    for fault in runs.faults:
+        report.say(f"  left out: {fault}")
     report.say(f"wrote {file}")
+
+
+def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
+    shown: list[Package] = []
+    launch: dict[str, Path] = {}
+    faults: list[str] = []
+    for name, package in packages.items():
+        place = Place(package.path / "package.xml", 1)
+        nodes = [Node(each, name, each, place) for each in package.executables or ()]
+        fault = _fault(root, nodes, packages)
+        if nodes and not fault:
+            shown.append(package)
+        faults += [fault] if fault else []
+        for file in _files(package, LAUNCH):
+            problems = Problems(root)
+            path = package.path / file
+            started = launched(path, {}, {**workspace.given(), **packages}, problems)
+            fault = next(iter(problems.lines), "") or _fault(root, started, packages)
+            if not started and not fault:
+                fault = f"{relative(path, root)}: starts nothing that a page could run"
+            if fault:
+                faults.append(fault)
+            else:
+                launch[_page_path(package.name, file, launch)] = path
+    return Runs(shown, launch, faults)
+
+
+def _fault(root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]) -> str:
+    """Return the line that says why one of these nodes cannot be on a page, or nothing."""
+    problems = Problems(root)
+    there = workspace.with_given(packages, (node.package for node in nodes))
+    for node in nodes:
+        check_package(Declared(node, None), there, problems)
+    return next(iter(problems.lines), "")
+
+
+def _page_path(package: str, file: str, taken: Collection[str]) -> str:
+    """Return the path of the page of a launch file, which stands at `file` in its package."""
+    stem = ENDING.sub("", file.removeprefix("launch/")) or "launch"
+    path = "/".join(segment(part) for part in (package, *stem.split("/"))) + "/"
+    kind = Path(file).suffix.removeprefix(".")
+    return path if path not in taken else f"{path.removesuffix('/')}-{kind}/"
 
 
 def _nothing(folder: Path, packages: Mapping[str, Package]) -> str:
     if not packages:
-        return f"{folder.resolve()}: no ROS package here or below; name the folder of a workspace"
+        return f"{folder}: no ROS package here or below; name the folder of a workspace"
     names = ", ".join(packages)
-    return f"{folder.resolve()}: no package has an executable that could run on a page: {names}"
+    return f"{folder}: no package has an executable that could run on a page: {names}"
 
 
-def _lines(
-    title: str, packages: Mapping[str, Package], all_of_them: Mapping[str, Package]
-) -> Iterator[str]:
-    names = _node_names(packages)
+def _lines(root: Path, runs: Runs, all_of_them: Mapping[str, Package]) -> Iterator[str]:
+    title = root.name.replace("_", " ").replace("-", " ").capitalize()
+    paths = [*(f"{segment(package.name)}/" for package in runs.packages), *runs.launch]
     yield "# What is on the site. Every key is described in docs/site-yaml.md of sitegen;"
     yield "# `sitegen serve` shows the site while you edit, and says what is wrong with it."
     yield "site:"
-    yield f"  title: {_text(title.replace('_', ' ').replace('-', ' ').capitalize())}"
+    yield f"  title: {_text(title)}"
     yield "  # Where it will live, for previews of links that people share:"
     yield "  # url: https://me.github.io/my-robot/"
     yield "workspace: ."
-    yield ""
-    yield "# The programs that pages run. A node can also have a namespace, remaps and arguments:"
-    yield "#   {package: …, executable: …, namespace: /demo, remap: {chatter: /chatter}}"
-    yield "nodes:"
-    for (owner, executable), name in names.items():
-        yield f"  {name}: {{package: {owner}, executable: {executable}}}"
     yield ""
     yield "# The pages, in the order of the navigation; `markdown` is text or a file (.md)."
     yield "pages:"
@@ -91,37 +151,55 @@ def _lines(
     yield "      - markdown: |"
     yield "          Programs of a robot, running in your browser."
     yield ""
-    yield from (f"          - [{name}]({name}/)" for name in packages)
-    for package in packages.values():
-        yield from _page(package, [names[package.name, each] for each in package.executables or ()])
-    yield from _also(all_of_them.values())
+    yield from (f"          - [{path.removesuffix('/')}]({path})" for path in paths)
+    for package in runs.packages:
+        yield from _page(package, first=package is runs.packages[0])
+    for path, launch in runs.launch.items():
+        yield from _launch_page(path, relative(launch, root), first=path == next(iter(runs.launch)))
+    yield from _also(all_of_them.values(), runs.faults)
 
 
-def _page(package: Package, nodes: Sequence[str]) -> Iterator[str]:
+def _page(package: Package, *, first: bool) -> Iterator[str]:
+    nodes = _node_names(package)
     yield ""
-    yield f"  - path: {package.name}/"
-    yield f"    title: {_text(package.name)}"
+    yield f"  - path: {segment(package.name)}/"
+    yield f"    title: {_name(package.name)}"
+    if first:
+        yield "    # The programs that the page runs. One can also have more than these:"
+        yield "    #   {package: …, executable: …, namespace: /demo, remap: {chatter: /chatter}}"
+    yield "    nodes:"
+    for name, executable in nodes.items():
+        yield f"      {name}: {{package: {_name(package.name)}, executable: {_name(executable)}}}"
     yield "    content:"
     yield f"      - markdown: {_text(f'What {package.name} does, in a sentence.')}"
-    for node in nodes:
-        yield f"      # Without buttons, {node} would start with the page."
-        yield f"      - buttons: {node}"
-        yield f"      - console: {node}"
-    yield "      # Who says what to whom; also try services, publish, nodes, graph and log."
+    if first:
+        yield "      # Without buttons, a node would start with the page."
+    for name in nodes:
+        yield f"      - buttons: {name}"
+        yield f"      - console: {name}"
+    if first:
+        yield "      # Who says what to whom; also try services, publish, nodes, graph and log."
     yield "      - topics:"
 
 
-def _also(packages: Collection[Package]) -> Iterator[str]:
-    """Yield comments about what the workspace has beside executables."""
-    launch = {package.name: _files(package, LAUNCH) for package in packages}
+def _launch_page(path: str, file: str, *, first: bool) -> Iterator[str]:
+    yield ""
+    yield f"  - path: {path}"
+    yield f"    title: {_name(path.removesuffix('/').rpartition('/')[2])}"
+    if first:
+        yield "    # All that this file starts, with buttons and a console each. Its arguments:"
+        yield "    #   launch_arguments: {robot_name: fox}"
+    yield f"    launch: {_name(file)}"
+
+
+def _also(packages: Collection[Package], faults: Sequence[str]) -> Iterator[str]:
+    """Yield comments about what the workspace has beside what runs."""
     robots = {package.name: _files(package, ROBOTS) for package in packages}
     interfaces = {package.name: sorted(package.interfaces) for package in packages}
-    yield from _listed(
-        launch,
-        "# Launch files of the workspace. No page runs one yet: name the nodes that they start",
-        "# above, with the same namespaces, remaps and arguments.",
-    )
-    yield from _listed(robots, "# Robot descriptions, which no page shows yet:")
+    if faults:
+        yield from ("", "# What no page can run as it is, and why:")
+        yield from (f"#   {fault}" for fault in faults)
+    yield from _listed(robots, "# Robot descriptions, for nodes like robot_state_publisher:")
     yield from _listed(interfaces, "# Messages, services and actions, which all nodes may use:")
 
 
@@ -139,14 +217,22 @@ def _listed(files: Mapping[str, Sequence[str]], *heading: str) -> Iterator[str]:
             yield f"#   {name}: {', '.join(found[:LISTED])}{more}"
 
 
-def _node_names(packages: Mapping[str, Package]) -> dict[tuple[str, str], str]:
-    """Return a name for each executable: its own, with that of its package where two have it."""
-    all_of_them = [(p.name, e) for p in packages.values() for e in p.executables or ()]
-    often = Counter(executable for _, executable in all_of_them)
-    return {
-        (package, executable): executable if often[executable] == 1 else f"{package}_{executable}"
-        for package, executable in all_of_them
-    }
+def _node_names(package: Package) -> dict[str, str]:
+    """Return the executables of a package by names that a node can have."""
+    names: dict[str, str] = {}
+    for executable in package.executables or ():
+        name = re.sub(r"\W", "_", executable.removesuffix(".py"), flags=re.ASCII)
+        name = f"node_{name}" if not name or name[0].isdigit() else name
+        while name in names:
+            name += "_"
+        names[name] = executable
+    return names
+
+
+def _name(name: str) -> str:
+    """Write a name, in quotes only where YAML would read something else."""
+    plain = re.fullmatch(r"[A-Za-z][\w./-]*", name, re.ASCII) and yaml.safe_load(name) == name
+    return name if plain else _text(name)
 
 
 def _text(text: str) -> str:

@@ -6,7 +6,7 @@ import ast
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen import bytecode, imports, interfaces, messages, wheels, workspace
@@ -14,7 +14,7 @@ from sitegen.descriptions import described
 from sitegen.errors import Place
 from sitegen.messages import MessageType
 from sitegen.model import Node, Package, Site
-from sitegen.wheels import archived
+from sitegen.wheel import archived
 
 KINDS = ("msg", "srv", "action")
 # What is most likely to be typed at a prompt.
@@ -46,21 +46,25 @@ class Bundles:
     modules of the workspace among them; `types` has the message types of each package's nodes.
     """
 
-    archives: Mapping[str, bytes]
-    needed: Mapping[tuple[str, str], Sequence[str]]
-    own: Mapping[tuple[str, str], Sequence[str]]
-    types: Mapping[str, dict[str, MessageType]]
+    archives: Mapping[str, bytes] = field(default_factory=dict)
+    needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    types: Mapping[str, dict[str, MessageType]] = field(default_factory=dict)
+
+    def sizes(self) -> dict[str, int]:
+        """Return how large each archive is (bytes)."""
+        return {path: len(data) for path, data in self.archives.items()}
 
 
-def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles | None:
-    """Return the archives for those of `nodes` that are Python's; None if none is.
+def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles:
+    """Return the archives for those of `nodes` that are Python's.
 
     Raises a SiteError that says what is wrong with the definitions of the workspace, or which
     modules are missing.
     """
     programs = {(node.package, node.executable) for node in nodes if site.setup_of(node)}
     if not programs:
-        return None
+        return Bundles()
     names = sorted({package for package, _ in programs})
     needs = {name: workspace.with_dependencies(site.packages, name) for name in names}
     parts = {one.name: one for packages in needs.values() for one in packages}

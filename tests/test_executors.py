@@ -43,6 +43,46 @@ def test_executors_call_back_as_their_groups_allow(
     ]
 
 
+def test_waitables_of_ones_own_are_waited_for(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}executors/")
+    waitables = Panel(page, "waitables")
+    waitables.start()
+    waitables.expect_state("stopped")
+    assert waitables.lines() == [
+        "bell 1",
+        "old bell",
+        "removed",
+        "bell 2",
+        "timeout",
+        "matched 1",
+    ]
+
+
+def test_nodes_of_a_program_hand_over_messages(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}executors/")
+    handing = Panel(page, "handing")
+    handing.start()
+    handing.expect_state("stopped")
+    # Who owns what it gets has a copy where others look at the message, as upstream does it.
+    assert handing.lines() == [
+        "1 in this program",
+        "own 1 itself",
+        "own 2 a copy",
+        "shared 2 itself",
+        "reference 2 itself",
+        "0 in this program",
+        "own 3 a copy",
+        "shared 4 a copy",
+        "shared 5 itself",
+    ]
+
+
 def test_wait_sets_find_what_is_ready(context: BrowserContext, serve: Serve, built: Built) -> None:
     page = context.new_page()
     page.goto(f"{serve(built(SITE))}executors/")

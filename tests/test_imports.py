@@ -59,7 +59,7 @@ ALLOWED = {
     "sourcemap": set(),
     "git": {"errors"},
     "github": {"errors"},
-    "init": {"errors", "github", "model", "report", "workspace"},
+    "init": {"config", "errors", "github", "launch", "model", "report", "workspace"},
     "interfaces": {"definitions", "errors", "typesupport"},
     "imports": {"errors"},
     "launch": {"containers", "errors", "model", "parameterfiles"},
@@ -75,8 +75,9 @@ ALLOWED = {
     "report": set(),
     "python": {
         *("bytecode", "descriptions", "errors", "imports", "interfaces", "messages", "model"),
-        *("wheels", "workspace"),
+        *("wheel", "wheels", "workspace"),
     },
+    "requirements": {"digest", "errors", "wheel"},
     "ros2wasm": {"descriptions", "messages", "model"},
     "serve": {"build", "config", "errors", "model", "offline", "report"},
     "setupfiles": {"literals"},
@@ -85,7 +86,8 @@ ALLOWED = {
     "toolchain": set(),
     "typesupport": set(),
     "wiring": {"errors", "model"},
-    "wheels": {"digest", "errors", "fetch", "model"},
+    "wheel": set(),
+    "wheels": {"errors", "fetch", "model", "requirements", "wheel"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 

@@ -31,12 +31,12 @@ def test_a_workspace_becomes_a_site(workspace: Path, capsys: pytest.CaptureFixtu
     assert [page.path for page in site.pages] == ["", "cpp_chatter/", "cpp_pubsub/"]
     pubsub = site.pages[2]
     assert {name: node.executable for name, node in pubsub.nodes.items()} == {
-        "cpp_pubsub_talker": "talker",
-        "cpp_pubsub_listener": "listener",
+        "talker": "talker",
+        "listener": "listener",
     }
     assert site.notes == ()
     text = (workspace / "site.yaml").read_text()
-    assert "# The programs that pages run." in text
+    assert "# The programs that the page runs." in text
     assert "# url: https://me.github.io/my-robot/" in text
 
 
@@ -61,14 +61,27 @@ def test_a_folder_with_nothing_to_run_is_told(
     assert not (empty / "site.yaml").exists()
 
 
-def test_what_else_is_there_is_listed(workspace: Path) -> None:
+def test_launch_files_are_pages_as_far_as_they_run(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     package = "<package><name>bringup</name></package>"
+    python = (
+        "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='cpp_pubsub', executable='%s')])\n"
+    )
     files = {
         "src/bringup/package.xml": package,
-        "src/bringup/launch/all.launch.py": "",
-        "src/bringup/launch/sim/all.launch.xml": "",
+        "src/bringup/launch/all.launch.py": python % "talker",
+        "src/bringup/launch/all_launch.xml": '<launch><include file="all.launch.py"/></launch>',
+        "src/bringup/launch/Sim/other_launch.py": python % "swimmer",
+        "src/bringup/launch/look.launch.xml": '<launch><node pkg="rviz2" exec="rviz2"/></launch>',
         "src/bringup/launch/notes.txt": "",
-        "src/cpp_pubsub/launch/both.launch.yaml": "",
+        "src/cpp_pubsub/launch/on.launch.yaml": """\
+launch:
+  - node: {pkg: cpp_pubsub, exec: talker, name: left}
+  - node: {pkg: cpp_pubsub, exec: listener}
+""",
         "src/bringup/urdf/fox.urdf.xacro": "",
         "src/bringup/urdf/fox.urdf": "",
     }
@@ -77,12 +90,54 @@ def test_what_else_is_there_is_listed(workspace: Path) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
     assert main(["init", str(workspace)]) == 0
+    said = capsys.readouterr().out
+    faults = [
+        "src/bringup/launch/Sim/other_launch.py:4: node: package 'cpp_pubsub' has no executable "
+        "'swimmer'; known: listener, talker",
+        "src/bringup/launch/all_launch.xml:1: include: 'all.launch.py' is not below the folder of "
+        "site.yaml",
+        "src/bringup/launch/look.launch.xml: starts nothing that a page could run",
+    ]
+    assert "  /cpp_pubsub/on/  src/cpp_pubsub/launch/on.launch.yaml\n" in said
+    for fault in faults:
+        assert f"  left out: {fault}\n" in said
+    site = config.load(workspace / "site.yaml")
+    assert {page.path: list(page.nodes) for page in site.pages[3:]} == {
+        "bringup/all/": ["talker"],
+        "cpp_pubsub/on/": ["left", "listener"],
+    }
     text = (workspace / "site.yaml").read_text()
-    comments = text[text.index("# Launch files of the workspace.") :].split("\n\n")
-    assert [comment.splitlines()[-1] for comment in comments] == [
-        "#   cpp_pubsub: launch/both.launch.yaml",
+    assert text[text.index("# What no page can run") :].splitlines() == [
+        "# What no page can run as it is, and why:",
+        *(f"#   {fault}" for fault in faults),
+        "",
+        "# Robot descriptions, for nodes like robot_state_publisher:",
         "#   bringup: urdf/fox.urdf, urdf/fox.urdf.xacro",
+        "",
+        "# Messages, services and actions, which all nodes may use:",
         "#   calc_interfaces: srv/Divide.srv",
     ]
-    assert "#   bringup: launch/all.launch.py, launch/sim/all.launch.xml\n" in text
-    assert config.load(workspace / "site.yaml").notes == ()
+
+
+def test_names_suit_nodes_and_pages(workspace: Path) -> None:
+    shutil.copytree(ROOT / "tests/sites/python/src/mixed", workspace / "src/mixed")
+    file = workspace / "src/cpp_pubsub/package.xml"
+    file.write_text(file.read_text().replace("<name>cpp_pubsub", "<name>Robot"))
+    assert main(["init", str(workspace)]) == 0
+    pages = {page.path: page for page in config.load(workspace / "site.yaml").pages}
+    assert list(pages) == ["", "cpp_chatter/", "robot/", "mixed/"]
+    nodes = {name: node.executable for name, node in pages["mixed/"].nodes.items()}
+    assert nodes == {executable.removesuffix(".py"): executable for executable in nodes.values()}
+    assert nodes["greeter"] == "greeter.py"
+
+
+def test_packages_that_cannot_run_are_left_out(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workspace / "src/cpp_chatter/package.xml"
+    package.write_text(
+        package.read_text().replace("ament_cmake</build_type>", "cmake</build_type>")
+    )
+    assert main(["init", str(workspace)]) == 0
+    assert "left out: src/cpp_chatter" in capsys.readouterr().out
+    assert [page.path for page in config.load(workspace / "site.yaml").pages] == ["", "cpp_pubsub/"]

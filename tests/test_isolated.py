@@ -146,6 +146,8 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
         expected = native.call(f"tutorials.{program}:main", installed)
         assert printed(lines) == expected.stdout.splitlines(), (program, lines)
         assert state == "stopped"
+    state, lines = run(tab, "packing")
+    assert printed(lines) == ["msgpack._cmsgpack {'speeds': [0.5, -1], 'name': 'left'}"], lines
     # A callback of an executor with threads runs while another waits for it; threads do not.
     state, lines = run(tab, "executors")
     assert state == "failed"

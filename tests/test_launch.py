@@ -204,18 +204,75 @@ def test_the_same_of_yaml(root: Path, text: str, expected: str) -> None:
     assert line.startswith(f"x.launch.yaml:{expected}")
 
 
+FUNCTIONS = """
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction, OpaqueFunction
+from launch.actions import SetLaunchConfiguration
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch.utilities import perform_substitutions
+from launch_ros.actions import Node, PushRosNamespace
+
+
+def robots(context, kind, *, suffix):
+    if not IfCondition(LaunchConfiguration("wanted")).evaluate(context):
+        return None
+    context.launch_configurations["found"] = "yes"
+    number = int(LaunchConfiguration("number").perform(context))
+    name = perform_substitutions(context, [kind, "_", LaunchConfiguration("name")])
+    return [
+        Node(package="a", executable="drive", name=f"{name}_{each}{suffix}")
+        for each in range(number)
+    ] + [OpaqueFunction(function=inner)]
+
+
+def inner(context):
+    return [Node(package="a", executable="inner", name=context.launch_configurations["found"])]
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument("number", default_value="1"),
+        DeclareLaunchArgument("wanted", default_value="true"),
+        OpaqueFunction(function=lambda context: [
+            SetLaunchConfiguration("name", "n" + context.perform_substitution("$(var number)"))]),
+        GroupAction([
+            PushRosNamespace("left"),
+            OpaqueFunction(function=robots, args=["fox"], kwargs={"suffix": "x"}),
+        ]),
+        OpaqueFunction(function=robots, args=["never"], condition=IfCondition("false")),
+    ])
+"""
+
+
+def test_functions_get_the_arguments_where_they_are_called(root: Path) -> None:
+    (root / "x.launch.py").write_text(FUNCTIONS)
+    found, lines = nodes(root, "x.launch.py", number="2")
+    assert lines == []
+    assert [(node.namespace, node.name) for node in found] == [
+        ("/left", "fox_n2_0x"),
+        ("/left", "fox_n2_1x"),
+        ("/left", "yes"),
+    ]
+    found, lines = nodes(root, "x.launch.py", wanted="false")
+    assert (found, lines) == ([], [])
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("def generate(): pass", "1: launch: KeyError: 'generate_launch_description'"),
+        (
+            "def generate(): pass",
+            "1: launch: LookupError: there is no function generate_launch_description()",
+        ),
         ("import nowhere", "1: launch: ModuleNotFoundError: No module named 'nowhere'"),
         ("x = (\n", "1: launch: SyntaxError: '(' was never closed"),
         ("import os\nos._exit(0)", "1: launch: it ended before it described anything"),
         (
             "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
             "def generate_launch_description():\n"
-            "  return LaunchDescription([OpaqueFunction(function=print)])\n",
-            "4: OpaqueFunction: this does not work on a page; ",
+            "  return LaunchDescription([OpaqueFunction(function=lambda _: 1 / 0)])\n",
+            "4: launch: ZeroDivisionError: division by zero",
         ),
         (
             "from ament_index_python import get_package_share_directory as share\n"

@@ -24,7 +24,7 @@ SEED = "20240607"
 PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
     *("actions", "lifecycle", "graph", "executors", "event_loops", "loops"),
-    *("introspection", "goals", "loggers"),
+    *("introspection", "goals", "loggers", "overrides", "scheduling", "observers"),
 ]
 
 # Run a node to its end, and return its lines: a console would keep only the last.
@@ -112,6 +112,15 @@ def test_packages_of_pypi_come_along(page: Page) -> None:
     assert (state, printed(lines)) == ("stopped", ["SortedList([1, 2, 3]) None"])
 
 
+@pytest.mark.parametrize("name", ["packing", "packed"])
+@pytest.mark.firefox
+def test_compiled_packages_of_pypi_come_along(page: Page, name: str) -> None:
+    """By itself, and in an interpreter that several nodes share."""
+    state, lines = run(page, name)
+    assert printed(lines) == ["msgpack._cmsgpack {'speeds': [0.5, -1], 'name': 'left'}"], lines
+    assert state == "stopped"
+
+
 WATCH = """async (name) => {
   const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
   const hint = document.querySelector(`.ros-console:has([aria-label="${name}"]) .ros-hint`);
@@ -170,6 +179,30 @@ def test_stop_is_a_keyboard_interrupt(page: Page) -> None:
         assert node.lines()[-2:] == ["interrupted, ok: False", "finally"]
         node.button("Clear").click()
     expect_nothing_left(page)
+
+
+def test_who_reads_the_keyboard_waits_and_is_told(page: Page) -> None:
+    node = Panel(page, "keys")
+    node.start()
+    node.wait_for("Nobody types for a program in a page")
+    node.wait_for("while it waits")
+    node.stop()
+    node.wait_for("and the terminal is as it was")
+    node.expect_state("stopped")
+    printed = [line for line in node.lines() if line != "while it waits"]
+    assert printed == [
+        "i: forward, k: stop",
+        "Nobody types for a program in a page: what it reads from the keyboard never comes",
+        "no key yet: []",
+        "and the terminal is as it was",
+    ]
+
+
+def test_what_is_printed_before_a_computation_is_shown_before_its_end(page: Page) -> None:
+    node = Panel(page, "busy")
+    node.start()
+    node.wait_for("computing")
+    node.stop()
 
 
 def test_a_browser_without_jspi_is_told_which_have_it(

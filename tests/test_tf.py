@@ -34,6 +34,7 @@ LookupException: "nowhere" passed to lookupTransform argument source_frame does 
 ConnectivityException: Could not find a connection between 'world' and 'away' because they are not \
 part of the same tree.Tf has two or more unconnected trees.
 """.strip().split("\n")
+NOWHERE = next(line for line in FOUND if "nowhere" in line)
 OF_CPP = """
 moved 0.000 2.000
 can 1
@@ -73,6 +74,21 @@ chain 7000
 /temperature 1
 /temperature 2
 """.strip().split("\n")
+ALIGNED = """
+delta 20
+delta 21
+delta 20
+aligned a 1
+aligned a 2
+aligned b 3
+a is silent
+aligned b 4
+aligned b 9
+passed 2, dropped 1, waiting 0
+latest 2 1
+latest 3 1
+latest 4 2
+""".strip().split("\n")
 MATCHED_BY_PYTHON = """
 exact 1000 1000
 close 1000 1000
@@ -110,6 +126,26 @@ def test_messages_match_by_their_times(tab: Page, serve: Serve, built: Built) ->
     node = Panel(tab, "matching")
     node.start()
     assert lines(node)[-len(MATCHED) :] == MATCHED
+
+
+def test_filters_align_and_pass_on_what_changes(tab: Page, serve: Serve, built: Built) -> None:
+    tab.goto(f"{serve(built(SITE))}matching/")
+    node = Panel(tab, "aligning")
+    node.start()
+    said = [line for line in lines(node) if "arrived too late" not in line]
+    assert said == ALIGNED
+
+
+def test_a_client_asks_the_buffer_of_a_server(tab: Page, serve: Serve, built: Built) -> None:
+    tab.goto(f"{serve(built(SITE))}waiting/")
+    node = Panel(tab, "serving")
+    node.start()
+    assert lines(node) == [
+        "server 1",
+        'can 0: "map" passed to lookupTransform argument target_frame does not exist.',
+        "map <- base: 2.0",
+        NOWHERE,
+    ]
 
 
 @pytest.mark.firefox

@@ -5,9 +5,10 @@ A page has neither: what these describe is left out of it, by its name in launch
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
+
+from sitegen.launch.describe_actions import Described
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
 HANDLERS = (
@@ -28,37 +29,41 @@ LIFECYCLE = {
 }
 
 
-def members(described: Callable[..., Any]) -> dict[str, Any]:
-    """Return what stands for their names; `described` makes an action."""
+def handler(event_handler: Any = None, **_: Any) -> Any:
+    """Stand for RegisterEventHandler."""
+    started_with = getattr(event_handler, "kind", "") == "group"
+    return event_handler if started_with else Described("event_handler")
 
-    def handler(event_handler: Any = None, **_: Any) -> Any:
-        started_with = getattr(event_handler, "kind", "") == "group"
-        return event_handler if started_with else described("event_handler")
 
-    def started(*_: Any, on_start: Any = (), **__: Any) -> Any:
-        # All that a page has starts together with it.
-        actions = on_start if isinstance(on_start, (list, tuple)) else [on_start]
-        return described("group", [each for each in actions if not callable(each)], scoped=False)
+def started(*_: Any, on_start: Any = (), **__: Any) -> Described:
+    """Stand for OnProcessStart: all that a page has starts together with it."""
+    actions = on_start if isinstance(on_start, (list, tuple)) else [on_start]
+    return Described("group", [each for each in actions if not callable(each)], scoped=False)
 
-    def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Any:
-        return described("timer", actions, period=period, condition=condition)
 
-    def process(*_: Any, condition: Any = None, **__: Any) -> Any:
-        return described("executable", condition=condition)
+def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Described:
+    """Stand for TimerAction."""
+    return Described("timer", actions, period=period, condition=condition)
 
-    def nothing(*_: Any, **__: Any) -> None:
-        return None
 
-    return {
-        **dict.fromkeys(PROCESSES, process),
-        **dict.fromkeys((*HANDLERS, *EVENTS), nothing),
-        "RegisterEventHandler": handler,
-        "UnregisterEventHandler": lambda *_, **__: described("event_handler"),
-        "OnProcessStart": started,
-        "EmitEvent": lambda *_, **__: described("event"),
-        "Shutdown": lambda *_, **__: described("shutdown"),
-        "TimerAction": timer,
-        "RosTimer": timer,
-        "LocalSubstitution": lambda *_, **__: "",  # tells of an event
-        "OpaqueFunction": lambda *_, **__: described("OpaqueFunction"),
-    }
+def process(*_: Any, condition: Any = None, **__: Any) -> Described:
+    """Stand for a process that is no node."""
+    return Described("executable", condition=condition)
+
+
+def nothing(*_: Any, **__: Any) -> None:
+    """Stand for what only events would use."""
+
+
+MEMBERS: dict[str, Any] = {
+    **dict.fromkeys(PROCESSES, process),
+    **dict.fromkeys((*HANDLERS, *EVENTS), nothing),
+    "RegisterEventHandler": handler,
+    "UnregisterEventHandler": lambda *_, **__: Described("event_handler"),
+    "OnProcessStart": started,
+    "EmitEvent": lambda *_, **__: Described("event"),
+    "Shutdown": lambda *_, **__: Described("shutdown"),
+    "TimerAction": timer,
+    "RosTimer": timer,
+    "LocalSubstitution": lambda *_, **__: "",  # tells of an event
+}

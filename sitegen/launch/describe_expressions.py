@@ -2,53 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 from urllib.parse import quote
 
+from sitegen.launch.describe_actions import Condition, Text
 
-def members(
-    substitution: Callable[[str], Any], condition: Callable[[str, Any], Any]
-) -> dict[str, Any]:
-    """Return what stands for their names, made of `substitution` and `condition`."""
 
-    def expression(*parts: Any) -> Any:
-        return substitution(f"$(expression {' '.join(_words(parts))})")
+def expression(*parts: Any) -> Text:
+    """Return what an expression of Python stands for, given in parts."""
+    return Text(f"$(expression {' '.join(_words(parts))})")
 
-    def is_true(value: Any) -> tuple[Any, ...]:
-        return ("('''", value, "'''.strip().lower() in ('true', '1'))")
 
-    def equal(left: Any, right: Any = None, operator: str = "==") -> Any:
-        return expression("'''", left, f"''' {operator} '''", "" if right is None else right, "'''")
+def equal(left: Any, right: Any = None, operator: str = "==") -> Text:
+    """Stand for EqualsSubstitution."""
+    return expression("'''", left, f"''' {operator} '''", "" if right is None else right, "'''")
 
-    def either(value: Any, if_value: Any = "", else_value: Any = "") -> Any:
-        parts = ("'''", if_value, "''' if ", is_true(value), " else '''", else_value, "'''")
-        return expression(*parts)
 
-    def configuration(name: Any) -> Any:
-        return substitution(f"$(var {name})")
+def either(value: Any, if_value: Any = "", else_value: Any = "") -> Text:
+    """Stand for IfElseSubstitution."""
+    parts = ("'''", if_value, "''' if ", _is_true(value), " else '''", else_value, "'''")
+    return expression(*parts)
 
-    return {
-        "PythonExpression": lambda parts, *_: expression(parts),
-        "EqualsSubstitution": equal,
-        "NotEqualsSubstitution": lambda left, right: equal(left, right, "!="),
-        "AndSubstitution": lambda left, right: expression(is_true(left), " and ", is_true(right)),
-        "OrSubstitution": lambda left, right: expression(is_true(left), " or ", is_true(right)),
-        "AnySubstitution": lambda *all_: expression(
-            "any([", *((*is_true(a), ",") for a in all_), "])"
-        ),
-        "AllSubstitution": lambda *all_: expression(
-            "all([", *((*is_true(a), ",") for a in all_), "])"
-        ),
-        "NotSubstitution": lambda value: expression("not ", is_true(value)),
-        "IfElseSubstitution": either,
-        "LaunchConfigurationEquals": lambda name, value: condition(
-            "if", equal(configuration(name), value)
-        ),
-        "LaunchConfigurationNotEquals": lambda name, value: condition(
-            "unless", equal(configuration(name), value)
-        ),
-    }
+
+def _is_true(value: Any) -> tuple[Any, ...]:
+    return ("('''", value, "'''.strip().lower() in ('true', '1'))")
+
+
+def _configuration(name: Any) -> Text:
+    return Text(f"$(var {name})")
 
 
 def _words(parts: Any) -> list[str]:
@@ -59,3 +40,26 @@ def _words(parts: Any) -> list[str]:
     if other is not None and "$(" in other:
         return [f"+{other}"]
     return [f"={quote(str(parts) if other is None else other, safe='')}"]
+
+
+MEMBERS: dict[str, Any] = {
+    "PythonExpression": lambda parts, *_: expression(parts),
+    "EqualsSubstitution": equal,
+    "NotEqualsSubstitution": lambda left, right: equal(left, right, "!="),
+    "AndSubstitution": lambda left, right: expression(_is_true(left), " and ", _is_true(right)),
+    "OrSubstitution": lambda left, right: expression(_is_true(left), " or ", _is_true(right)),
+    "AnySubstitution": lambda *all_: expression(
+        "any([", *((*_is_true(a), ",") for a in all_), "])"
+    ),
+    "AllSubstitution": lambda *all_: expression(
+        "all([", *((*_is_true(a), ",") for a in all_), "])"
+    ),
+    "NotSubstitution": lambda value: expression("not ", _is_true(value)),
+    "IfElseSubstitution": either,
+    "LaunchConfigurationEquals": lambda name, value: Condition(
+        "if", equal(_configuration(name), value)
+    ),
+    "LaunchConfigurationNotEquals": lambda name, value: Condition(
+        "unless", equal(_configuration(name), value)
+    ),
+}

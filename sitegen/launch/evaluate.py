@@ -41,6 +41,8 @@ class Scope:
     remaps: dict[str, str] = field(default_factory=dict)
     parameters: dict[str, str] = field(default_factory=dict)
     depth: int = 0
+    # The functions of the file that what follows is described by.
+    calls: tuple[python.Call, ...] = ()
 
     def inner(self) -> Scope:
         """Return a scope whose changes do not matter outside."""
@@ -73,6 +75,7 @@ class _Launch:
         self, packages: Mapping[str, Package], problems: Problems, notes: Problems
     ) -> None:
         self._packages = packages
+        self._folders = {name: each.path for name, each in packages.items()}
         self._problems = problems
         self._notes = notes
         self.nodes: list[Node] = []
@@ -92,6 +95,7 @@ class _Launch:
             "set_remap": self._set_remap,
             "set_use_sim_time": self._set_use_sim_time,
             "timer": self._timer,
+            "function": self._function,
         }
 
     def file(self, scope: Scope, place: Place) -> None:
@@ -118,7 +122,7 @@ class _Launch:
                 self._note(place, "include", f"'{scope.file.name}': {error.strerror}")
 
     def _read_python(self, file: Path) -> list[Action]:
-        return python.read(file, {name: each.path for name, each in self._packages.items()})
+        return python.read(file, self._folders)
 
     def _all(self, actions: list[Action], scope: Scope) -> None:
         for action in actions:
@@ -172,6 +176,7 @@ class _Launch:
         inner = scope.inner()
         inner.file = Path(self._needed(action, "file", scope))
         inner.depth += 1
+        inner.calls = ()
         for given in action.of_kind("arg", "let"):
             name = self._needed(given, "name", scope)
             inner.variables[name] = self._needed(given, "value", scope)
@@ -195,6 +200,16 @@ class _Launch:
         message = f"nodes of a page start together: these do not wait for {period} s"
         self._notes.add(action.place, action.kind, message)
         self._all(action.inside, scope.inner())
+
+    def _function(self, action: Action, scope: Scope) -> None:
+        outer = scope.calls
+        scope.calls = (*outer, (int(action.attributes["number"]), dict(scope.variables)))
+        try:
+            self._all(python.read(scope.file, self._folders, scope.calls), scope)
+        except UnreadableError as error:
+            self._note(error.place, "launch", str(error))
+        finally:
+            scope.calls = outer
 
     def _node(self, action: Action, scope: Scope) -> None:
         package = self._needed(action, "pkg", scope)
@@ -338,16 +353,7 @@ class _Launch:
 
     def _output(self, line: str) -> str:
         """Return what a command prints that launch files read descriptions of robots by."""
-        name, *words = shlex.split(line) or [""]
-        if name not in ("cat", "xacro") or not words:
-            raise SubstitutionError(f"$(command …) runs 'xacro' and 'cat' here, not '{line}'")
-        paths = [word for word in words if ":=" not in word and not word.startswith("-")]
-        for path in paths:
-            if not Path(path).is_file():
-                raise SubstitutionError(f"no file '{path}'")
-        if name == "xacro":
-            return xacro.expanded(words, {name: each.path for name, each in self._packages.items()})
-        return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
+        return xacro.printed(line, self._folders)
 
     def _share(self, package: str) -> Path:
         found = self._packages.get(package)

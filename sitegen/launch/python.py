@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -17,13 +17,18 @@ DESCRIBE = Path(__file__).with_name("describe.py")
 LIMIT = 20
 
 
-def read(file: Path, folders: Mapping[str, Path]) -> list[Action]:
-    """Return the actions of a launch file; raises an UnreadableError.
+# A function of a launch file, by its number, and the arguments that hold where it is called.
+Call = tuple[int, Mapping[str, str]]
 
-    `folders` are those of the packages of the workspace.
+
+def read(file: Path, folders: Mapping[str, Path], calls: Sequence[Call] = ()) -> list[Action]:
+    """Return the actions of a launch file, or those of the last of `calls`, each made by the last.
+
+    Raises an UnreadableError. `folders` are those of the packages of the workspace.
     """
     command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
-    given = json.dumps({name: str(path) for name, path in folders.items()})
+    paths = {name: str(path) for name, path in folders.items()}
+    given = json.dumps({"folders": paths, "calls": calls})
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:

@@ -1,8 +1,9 @@
-"""Turn a robot description in xacro into a URDF."""
+"""Read descriptions of robots by the commands that launch files have for it."""
 
 from __future__ import annotations
 
 import json
+import shlex
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -13,11 +14,25 @@ from sitegen.launch.substitutions import SubstitutionError
 PROGRAM = Path(__file__).with_name("describe_robot.py")
 
 
-def expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
-    """Return what `xacro` prints for these words; raises a SubstitutionError.
+def printed(line: str, folders: Mapping[str, Path]) -> str:
+    """Return what a command prints, `cat` or `xacro`; raises a SubstitutionError.
 
     `folders` are those of the packages of the workspace.
     """
+    name, *words = shlex.split(line) or [""]
+    if name not in ("cat", "xacro") or not words:
+        raise SubstitutionError(f"$(command …) runs 'xacro' and 'cat' here, not '{line}'")
+    paths = [word for word in words if ":=" not in word and not word.startswith("-")]
+    for path in paths:
+        if not Path(path).is_file():
+            raise SubstitutionError(f"no file '{path}'")
+    if name == "xacro":
+        return _expanded(words, folders)
+    return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
+
+
+def _expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
+    """Return the URDF that `xacro` makes."""
     given = json.dumps({name: str(path) for name, path in folders.items()})
     command = [sys.executable, "-I", "-B", str(PROGRAM), *words]
     done = subprocess.run(command, input=given, text=True, capture_output=True)

@@ -6,14 +6,18 @@ import { now } from "../protocol.js";
 /** @import { FromWorker, Line, Severity } from "../protocol.js" */
 
 const BATCH = 256;
-// A program that prints and never waits shows its lines this often (ms).
+// A program that prints and never waits shows so many of its lines at once in so many milliseconds, and those
+// that come faster together. So it has shown what it printed when it begins to compute without a pause.
+const AT_ONCE = 20;
 const PAUSE = 50;
 
 export class Printer {
   #post;
   /** @type {Line[]} */
   #lines = [];
-  #lastPost = 0;
+  /** When the present milliseconds began, and how often it posted since. */
+  #since = 0;
+  #posts = 0;
 
   /** @param {(message: FromWorker) => void} post to the page */
   constructor(post) {
@@ -23,7 +27,11 @@ export class Printer {
   /** @param {Severity} severity @param {string} text */
   print(severity, text) {
     this.#lines.push({ severity, text });
-    if (this.#lines.length >= BATCH || now() - this.#lastPost > PAUSE) this.flush();
+    if (now() - this.#since > PAUSE) {
+      this.#since = now();
+      this.#posts = 0;
+    }
+    if (this.#lines.length >= BATCH || this.#posts < AT_ONCE) this.flush();
   }
 
   /** A line of the log, as ROS writes it. @param {Severity} severity @param {string} logger @param {string} text */
@@ -37,6 +45,6 @@ export class Printer {
     if (this.#lines.length === 0) return;
     this.#post({ op: "lines", lines: this.#lines });
     this.#lines = [];
-    this.#lastPost = now();
+    this.#posts += 1;
   }
 }

@@ -17,6 +17,14 @@ void CallbackGroup::add(detail::ExecutableKind kind, std::weak_ptr<detail::Execu
   members_[static_cast<std::size_t>(kind)].push_back(std::move(executable));
 }
 
+void CallbackGroup::remove(
+  detail::ExecutableKind kind, const std::shared_ptr<detail::Executable> & executable)
+{
+  auto & members = members_[static_cast<std::size_t>(kind)];
+  const auto is_it = [&executable](const auto & member) {return member.lock() == executable;};
+  members.erase(std::remove_if(members.begin(), members.end(), is_it), members.end());
+}
+
 std::vector<std::shared_ptr<detail::Executable>> CallbackGroup::living(detail::ExecutableKind kind)
 {
   auto & members = members_[static_cast<std::size_t>(kind)];

@@ -187,9 +187,20 @@ PublisherBase::PublisherBase(
   events_(
     std::make_shared<detail::Events>(
       endpoint_.id(), options.event_callbacks, options.use_default_callbacks,
-      detail::logger_name(node.get_fully_qualified_name()), endpoint_.name()))
+      detail::logger_name(node.get_fully_qualified_name()), endpoint_.name())),
+  intra_process_(options.use_intra_process_comm),
+  lends_(intra_process_ == IntraProcessSetting::Enable)
 {
   refuse_network_flow(options.require_unique_network_flow_endpoints, "publisher");
+}
+
+PublisherBase::~PublisherBase() {detail::forget_lent(ros_name(endpoint_.id()));}
+
+void PublisherBase::lend(std::shared_ptr<detail::Lent> message)
+{
+  const std::size_t readers = detail::borrowers(endpoint_.name());
+  const std::size_t depth = std::max<std::size_t>(endpoint_.qos().depth(), 1);
+  detail::lend(ros_name(endpoint_.id()), sent_, std::move(message), readers, depth);
 }
 
 bool PublisherBase::assert_liveliness() const
@@ -213,7 +224,10 @@ void PublisherBase::publish_bytes(const SerializedMessage & bytes)
 void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
 {
   detail::sent();
-  if (ros_publish(endpoint_.id(), data, size)) {return;}
+  if (ros_publish(endpoint_.id(), data, size)) {
+    ++sent_;
+    return;
+  }
   // While it waits another thread may publish, too, and the buffer is one for all.
   const std::vector<std::uint8_t> kept(data, data + size);
   const double end = detail::now() + kMaxBlocking;
@@ -226,6 +240,7 @@ void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
     }
     detail::wait(left);
   } while (!ros_publish(endpoint_.id(), kept.data(), size));
+  ++sent_;
 }
 
 bool PublisherBase::wait_until_sent(double milliseconds) const
@@ -246,12 +261,22 @@ SubscriptionBase::SubscriptionBase(
   events_(
     std::make_shared<detail::Events>(
       id(), options.event_callbacks, options.use_default_callbacks,
-      detail::logger_name(node.get_fully_qualified_name()), name()))
+      detail::logger_name(node.get_fully_qualified_name()), name())),
+  intra_process_(options.use_intra_process_comm)
 {
   refuse_network_flow(options.require_unique_network_flow_endpoints, "subscription");
+  borrow(intra_process_ == IntraProcessSetting::Enable);
   if (!options.content_filter_options.filter_expression.empty()) {
     filter(options.content_filter_options, "could not create subscription");
   }
+}
+
+SubscriptionBase::~SubscriptionBase() {borrow(false);}
+
+void SubscriptionBase::borrow(bool borrows)
+{
+  if (borrows != borrows_) {detail::borrow(name(), borrows);}
+  borrows_ = borrows;
 }
 
 void SubscriptionBase::set_content_filter(

@@ -130,19 +130,24 @@ Events::Events(
   on(ROS_EVENT_MATCHED, callbacks.matched_callback, matched);
 }
 
-bool Events::execute_one()
+bool Events::look()
 {
   const std::uint32_t events = ros_events();
-  if (events == seen_) {return false;}
+  if (events == seen_) {return !noted_.empty();}
   seen_ = events;
-  bool any = false;
   for (const auto & [kind, call] : calls_) {
     ros_event event;
-    if (!ros_take_event(endpoint_, kind, &event)) {continue;}
-    any = true;
-    call(event);
+    if (ros_take_event(endpoint_, kind, &event)) {
+      noted_.push_back([call = call, event] {call(event);});
+    }
   }
-  return any;
+  return !noted_.empty();
+}
+
+void Events::execute(const std::shared_ptr<void> &)
+{
+  // Some may be noted while others are called back for.
+  for (const auto & call : std::exchange(noted_, {})) {call();}
 }
 
 }  // namespace detail

@@ -62,18 +62,21 @@ std::shared_ptr<T> next(
 
 WaitSet::WaitSet(
   const Subscriptions & subscriptions, const GuardConditions & guard_conditions,
-  const Timers & timers, const Clients & clients, const Services & services, const Waitables &,
+  const Timers & timers, const Clients & clients, const Services & services,
+  const Waitables & waitables,
   Context::SharedPtr context)
 : context_(std::move(context)), guard_conditions_(guard_conditions), timers_(timers),
   clients_(clients), services_(services)
 {
   for (const auto & entry : subscriptions) {add_subscription(entry.subscription, entry.mask);}
+  for (const auto & entry : waitables) {add_waitable(entry.waitable, entry.associated_entity);}
 }
 
 void WaitSet::add_subscription(
   SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
-  if (mask.include_subscription) {add(subscriptions_, std::move(subscription), "subscription");}
+  if (mask.include_subscription) {add(subscriptions_, subscription, "subscription");}
+  if (mask.include_events) {add_waitable(subscription->events(), subscription);}
 }
 void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard_condition)
 {
@@ -89,6 +92,7 @@ void WaitSet::remove_subscription(
   SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
   if (mask.include_subscription) {remove(subscriptions_, subscription, "subscription");}
+  if (mask.include_events) {remove_waitable(subscription->events());}
 }
 void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard_condition)
 {
@@ -99,6 +103,20 @@ void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, clie
 void WaitSet::remove_service(ServiceBase::SharedPtr service)
 {
   remove(services_, service, "service");
+}
+
+void WaitSet::add_waitable(
+  Waitable::SharedPtr waitable, std::shared_ptr<void> associated_entity)
+{
+  add(waitables_, std::move(waitable), "waitable");
+  associated_.push_back(std::move(associated_entity));
+}
+void WaitSet::remove_waitable(Waitable::SharedPtr waitable)
+{
+  const auto found = std::find(waitables_.begin(), waitables_.end(), waitable);
+  const auto index = found - waitables_.begin();
+  remove(waitables_, waitable, "waitable");
+  associated_.erase(associated_.begin() + index);
 }
 
 bool WaitSet::look()
@@ -112,7 +130,8 @@ bool WaitSet::look()
     note(timers_, ready_.timers, [](const TimerBase & timer) {return timer.is_ready();}),
     note(
       guard_conditions_, ready_.guard_conditions,
-      [](GuardCondition & condition) {return condition.take();})};
+      [](GuardCondition & condition) {return condition.take();}),
+    note(waitables_, ready_waitables_, [](Waitable & waitable) {return waitable.look();})};
   ready_.size_of_subscriptions = ready_.subscriptions.size();
   ready_.size_of_guard_conditions = ready_.guard_conditions.size();
   ready_.size_of_timers = ready_.timers.size();
@@ -124,7 +143,7 @@ bool WaitSet::look()
 WaitResultKind WaitSet::wait_for(double milliseconds)
 {
   const bool empty = subscriptions_.empty() && clients_.empty() && services_.empty() &&
-    timers_.empty() && guard_conditions_.empty();
+    timers_.empty() && guard_conditions_.empty() && waitables_.empty();
   if (empty) {return WaitResultKind::Empty;}
   const double end = detail::now() + milliseconds;
   detail::breathe();
@@ -151,5 +170,6 @@ SubscriptionBase::SharedPtr WaitSet::next_ready_subscription()
 }
 ServiceBase::SharedPtr WaitSet::next_ready_service() {return next(services_, ready_.services);}
 ClientBase::SharedPtr WaitSet::next_ready_client() {return next(clients_, ready_.clients);}
+Waitable::SharedPtr WaitSet::next_ready_waitable() {return next(waitables_, ready_waitables_);}
 
 }  // namespace rclcpp

@@ -5,7 +5,7 @@ from __future__ import annotations
 import select
 import time
 
-from rclpy_backend import collecting, pool, turns
+from rclpy_backend import beside, collecting, pool, turns
 
 # A program that never waits lets the event loop turn this often (s): often enough for a Stop
 # button, seldom enough to cost nothing.
@@ -23,9 +23,13 @@ def wait(seconds: float | None) -> None:
     """
     global _last_turn
     program, me = turns.running(), turns.current_thread()
-    if not program.stacks and seconds != 0 and pool.has_room():
-        pool.spin(seconds)
-        return
+    if not program.stacks and seconds != 0:
+        if pool.has_room():
+            pool.spin(seconds)
+            return
+        if beside.run_one():
+            return
+        seconds = beside.until_next(seconds)
     _waiting[program] = _waiting.get(program, 0) + 1
     try:
         program.host.wait(-1 if seconds is None else seconds * 1000)

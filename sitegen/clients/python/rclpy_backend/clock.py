@@ -70,7 +70,7 @@ class Clock(Destroyable):
         if enabled != self.simulated:
             begins = ClockChange.ROS_TIME_ACTIVATED
             change = begins if enabled else ClockChange.ROS_TIME_DEACTIVATED
-            self._jump(change, lambda: setattr(self, "simulated", enabled))
+            self._jump(change, 0, lambda: setattr(self, "simulated", enabled))
 
     def set_ros_time_override(self, time_point: rcl_time_point_t) -> None:
         """Take the time of a simulation."""
@@ -79,7 +79,8 @@ class Clock(Destroyable):
             self._time = time_point.nanoseconds
 
         if self.simulated:
-            self._jump(ClockChange.ROS_TIME_NO_CHANGE, take)
+            delta = time_point.nanoseconds - self._time
+            self._jump(ClockChange.ROS_TIME_NO_CHANGE, delta, take)
         else:
             take()
 
@@ -93,27 +94,25 @@ class Clock(Destroyable):
         """Tell it no more."""
         self._handles = [entry for entry in self._handles if entry[0] is not pyjump_handle]
 
-    def _jump(self, change: ClockChange, make: Callable[[], None]) -> None:
-        before = self.now()
+    def _jump(self, change: ClockChange, delta: int, make: Callable[[], None]) -> None:
         # What its handles call, rclpy keeps to itself.
         handles: list[tuple[Any, bool, int, int]] = list(self._handles)
-        told = [entry for entry in handles if self._concerns(entry, change)]
-        for handle, *_ in told:
+        changes = change != ClockChange.ROS_TIME_NO_CHANGE
+        told = [
+            handle
+            for handle, on_change, forward, backward in handles
+            if (on_change and changes)
+            or (forward and delta >= forward)
+            or (backward and delta <= backward)
+        ]
+        for handle in told:
             if handle._pre_callback:
                 handle._pre_callback()
         make()
-        delta = self.now() - before
-        for handle, on_change, forward, backward in told:
-            changed = on_change and change != ClockChange.ROS_TIME_NO_CHANGE
-            far = (forward and delta >= forward) or (backward and delta <= backward)
-            if handle._post_callback and (changed or far):
+        for handle in told:
+            if handle._post_callback:
                 handle._post_callback({"clock_change": change, "delta": delta})
         blocking.wake()
-
-    def _concerns(self, entry: tuple[Any, bool, int, int], change: ClockChange) -> bool:
-        _, on_change, forward, backward = entry
-        changes = change != ClockChange.ROS_TIME_NO_CHANGE
-        return bool((on_change and changes) or forward or backward)
 
 
 class ClockEvent:

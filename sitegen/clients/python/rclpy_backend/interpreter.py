@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import collecting, interrupts, loops, threads, turns
+from rclpy_backend import collecting, interrupts, keyboard, loops, threads, turns
 
 _begun = False
 
@@ -23,6 +23,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
         threads.install(stacks=host.stacks)
         loops.install()
         interrupts.install()
+        keyboard.install()
         # From here on they belong to programs.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if name not in turns.COMMON:
@@ -30,6 +31,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
     importlib.invalidate_caches()
     program = turns.Program(host, own)
     turns.enter(program, program.ident)
+    sys.stdin = keyboard.opened()
     loops.none_runs()
     try:
         code: int = importlib.import_module("rclpy_backend.program").run(module, attribute, words)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import signal
+import threading
 import warnings
 from asyncio import base_events, events, runners
 from collections.abc import Callable
 from contextvars import Context
 from typing import TypeVarTuple
 
-from rclpy_backend import blocking
+from rclpy_backend import blocking, turns
 
 Words = TypeVarTuple("Words")
 
@@ -84,6 +85,25 @@ class Policy(events._BaseDefaultEventLoopPolicy):  # type: ignore[name-defined, 
     """Gives each thread such loops."""
 
     _loop_factory = Loop
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._loops: dict[int, asyncio.AbstractEventLoop | None] = {}
+
+    def get_event_loop(self) -> asyncio.AbstractEventLoop:
+        """Return the thread's loop. A main thread gets one, as it did before Python 3.14."""
+        thread = turns.current_thread()
+        if thread == turns.running().ident and thread not in self._loops:
+            self._loops[thread] = Loop()
+        loop = self._loops.get(thread)
+        if loop is None:
+            name = threading.current_thread().name
+            raise RuntimeError(f"There is no current event loop in thread {name!r}.")
+        return loop
+
+    def set_event_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
+        """Give the thread that loop."""
+        self._loops[turns.current_thread()] = loop
 
 
 def none_runs() -> None:

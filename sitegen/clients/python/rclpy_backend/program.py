@@ -13,6 +13,8 @@ from rclpy_backend.tracebacks import traceback_of
 
 # Where the page unpacks what runs in it.
 PREFIX = "/ros"
+# What Stop makes of a program that does not expect it.
+ENDS = {"KeyboardInterrupt", "ExternalShutdownException", "RCLError"}
 
 
 def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
@@ -23,6 +25,8 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     """
     sys.argv[:] = list(arguments)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
+    # Where libraries are that compiled modules share.
+    os.environ["LD_LIBRARY_PATH"] = f"/usr/lib:{PREFIX}/lib"
     turns.running().signals = signals
     code = 0
     try:
@@ -33,8 +37,8 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     except BaseException as error:
         sys.stdout.flush()
         print(traceback_of(error), end="", file=sys.stderr)
-        # A program that Stop ended has not failed, whatever it prints.
-        stopped = isinstance(error, KeyboardInterrupt) and signals.received
+        # A program that Stop ended has not failed, whatever it prints: many shut down once more.
+        stopped = signals.received and type(error).__name__ in ENDS
         code = 0 if stopped else 1
     for stream in (sys.stdout, sys.stderr):
         stream.flush()

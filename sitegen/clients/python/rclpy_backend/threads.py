@@ -18,8 +18,8 @@ from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import collecting, loops, pool, turns
-from rclpy_backend.blocking import sleep, wait, wake
+from rclpy_backend import beside, collecting, loops, pool, turns
+from rclpy_backend.blocking import breathe, sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
 # are stacks here and take turns, and one that waits for another must not be the only one.
@@ -36,6 +36,8 @@ _warned: set[turns.Program] = set()
 class Lock:
     """Stands in for the lock of a real thread."""
 
+    __slots__ = ("__weakref__", "_locked", "_wanted")
+
     def __init__(self) -> None:
         self._locked = False
         self._wanted = 0
@@ -47,7 +49,7 @@ class Lock:
             left = None if end is None else end - time.monotonic()
             if not blocking or (left is not None and left <= 0):
                 return False
-            if left is None and not pool.has_room():
+            if left is None and not pool.has_room() and not beside.any_idle():
                 _warn()
             self._wanted += 1
             try:
@@ -69,11 +71,17 @@ class Lock:
         """Return whether somebody has it."""
         return self._locked
 
+    # An executor passes through two dozen of these for each message, so no call more than needed.
     def __enter__(self) -> bool:
-        return self.acquire()
+        if self._locked:
+            return self.acquire()
+        self._locked = True
+        return True
 
     def __exit__(self, *_: object) -> None:
-        self.release()
+        if self._wanted or not self._locked:
+            self.release()
+        self._locked = False
 
     def _at_fork_reinit(self) -> None:
         self._locked = False
@@ -88,6 +96,7 @@ class Handle:
 
     def is_done(self) -> bool:
         """Return whether it has ended."""
+        breathe()  # a loop may ask for this and nothing else
         return self._done
 
     def _set_done(self) -> None:
@@ -118,9 +127,16 @@ def _start(
 ) -> Handle:
     handle = handle or Handle()
     program = turns.running()
-    if not program.stacks:
+    if not program.stacks and not beside.takes(function, handle):
         raise RuntimeError(f"can't start new thread: {NO_STACKS}")
     handle.ident = turns.new_thread()
+    if not program.stacks:
+        me = turns.current_thread()
+        turns.enter(program, handle.ident)
+        function()
+        turns.enter(program, me)
+        beside.begin(handle.ident)
+        return handle
     collecting.begin()
 
     def body() -> None:

@@ -20,8 +20,8 @@ OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
 COMMON = {
     f"rclpy_backend.{name}"
     for name in (
-        *("arrays", "blocking", "collecting", "fixed_array", "interrupts", "loops"),
-        *("pool", "threads", "turns"),
+        *("arrays", "beside", "blocking", "collecting", "fixed_array", "interrupts"),
+        *("keyboard", "loops", "pool", "threads", "turns"),
     )
 }
 
@@ -97,6 +97,7 @@ class Program:
         self._state: dict[tuple[ModuleType, str], Any] = {
             (sys, "argv"): [],
             (sys, "path"): list(PATH),
+            (sys, "stdin"): sys.stdin,
             (sys, "stdout"): streams[0],
             (sys, "stderr"): streams[1],
             (threading, "_main_thread"): main,

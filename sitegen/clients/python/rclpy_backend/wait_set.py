@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections import defaultdict
-from typing import Protocol
+from typing import Any, Protocol
 
 import ros_host
 
@@ -15,6 +14,9 @@ from rclpy_backend.handles import Context, Destroyable, GuardCondition
 from rclpy_backend.service import Client, Service
 from rclpy_backend.subscription import Subscription
 from rclpy_backend.timer import Timer
+
+ENDPOINTS = ("subscription", "service", "client")
+KINDS = (*ENDPOINTS, "guard_condition", "timer", "event", "part")
 
 
 class Waitable(Protocol):
@@ -45,40 +47,49 @@ class WaitSet(Destroyable):
 
     def clear_entities(self) -> None:
         """Wait for nothing."""
-        self._entities: dict[str, list[Waitable]] = defaultdict(list)
+        # By what they are, as rclpy names it; "part" is what belongs to something larger.
+        self._entities: dict[str, list[Any]] = {kind: [] for kind in KINDS}
         self._ready: set[int] = set()
-
-    def _add(self, kind: str, entity: Waitable) -> int:
-        self._entities[kind].append(entity)
-        return len(self._entities[kind]) - 1
 
     def add(self, entity: Waitable) -> None:
         """Wait for a part of something larger."""
-        self._add("timer" if isinstance(entity, Timer) else "part", entity)
+        self._entities["timer" if isinstance(entity, Timer) else "part"].append(entity)
 
     def add_service(self, service: Service) -> int:
         """Wait for requests; returns the index among the services."""
-        return self._add("service", service)
+        entities = self._entities["service"]
+        entities.append(service)
+        return len(entities) - 1
 
     def add_subscription(self, subscription: Subscription) -> int:
         """Wait for messages; returns the index among the subscriptions."""
-        return self._add("subscription", subscription)
+        entities = self._entities["subscription"]
+        entities.append(subscription)
+        return len(entities) - 1
 
     def add_client(self, client: Client) -> int:
         """Wait for responses; returns the index among the clients."""
-        return self._add("client", client)
+        entities = self._entities["client"]
+        entities.append(client)
+        return len(entities) - 1
 
     def add_guard_condition(self, guard_condition: GuardCondition) -> int:
         """Wait for a trigger; returns the index among the guard conditions."""
-        return self._add("guard_condition", guard_condition)
+        entities = self._entities["guard_condition"]
+        entities.append(guard_condition)
+        return len(entities) - 1
 
     def add_timer(self, timer: Timer) -> int:
         """Wait for a time; returns the index among the timers."""
-        return self._add("timer", timer)
+        entities = self._entities["timer"]
+        entities.append(timer)
+        return len(entities) - 1
 
     def add_event(self, event: EventHandle) -> int:
         """Wait for an event; returns the index among the events."""
-        return self._add("event", event)
+        entities = self._entities["event"]
+        entities.append(event)
+        return len(entities) - 1
 
     def is_ready(self, entity_type: str, index: int) -> bool:
         """Return whether the last wait found that one ready."""
@@ -114,16 +125,15 @@ class WaitSet(Destroyable):
         filled = set(map(int, ros_host.filled().split()))
         events: int = ros_host.events()
         ready: list[Waitable] = []
-        for entities in self._entities.values():
-            for entity in entities:
-                if isinstance(entity, Endpoint):
-                    found = entity.id in filled
-                elif isinstance(entity, EventHandle):
-                    found = entity.is_ready(events)
-                else:
-                    found = entity.is_ready()
-                if found:
-                    ready.append(entity)
+        entities = self._entities
+        for kind in ENDPOINTS:
+            ready += [one for one in entities[kind] if one.id in filled]
+        for part in entities["part"]:
+            if part.id in filled if isinstance(part, Endpoint) else part.is_ready():
+                ready.append(part)
+        ready += [event for event in entities["event"] if event.is_ready(events)]
+        for kind in ("timer", "guard_condition"):
+            ready += [one for one in entities[kind] if one.is_ready()]
         return ready
 
     def _until_next_timer(self, limit: float | None) -> float | None:

@@ -22,6 +22,7 @@ public:
   {
     using Callback = std::decay_t<CallbackT>;
     if constexpr (takes<Callback, MessageT>) {
+      owns_ = !shares<Callback, MessageT>;
       on_message_ = adapt<MessageT>(Callback(std::forward<CallbackT>(callback)));
     } else {
       static_assert(
@@ -35,18 +36,31 @@ public:
 
   bool wants_bytes() const {return static_cast<bool>(on_bytes_);}
 
+  /// Whether what it is given becomes its own, so that it may change it.
+  bool owns() const {return owns_;}
+
   void dispatch(std::shared_ptr<MessageT> message, const MessageInfo & info)
   {
-    on_message_(std::move(message), info);
+    on_message_({std::move(message), nullptr}, info);
+  }
+  void dispatch_unique(std::unique_ptr<MessageT> message, const MessageInfo & info)
+  {
+    on_message_({nullptr, std::move(message)}, info);
   }
   void dispatch_bytes(std::shared_ptr<SerializedMessage> bytes, const MessageInfo & info)
   {
-    on_bytes_(std::move(bytes), info);
+    on_bytes_({std::move(bytes), nullptr}, info);
   }
 
 private:
   template<class T>
-  using Handler = std::function<void(std::shared_ptr<T>, const MessageInfo &)>;
+  struct Given
+  {
+    std::shared_ptr<T> shared;
+    std::unique_ptr<T> unique;  // if it is nobody else's
+  };
+  template<class T>
+  using Handler = std::function<void(Given<T>, const MessageInfo &)>;
 
   template<class Callback, class ... Args>
   static constexpr bool invocable = std::is_invocable_v<Callback &, Args...>;
@@ -56,6 +70,15 @@ private:
     invocable<Callback, const T &, Info...> || invocable<Callback, std::shared_ptr<T>, Info...> ||
     invocable<Callback, std::unique_ptr<T>, Info...>;
 
+  template<class Callback, class T, class ... Info>
+  static constexpr bool shares_with =
+    invocable<Callback, const T &, Info...> ||
+    invocable<Callback, std::shared_ptr<const T>, Info...>;
+
+  template<class Callback, class T>
+  static constexpr bool shares =
+    shares_with<Callback, T> || shares_with<Callback, T, const MessageInfo &>;
+
   template<class Callback, class T>
   static constexpr bool takes =
     takes_with<Callback, T> || takes_with<Callback, T, const MessageInfo &>;
@@ -63,7 +86,7 @@ private:
   template<class T, class Callback>
   static Handler<T> adapt(Callback callback)
   {
-    return [callback = std::move(callback)](auto message, const MessageInfo & info) mutable {
+    return [callback = std::move(callback)](Given<T> message, const MessageInfo & info) mutable {
              if constexpr (takes_with<Callback, T>) {
                call<T>(callback, std::move(message));
              } else {
@@ -73,17 +96,20 @@ private:
   }
 
   template<class T, class Callback, class ... Info>
-  static void call(Callback & callback, std::shared_ptr<T> message, const Info & ... info)
+  static void call(Callback & callback, Given<T> message, const Info & ... info)
   {
     if constexpr (invocable<Callback, const T &, const Info &...>) {
-      callback(static_cast<const T &>(*message), info ...);
+      callback(static_cast<const T &>(*message.shared), info ...);
     } else if constexpr (invocable<Callback, std::shared_ptr<T>, const Info &...>) {
-      callback(std::move(message), info ...);
+      if (message.unique) {message.shared = std::move(message.unique);}
+      callback(std::move(message.shared), info ...);
     } else {
-      callback(std::make_unique<T>(std::move(*message)), info ...);
+      if (message.shared) {message.unique = std::make_unique<T>(std::move(*message.shared));}
+      callback(std::move(message.unique), info ...);
     }
   }
 
+  bool owns_ = false;
   Handler<MessageT> on_message_;
   Handler<SerializedMessage> on_bytes_;
 };

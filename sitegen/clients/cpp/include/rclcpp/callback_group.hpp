@@ -32,6 +32,7 @@ public:
   std::size_t size() const;
 
   void add(detail::ExecutableKind kind, std::weak_ptr<detail::Executable> executable);
+  void remove(detail::ExecutableKind kind, const std::shared_ptr<detail::Executable> & executable);
   /// The living ones of a kind; those that are gone leave the group.
   std::vector<std::shared_ptr<detail::Executable>> living(detail::ExecutableKind kind);
 

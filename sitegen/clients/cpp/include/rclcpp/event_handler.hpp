@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "rclcpp/detail/executable.hpp"
 #include "rclcpp/detail/host.h"
+#include "rclcpp/waitable.hpp"
 #include "rmw/types.h"
 
 namespace rclcpp
@@ -62,9 +63,10 @@ namespace detail
 {
 
 /// The event callbacks of one endpoint.
-class Events : public Executable
+class Events : public Waitable
 {
 public:
+  using Waitable::execute;
   /// With `defaults`, what is incompatible is logged by `logger` unless there is a callback for it.
   Events(
     std::int32_t endpoint, const PublisherEventCallbacks & callbacks, bool defaults,
@@ -73,8 +75,10 @@ public:
     std::int32_t endpoint, const SubscriptionEventCallbacks & callbacks, bool defaults,
     const std::string & logger, const std::string & topic);
 
-  /// Call back for what happened to the endpoint since the last time; false if nothing did.
-  bool execute_one() override;
+  /// Note what happened to the endpoint since the last time; false if nothing did.
+  bool look() override;
+  /// Call back for what was noted.
+  void execute(const std::shared_ptr<void> & data) override;
 
 private:
   using Call = std::function<void (const ros_event &)>;
@@ -86,6 +90,7 @@ private:
   /// How many events of the program there had been when it looked the last time.
   std::uint32_t seen_ = 0;
   std::vector<std::pair<std::int32_t, Call>> calls_;
+  std::vector<std::function<void()>> noted_;
 };
 
 }  // namespace detail

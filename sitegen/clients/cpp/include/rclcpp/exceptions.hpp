@@ -161,4 +161,7 @@ public:
 };
 
 }  // namespace exceptions
+
+// Upstream has it in both places, by release.
+using exceptions::UnsupportedEventTypeException;
 }  // namespace rclcpp

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "rcl/wait.h"
 #include "rclcpp/context.hpp"
 #include "rclcpp/contexts/default_context.hpp"
 #include "rclcpp/macros.hpp"
@@ -21,6 +22,14 @@ public:
     const Context::SharedPtr & context = contexts::get_global_default_context());
 
   Context::SharedPtr get_context() const {return context_;}
+  rcl_guard_condition_t & get_rcl_guard_condition() {return handle_;}
+  const rcl_guard_condition_t & get_rcl_guard_condition() const {return handle_;}
+  /// Add it to what a Waitable waits for.
+  void add_to_wait_set(rcl_wait_set_t & wait_set)
+  {
+    rcl_wait_set_add_guard_condition(&wait_set, &handle_, nullptr);
+  }
+  void add_to_wait_set(rcl_wait_set_t * wait_set) {add_to_wait_set(*wait_set);}
   void trigger();
   /// Call `callback` with the number of triggers, from now on with each; null stops that.
   void set_on_trigger_callback(std::function<void (std::size_t)> callback);
@@ -30,6 +39,7 @@ public:
   bool take();
 
 private:
+  rcl_guard_condition_t handle_{this};
   Context::SharedPtr context_;
   std::size_t triggers_ = 0;
   std::function<void (std::size_t)> callback_;

@@ -29,6 +29,8 @@
   RCLCPP_WEAK_PTR_DEFINITIONS(__VA_ARGS__) \
   RCLCPP_UNIQUE_PTR_DEFINITIONS(__VA_ARGS__)
 
+#define RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(...) RCLCPP_SMART_PTR_DEFINITIONS(__VA_ARGS__)
+
 // Pointer names without the makers, for classes that cannot be made directly.
 #define RCLCPP_SMART_PTR_ALIASES_ONLY(...) \
   using SharedPtr = std::shared_ptr<__VA_ARGS__>; \

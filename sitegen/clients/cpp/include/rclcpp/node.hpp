@@ -109,6 +109,7 @@ public:
   {
     auto publisher = std::make_shared<Publisher<MessageT, AllocatorT>>(
       *base_, extend_name(topic), with_overrides(qos, options, topic, "publisher"), options);
+    publisher->set_node_default(options_.use_intra_process_comms());
     base_->add(
       detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
     return publisher;
@@ -127,6 +128,7 @@ public:
     auto subscription = std::make_shared<Subscription<MessageT>>(
       *base_, extend_name(topic), with_overrides(qos, options, topic, "subscription"),
       std::forward<CallbackT>(callback), options);
+    subscription->set_node_default(options_.use_intra_process_comms());
     const auto statistics =
       options.topic_stats_options.state.maker(options_.topic_statistics());
     if (statistics) {subscription->observe(statistics(*base_, options));}

@@ -64,7 +64,7 @@ public:
     enable_rosout_ = enable_rosout;
     return *this;
   }
-  /// Kept and told: messages between nodes of a program never leave it anyway.
+  /// Whether nodes of a program hand over messages that are published as std::unique_ptr, and no copies.
   bool use_intra_process_comms() const {return use_intra_process_comms_;}
   NodeOptions & use_intra_process_comms(bool use_intra_process_comms)
   {

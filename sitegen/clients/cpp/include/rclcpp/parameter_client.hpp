@@ -67,10 +67,12 @@ public:
   {
     return on_parameter_event(node_, std::forward<CallbackT>(callback), qos);
   }
-  template<class NodeT, class CallbackT>
+  /// `node` is a pointer of any kind.
+  template<
+    class NodeT, class CallbackT,
+    class = decltype(std::declval<NodeT &>()->get_node_base_interface())>
   static std::shared_ptr<Subscription<rcl_interfaces::msg::ParameterEvent>> on_parameter_event(
-    const std::shared_ptr<NodeT> & node, CallbackT && callback,
-    const QoS & qos = ParameterEventsQoS())
+    NodeT node, CallbackT && callback, const QoS & qos = ParameterEventsQoS())
   {
     auto base = node->get_node_base_interface();
     auto subscription = std::make_shared<Subscription<rcl_interfaces::msg::ParameterEvent>>(
@@ -115,15 +117,15 @@ public:
   using SetResult = rcl_interfaces::msg::SetParametersResult;
   using Timeout = std::chrono::nanoseconds;
 
+  /// `node` is a pointer of any kind.
   template<class NodeT>
   explicit SyncParametersClient(
-    std::shared_ptr<NodeT> node, const std::string & remote = "",
-    const QoS & qos = ParametersQoS())
+    NodeT node, const std::string & remote = "", const QoS & qos = ParametersQoS())
   : SyncParametersClient(
       std::make_shared<executors::SingleThreadedExecutor>(), node, remote, qos) {}
   template<class NodeT>
   SyncParametersClient(
-    Executor::SharedPtr executor, std::shared_ptr<NodeT> node, const std::string & remote = "",
+    Executor::SharedPtr executor, NodeT node, const std::string & remote = "",
     const QoS & qos = ParametersQoS())
   : executor_(std::move(executor)), node_(node->get_node_base_interface()),
     client_(std::make_shared<AsyncParametersClient>(node_, remote, qos)) {}

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "rclcpp/detail/lent.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/loaned_message.hpp"
@@ -39,7 +40,8 @@ struct PublisherOptionsBase
   /// Log what is incompatible.
   bool use_default_callbacks = true;
   CallbackGroup::SharedPtr callback_group = nullptr;
-  /// Kept: messages between nodes of a program never leave it anyway.
+  /// Whether subscriptions of this program get the messages that are published as std::unique_ptr
+  /// themselves, and no copies.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
@@ -63,12 +65,15 @@ public:
   PublisherBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
     const detail::MessageMembers & type, const QoS & qos, const PublisherOptionsBase & options);
-  virtual ~PublisherBase() = default;
+  virtual ~PublisherBase();
 
   const char * get_topic_name() const {return endpoint_.name().c_str();}
   std::size_t get_queue_size() const {return endpoint_.qos().depth();}
   std::size_t get_subscription_count() const {return endpoint_.matched();}
-  std::size_t get_intra_process_subscription_count() const {return 0;}
+  std::size_t get_intra_process_subscription_count() const
+  {
+    return lends_ ? detail::borrowers(endpoint_.name()) : 0;
+  }
   QoS get_actual_qos() const {return endpoint_.qos();}
   rmw_gid_t get_gid() const {return endpoint_.gid();}
   bool can_loan_messages() const {return false;}
@@ -86,10 +91,17 @@ public:
   }
 
   /// What calls back for its events.
-  std::shared_ptr<detail::Executable> events() const {return events_;}
+  std::shared_ptr<Waitable> events() const {return events_;}
+  /// What its options leave to its node.
+  void set_node_default(bool intra_process)
+  {
+    if (intra_process_ == IntraProcessSetting::NodeDefault) {lends_ = intra_process;}
+  }
 
 protected:
   void publish_message(const void * message);
+  /// Give the message that was published last to subscriptions of this program.
+  void lend(std::shared_ptr<detail::Lent> message);
   void publish_bytes(const SerializedMessage & bytes);
 
 private:
@@ -100,6 +112,9 @@ private:
   const detail::MessageMembers & type_;
   detail::Endpoint endpoint_;
   std::shared_ptr<detail::Events> events_;
+  IntraProcessSetting intra_process_;
+  bool lends_;
+  std::uint64_t sent_ = 0;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -132,6 +147,14 @@ public:
   void publish(std::unique_ptr<PublishedType, DeleterT> message)
   {
     publish(*message);
+    // One with an allocator of its own would be freed by another.
+    if constexpr (!detail::is_adapted<MessageT> &&
+      std::is_same_v<DeleterT, std::default_delete<PublishedType>>)
+    {
+      if (get_intra_process_subscription_count()) {
+        lend(std::make_shared<detail::LentMessage<PublishedType>>(std::move(message)));
+      }
+    }
   }
   template<
     class T, std::enable_if_t<

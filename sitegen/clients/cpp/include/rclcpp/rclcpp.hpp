@@ -4,6 +4,7 @@
 // What programs get from upstream's without asking.
 #include <algorithm>
 #include <atomic>
+#include <cinttypes>
 #include <cmath>
 #include <condition_variable>
 #include <csignal>
@@ -23,6 +24,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "rcl/allocator.h"
 #include "rcl/error_handling.h"
 #include "rcutils/logging_macros.h"
 #include "rmw/error_handling.h"
@@ -50,3 +52,4 @@
 #include "rclcpp/visibility_control.hpp"
 #include "rclcpp/wait_for_message.hpp"
 #include "rclcpp/wait_set.hpp"
+#include "rclcpp/waitable.hpp"

@@ -12,6 +12,7 @@
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/exceptions.hpp"
+#include "rclcpp/intra_process_buffer_type.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/publisher.hpp"
 #include "rclcpp/subscription_content_filter_options.hpp"
@@ -27,8 +28,10 @@ struct SubscriptionOptionsBase
   bool use_default_callbacks = true;
   bool ignore_local_publications = false;
   CallbackGroup::SharedPtr callback_group = nullptr;
-  /// Kept: messages between nodes of a program never leave it anyway.
+  /// Whether it gets what publishers of this program lend.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
+  /// Kept and not asked.
+  IntraProcessBufferType intra_process_buffer_type = IntraProcessBufferType::CallbackDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
   struct TopicStatisticsOptions
@@ -59,6 +62,7 @@ public:
   SubscriptionBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
     const detail::MessageMembers & type, const QoS & qos, const SubscriptionOptionsBase & options);
+  ~SubscriptionBase() override;
 
   const char * get_topic_name() const {return name().c_str();}
   std::size_t get_publisher_count() const {return matched();}
@@ -86,7 +90,12 @@ public:
   void return_message(std::shared_ptr<void> & message) {message.reset();}
 
   /// What calls back for its events.
-  std::shared_ptr<detail::Executable> events() const {return events_;}
+  std::shared_ptr<Waitable> events() const {return events_;}
+  /// What its options leave to its node.
+  void set_node_default(bool intra_process)
+  {
+    if (intra_process_ == IntraProcessSetting::NodeDefault) {borrow(intra_process);}
+  }
   void observe(detail::Arrival arrival) {arrival_ = std::move(arrival);}
 
 protected:
@@ -95,15 +104,20 @@ protected:
     if (arrival_) {arrival_(info);}
   }
 
+  bool borrows() const {return borrows_;}
+
   const detail::MessageMembers & type_;
 
 private:
+  void borrow(bool borrows);
   /// Throws RCLError with `what` and what is wrong with the filter.
   void filter(const ContentFilterOptions & options, const std::string & what);
 
   ContentFilterOptions filter_;
   detail::Arrival arrival_;
   std::shared_ptr<detail::Events> events_;
+  IntraProcessSetting intra_process_;
+  bool borrows_ = false;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -141,18 +155,40 @@ public:
   }
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override
   {
     arrived(info);
     if (callback_.wants_bytes()) {
       callback_.dispatch_bytes(std::make_shared<SerializedMessage>(bytes), MessageInfo(info));
       return;
     }
+    if constexpr (!detail::is_adapted<MessageT>) {
+      if (borrows() && take_lent(writer, info)) {return;}
+    }
     auto message = std::make_shared<ROSMessageType>();
     if (decode(type_, bytes, message.get())) {dispatch(std::move(message), MessageInfo(info));}
   }
 
 private:
+  /// Call back with the message itself that `writer` sent; false if there is none.
+  bool take_lent(double writer, const rmw_message_info_t & info)
+  {
+    const auto found = std::static_pointer_cast<detail::LentMessage<ROSMessageType>>(
+      detail::lent(writer, info.publication_sequence_number));
+    if (!found) {return false;}
+    MessageInfo told(info);
+    told.get_rmw_message_info().from_intra_process = true;
+    if (!callback_.owns()) {
+      callback_.dispatch(
+        std::shared_ptr<ROSMessageType>(found, const_cast<ROSMessageType *>(&found->get())), told);
+    } else if (found->left || found.use_count() > 1) {
+      callback_.dispatch_unique(std::make_unique<ROSMessageType>(found->get()), told);
+    } else {
+      callback_.dispatch_unique(found->take(), told);
+    }
+    return true;
+  }
+
   void dispatch(std::shared_ptr<ROSMessageType> message, const MessageInfo & info)
   {
     if constexpr (detail::is_adapted<MessageT>) {

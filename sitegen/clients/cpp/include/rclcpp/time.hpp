@@ -23,6 +23,12 @@ public:
     const builtin_interfaces::msg::Time & message, rcl_clock_type_t clock = RCL_ROS_TIME)
   : Time(message.sec, message.nanosec, clock) {}
 
+  /// The last that a message can say.
+  static Time max(rcl_clock_type_t clock = RCL_SYSTEM_TIME)
+  {
+    return Time(INT32_MAX, 999999999, clock);
+  }
+
   operator builtin_interfaces::msg::Time() const;  // NOLINT: implicit upstream
 
   std::int64_t nanoseconds() const {return nanoseconds_;}
@@ -47,5 +53,7 @@ private:
   std::int64_t nanoseconds_;
   rcl_clock_type_t clock_;
 };
+
+inline Time operator+(const Duration & duration, const Time & time) {return time + duration;}
 
 }  // namespace rclcpp

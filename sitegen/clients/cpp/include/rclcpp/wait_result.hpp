@@ -26,6 +26,7 @@ public:
   auto next_ready_subscription() {return require()->next_ready_subscription();}
   auto next_ready_service() {return require()->next_ready_service();}
   auto next_ready_client() {return require()->next_ready_client();}
+  auto next_ready_waitable() {return require()->next_ready_waitable();}
 
 private:
   WaitSetT * require() const

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "rcl/wait.h"
 #include "rclcpp/client.hpp"
 #include "rclcpp/context.hpp"
 #include "rclcpp/guard_condition.hpp"
@@ -16,21 +17,7 @@
 #include "rclcpp/subscription_wait_set_mask.hpp"
 #include "rclcpp/timer.hpp"
 #include "rclcpp/wait_result.hpp"
-
-/// In the order in which they were added; null where one is not ready.
-struct rcl_wait_set_t
-{
-  std::vector<const void *> subscriptions;
-  std::vector<const void *> guard_conditions;
-  std::vector<const void *> timers;
-  std::vector<const void *> clients;
-  std::vector<const void *> services;
-  std::size_t size_of_subscriptions = 0;
-  std::size_t size_of_guard_conditions = 0;
-  std::size_t size_of_timers = 0;
-  std::size_t size_of_clients = 0;
-  std::size_t size_of_services = 0;
-};
+#include "rclcpp/waitable.hpp"
 
 namespace rclcpp
 {
@@ -60,7 +47,17 @@ public:
   using Timers = std::vector<TimerBase::SharedPtr>;
   using Clients = std::vector<ClientBase::SharedPtr>;
   using Services = std::vector<ServiceBase::SharedPtr>;
-  using Waitables = std::vector<std::shared_ptr<detail::Executable>>;
+  struct WaitableEntry
+  {
+    WaitableEntry(
+      Waitable::SharedPtr waitable = nullptr,  // NOLINT: implicit upstream
+      std::shared_ptr<void> associated_entity = nullptr) noexcept
+    : waitable(std::move(waitable)), associated_entity(std::move(associated_entity)) {}
+
+    Waitable::SharedPtr waitable;
+    std::shared_ptr<void> associated_entity;
+  };
+  using Waitables = std::vector<WaitableEntry>;
 
   explicit WaitSet(
     const Subscriptions & subscriptions = {}, const GuardConditions & guard_conditions = {},
@@ -75,6 +72,8 @@ public:
   void add_timer(TimerBase::SharedPtr timer);
   void add_client(ClientBase::SharedPtr client);
   void add_service(ServiceBase::SharedPtr service);
+  /// Keeps what it belongs to, too.
+  void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> associated_entity = nullptr);
   /// And these for what is not.
   void remove_subscription(
     SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
@@ -82,6 +81,7 @@ public:
   void remove_timer(TimerBase::SharedPtr timer);
   void remove_client(ClientBase::SharedPtr client);
   void remove_service(ServiceBase::SharedPtr service);
+  void remove_waitable(Waitable::SharedPtr waitable);
   void prune_deleted_entities() {}
 
   const rcl_wait_set_t & get_rcl_wait_set() const {return ready_;}
@@ -98,6 +98,7 @@ public:
   SubscriptionBase::SharedPtr next_ready_subscription();
   ServiceBase::SharedPtr next_ready_service();
   ClientBase::SharedPtr next_ready_client();
+  Waitable::SharedPtr next_ready_waitable();
 
 private:
   WaitResultKind wait_for(double milliseconds);
@@ -110,7 +111,10 @@ private:
   Timers timers_;
   Clients clients_;
   Services services_;
+  std::vector<Waitable::SharedPtr> waitables_;
+  std::vector<std::shared_ptr<void>> associated_;  // with each of these
   rcl_wait_set_t ready_;
+  std::vector<const void *> ready_waitables_;
 };
 
 /// Threads take turns, so every wait set may be used by several.
@@ -135,13 +139,14 @@ public:
     const std::array<TimerBase::SharedPtr, NumberOfTimers> & timers = {},
     const std::array<ClientBase::SharedPtr, NumberOfClients> & clients = {},
     const std::array<ServiceBase::SharedPtr, NumberOfServices> & services = {},
-    const std::array<std::shared_ptr<detail::Executable>, NumberOfWaitables> & = {},
+    const std::array<WaitableEntry, NumberOfWaitables> & waitables = {},
     Context::SharedPtr context = contexts::get_global_default_context())
   : WaitSet(
       Subscriptions(subscriptions.begin(), subscriptions.end()),
       GuardConditions(guard_conditions.begin(), guard_conditions.end()),
       Timers(timers.begin(), timers.end()), Clients(clients.begin(), clients.end()),
-      Services(services.begin(), services.end()), {}, std::move(context)) {}
+      Services(services.begin(), services.end()), Waitables(waitables.begin(), waitables.end()),
+      std::move(context)) {}
 };
 
 }  // namespace rclcpp

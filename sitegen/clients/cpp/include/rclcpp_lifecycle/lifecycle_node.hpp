@@ -45,6 +45,7 @@ public:
   {
     auto publisher = std::make_shared<LifecyclePublisher<MessageT, AllocatorT>>(
       *get_node_base_interface(), extend_name(topic), qos, options);
+    publisher->set_node_default(get_node_options().use_intra_process_comms());
     get_node_base_interface()->add(
       rclcpp::detail::ExecutableKind::kWaitable, publisher->events(), options.callback_group);
     add_managed_entity(publisher);

@@ -12,7 +12,8 @@ namespace rclcpp_lifecycle
 class Transition
 {
 public:
-  Transition(std::uint8_t id, std::string label, State start = State(), State goal = State())
+  explicit Transition(
+    std::uint8_t id, std::string label = "", State start = State(), State goal = State())
   : id_(id), label_(std::move(label)), start_(std::move(start)), goal_(std::move(goal)) {}
 
   std::uint8_t id() const {return id_;}

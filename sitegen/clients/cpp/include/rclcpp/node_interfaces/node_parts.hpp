@@ -9,6 +9,7 @@
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/waitable.hpp"
 
 namespace rclcpp
 {
@@ -35,13 +36,25 @@ private: \
     return base_->resolve_topic_or_service_name(name, is_service, only_expand); \
   }
 
+#define ROS_WAITABLES \
+  void add_waitable(Waitable::SharedPtr waitable, CallbackGroup::SharedPtr group) \
+  { \
+    base_->add(detail::ExecutableKind::kWaitable, waitable, group); \
+  } \
+  void remove_waitable(Waitable::SharedPtr waitable, CallbackGroup::SharedPtr group) noexcept \
+  { \
+    if (!group) {group = base_->get_default_callback_group();} \
+    group->remove(detail::ExecutableKind::kWaitable, waitable); \
+  }
+
 ROS_NODE_PART(NodeServicesInterface, ROS_RESOLVE(resolve_service_name, true))
 ROS_NODE_PART(NodeTimersInterface, )
 ROS_NODE_PART(NodeTopicsInterface, ROS_RESOLVE(resolve_topic_name, false))
-ROS_NODE_PART(NodeWaitablesInterface, )
+ROS_NODE_PART(NodeWaitablesInterface, ROS_WAITABLES)
 ROS_NODE_PART(NodeTimeSourceInterface, )
 
 #undef ROS_RESOLVE
+#undef ROS_WAITABLES
 #undef ROS_NODE_PART
 
 class NodeClockInterface

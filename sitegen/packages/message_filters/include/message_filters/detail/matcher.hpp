@@ -8,8 +8,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "rclcpp/clock.hpp"
 #include "rclcpp/duration.hpp"
 #include "rclcpp/time.hpp"
 
@@ -58,6 +60,47 @@ private:
   std::vector<std::deque<Item>> queues_;
   std::size_t size_;
   std::int64_t epsilon_;
+};
+
+/// The newest of each topic, whenever one comes of the topic that is the fastest: the others are told
+/// again. Which one that is follows from the times between messages, by `clock`.
+class LatestMatcher
+{
+public:
+  /// How much a new period counts for the rate of a topic, how much for the error of that, and how many
+  /// times the error a period may be off before the topic is taken to have another rate.
+  struct Weights
+  {
+    double rate = 0.9;
+    double error = 0.3;
+    double margin = 10.0;
+  };
+
+  LatestMatcher(std::size_t topics, rclcpp::Clock::SharedPtr clock)
+  : topics_(topics), clock_(std::move(clock)) {}
+
+  void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
+
+  void set_clock(rclcpp::Clock::SharedPtr clock) {clock_ = std::move(clock);}
+  /// One for all, or one for each topic.
+  void set_weights(std::vector<Weights> weights) {weights_ = std::move(weights);}
+
+private:
+  struct Topic
+  {
+    std::optional<Item> latest;
+    Weights weights;
+    std::int64_t last = 0;           // when it came, in nanoseconds
+    double rate = 0;                 // of messages in a second, 0 while it is not known
+    std::optional<double> error;     // how far periods are off that, in the same unit
+  };
+
+  bool measure(Topic & topic, std::int64_t now) const;
+  std::optional<std::size_t> fastest(std::int64_t now) const;
+
+  std::vector<Topic> topics_;
+  rclcpp::Clock::SharedPtr clock_;
+  std::vector<Weights> weights_;
 };
 
 /// Those that are nearest to each other; no message is in two matches, and matches do not cross.

@@ -6,6 +6,7 @@ import rclpy
 def main(args=None):
     """Compute until it is interrupted."""
     rclpy.init(args=args)
+    print("ready")
     print("computing", flush=True)
     try:
         while True:

@@ -118,6 +118,8 @@ async def ask_twice(node):
 
 def main(args=None):
     """Run the parts one after another."""
+    # As it was done before asyncio.run(); Python 3.14 makes no loop here any more.
+    print(asyncio.get_event_loop().run_until_complete(ticks("in the loop of the thread", 1)))
     asyncio.run(everything())
     rclpy.init(args=args)
     executor = MultiThreadedExecutor()

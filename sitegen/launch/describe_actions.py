@@ -1,0 +1,289 @@
+"""What launch files in Python describe: actions and substitutions that only note themselves."""
+
+from __future__ import annotations
+
+import shlex
+import traceback
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+from sitegen.launch.substitutions import SubstitutionError, expand
+from sitegen.launch.xacro import printed
+
+# The launch file that is run, and the folders of the packages of the workspace.
+RUN = SimpleNamespace(file="", folders={})
+
+
+class Text:
+    """A substitution, by what launch files in XML have for it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def __truediv__(self, part: Any) -> Text:
+        return Text(f"{self.text}/{text(part)}")
+
+    def perform(self, context: Context) -> str:
+        """Return what it stands for."""
+        return context.perform_substitution(self)
+
+
+class Folder(Text):
+    """The folder of a package; some files ask for it while they are run."""
+
+    def find(self, package: str) -> str:
+        """Return the folder of a package of the workspace."""
+        return share(package)
+
+
+class Typed(Text):
+    """The value of a parameter that is a text, whatever it looks like."""
+
+
+class Described:
+    """An action as sitegen/launch/tree.py has it."""
+
+    def __init__(self, kind: str, inside: Iterable[Any] = (), **attributes: Any) -> None:
+        self.kind = kind
+        self.inside = list(inside)
+        condition = attributes.pop("condition", None)
+        given = {name: value for name, value in attributes.items() if value is not None}
+        self.attributes = {name: text(value) for name, value in given.items()}
+        if isinstance(condition, Condition):
+            self.attributes[condition.name] = text(condition.value)
+        elif condition is not None:
+            self.kind = f"condition {type(condition).__name__}"
+        frames = traceback.extract_stack()
+        self.line = next((f.lineno for f in reversed(frames) if f.filename == RUN.file), 1)
+
+    def add_action(self, action: Any) -> None:
+        """Describe one more."""
+        self.inside.append(action)
+
+    add_entity = add_action
+
+    def plain(self) -> dict[str, Any]:
+        """Return it as JSON has it."""
+        inside = [
+            each.plain() if isinstance(each, Described) else unknown(each) for each in self.inside
+        ]
+        return {
+            "kind": self.kind,
+            "attributes": self.attributes,
+            "line": self.line,
+            "inside": inside,
+        }
+
+
+class Condition:
+    """What has to be true, or false, of a text."""
+
+    def __init__(self, name: str, value: Any) -> None:
+        self.name, self.value = name, value
+
+    def evaluate(self, context: Context) -> bool:
+        """Return whether it is met."""
+        value = context.perform_substitution(Text(text(self.value))).strip().lower()
+        return (value in ("true", "1")) == (self.name == "if")
+
+
+class Context:
+    """The arguments at one place of a launch file, for the functions that files hand over."""
+
+    def __init__(self, variables: Mapping[str, str]) -> None:
+        self.launch_configurations = dict(variables)
+
+    def perform_substitution(self, given: Any) -> str:
+        """Return what a text, with the substitutions in it, stands for."""
+
+        def folder(package: str) -> Path:
+            try:
+                return Path(share(package))
+            except LookupError as error:
+                raise SubstitutionError(str(error)) from None
+
+        def output(line: str) -> str:
+            return printed(line, {name: Path(path) for name, path in RUN.folders.items()})
+
+        variables = self.launch_configurations
+        return expand(text(given), variables, Path(RUN.file), folder, output)
+
+
+def unknown(action: Any) -> Described:
+    """Return what does not work, under its name."""
+    return Described(type(action).__name__)
+
+
+def text(value: Any) -> str:
+    """Return a text of launch files: from one, a substitution, or a list of both."""
+    if isinstance(value, Text):
+        return value.text
+    if isinstance(value, (list, tuple)):
+        return "".join(text(part) for part in value)
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (str, int, float, Path)):
+        return str(value)
+    raise TypeError(f"{type(value).__name__} does not work on a page")
+
+
+def written(value: Any) -> str:
+    """Return the value of a parameter as YAML has it."""
+    if isinstance(value, str):
+        return "'" + value.replace("'", "''") + "'"
+    if isinstance(value, (list, tuple)) and not any(isinstance(part, Text) for part in value):
+        return f"[{', '.join(written(part) for part in value)}]"
+    return text(value)
+
+
+def share(package: str, *_: Any) -> str:
+    """Return the folder of a package of the workspace."""
+    if package not in RUN.folders:
+        raise LookupError(f"no package '{package}' in the workspace")
+    return str(RUN.folders[package])
+
+
+def parameters(given: Iterable[Any]) -> list[Described]:
+    """Return the parameters of a node: values by name, or files."""
+    found: list[Described] = []
+    for each in given:
+        if isinstance(each, Mapping):
+            found += values("", each)
+        elif isinstance(each, Described):
+            found.append(each)
+        else:
+            found.append(Described("param", **{"from": each}))
+    return found
+
+
+def values(above: str, given: Mapping[Any, Any]) -> Iterable[Described]:
+    """Yield a parameter for each value, those of a nested mapping with dots."""
+    for name, value in given.items():
+        if isinstance(value, Mapping):
+            yield from values(f"{above}{text(name)}.", value)
+        elif isinstance(value, Typed):
+            yield Described("param", name=f"{above}{text(name)}", value=value, type="str")
+        else:
+            yield Described("param", name=f"{above}{text(name)}", value=written(value))
+
+
+def node(
+    *_: Any,
+    package: Any = None,
+    executable: Any = None,
+    node_executable: Any = None,
+    name: Any = None,
+    node_name: Any = None,
+    namespace: Any = None,
+    node_namespace: Any = None,
+    parameters: Iterable[Any] | None = None,
+    remappings: Iterable[tuple[Any, Any]] | None = None,
+    arguments: Iterable[Any] | None = None,
+    ros_arguments: Iterable[Any] | None = None,
+    condition: Any = None,
+    **_others: Any,
+) -> Described:
+    """Describe a node; what says how its process is watched and shown is left out."""
+    inside = _parameters(parameters or ())
+    for old, new in remappings or ():
+        inside.append(Described("remap", **{"from": old, "to": new}))
+    words = {"args": arguments, "ros_args": ros_arguments}
+    lines = {
+        key: " ".join(shlex.quote(text(w)) for w in given) for key, given in words.items() if given
+    }
+    return Described(
+        "node",
+        inside,
+        pkg=package,
+        exec=executable if executable is not None else node_executable,
+        name=name if name is not None else node_name,
+        namespace=namespace if namespace is not None else node_namespace,
+        condition=condition,
+        **lines,
+    )
+
+
+_parameters = parameters
+
+
+def composable(
+    *,
+    package: Any,
+    plugin: Any,
+    name: Any = None,
+    namespace: Any = None,
+    parameters: Iterable[Any] | None = None,
+    remappings: Iterable[tuple[Any, Any]] | None = None,
+    condition: Any = None,
+    **_: Any,
+) -> Described:
+    """Describe a component."""
+    inside = _parameters(parameters or ())
+    inside += (Described("remap", **{"from": old, "to": new}) for old, new in remappings or ())
+    return Described(
+        "composable_node",
+        inside,
+        pkg=package,
+        plugin=plugin,
+        name=name,
+        namespace=namespace,
+        condition=condition,
+    )
+
+
+def container(*, composable_node_descriptions: Iterable[Any] | None = None, **of: Any) -> Described:
+    """Describe a component container, a node with components."""
+    described = node(**of)
+    described.kind = "node_container"
+    described.inside += composable_node_descriptions or ()
+    return described
+
+
+def load(
+    *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
+) -> Described:
+    """Describe components of a container that is described elsewhere, by its name or itself."""
+    if isinstance(target_container, Described):
+        named = target_container.attributes
+        parts = (named.get("namespace", ""), named.get("name", ""))
+        target_container = "/".join(part.rstrip("/") for part in parts if part)
+    return Described(
+        "load_composable_node",
+        composable_node_descriptions,
+        target=target_container,
+        condition=condition,
+    )
+
+
+def include(
+    source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
+) -> Described:
+    """Describe an include; its arguments are pairs, or by name."""
+    pairs = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
+    inside = [Described("arg", name=name, value=value) for name, value in pairs or ()]
+    return Described("include", inside, file=source, condition=condition)
+
+
+def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:
+    """Stand for LaunchDescription."""
+    return Described("launch", entities or ())
+
+
+def environment(name: Any, *, default_value: Any = None) -> Text:
+    """Stand for EnvironmentVariable."""
+    default = "" if default_value is None else f" '{text(default_value)}'"
+    return Text(f"$(env {text(name)}{default})")
+
+
+def configuration(name: Any, default: Any = None, **_: Any) -> Text:
+    """Stand for LaunchConfiguration."""
+    return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
+
+
+def command(words: Any, **_: Any) -> Text:
+    """Stand for Command, which is one text or several that make one."""
+    line = text(words)
+    quote = '"' if "'" in line else "'"
+    return Text(f"$(command {quote}{line}{quote})")

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "tf2_ros/buffer_server.hpp"

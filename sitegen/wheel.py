@@ -1,0 +1,77 @@
+"""Turn a wheel into an archive of its files where the page has modules."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from email.parser import Parser
+from pathlib import Path, PurePosixPath
+
+# One that is needed whatever else is asked for or true: no condition stands behind it.
+REQUIRED = re.compile(r"\s*([\w.-]+)[^;]*$")
+
+
+@dataclass(frozen=True)
+class Wheel:
+    """Files that are installed together: the modules that can be imported, and the archive.
+
+    `package` and `needs` are names as indices of packages compare them.
+    """
+
+    name: str
+    modules: frozenset[str]
+    data: bytes
+    needs: frozenset[str] = frozenset()
+
+    @property
+    def package(self) -> str:
+        """What it is a wheel of."""
+        return canonical(self.name.partition("-")[0])
+
+
+def canonical(name: str) -> str:
+    """Write the name of a package in the one way that all of its spellings have in common."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def opened(name: str, file: Path) -> Wheel:
+    """Read a wheel, or an archive of shared libraries, from `file`."""
+    files: dict[str, bytes] = {}
+    needs: set[str] = set()
+    with zipfile.ZipFile(file) as archive:
+        for member in archive.infolist():
+            path = PurePosixPath(member.filename)
+            if member.is_dir() or ".." in path.parts or path.is_absolute():
+                continue
+            content = archive.read(member)
+            if re.fullmatch(r"[^/]+\.dist-info/METADATA", member.filename):
+                needs |= set(_needs(content.decode(errors="replace")))
+            data = re.fullmatch(r"[^/]+\.data/(purelib|platlib)/(.+)", member.filename)
+            if not name.endswith(".whl"):
+                files[f"lib/{path.name}"] = content
+            elif data or ".data/" not in path.parts[0] + "/":
+                files[f"python/{data[2] if data else path.as_posix()}"] = content
+    places = (PurePosixPath(place).parts for place in files)
+    tops = {parts[1] for parts in places if parts[0] == "python"}
+    modules = {top.partition(".")[0] for top in tops if not top.endswith(".dist-info")}
+    return Wheel(name, frozenset(modules), archived(files), frozenset(needs))
+
+
+def _needs(metadata: str) -> Iterator[str]:
+    for line in Parser().parsestr(metadata).get_all("Requires-Dist") or []:
+        if found := REQUIRED.fullmatch(line):
+            yield canonical(found[1])
+
+
+def archived(files: Mapping[str, bytes]) -> bytes:
+    """Return a ZIP file, the same bytes for the same files."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, files[name])
+    return buffer.getvalue()
