@@ -194,6 +194,7 @@ def test_who_reads_the_keyboard_waits_and_is_told(page: Page) -> None:
         "i: forward, k: stop",
         "Nobody types for a program in a page: what it reads from the keyboard never comes",
         "no key yet: []",
+        "which key? ",
         "and the terminal is as it was",
     ]
 
