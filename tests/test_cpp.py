@@ -192,7 +192,19 @@ def test_what_changed_is_compiled_and_nothing_else(workspace: Workspace) -> None
 
 def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspace) -> None:
     workspace.package("fine", "add_executable(fine src/main.cpp)", main="int main() {}\n")
-    workspace.site("fine/fine")
+    # What needs no OpenCV runs beside what does.
+    workspace.package(
+        "half_vision",
+        """\
+        find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+        add_executable(seeing src/main.cpp)
+        target_link_libraries(seeing ${OpenCV_LIBRARIES})
+        add_executable(blind src/blind.cpp)
+        """,
+        main='#include "opencv2/core.hpp"\nint main() {}\n',
+    )
+    workspace.write("src/half_vision/src/blind.cpp", "int main() {}\n")
+    workspace.site("fine/fine", "half_vision/blind")
     workspace.build()
     dist = workspace.folder / "dist"
     before = {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()}
@@ -212,7 +224,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "add_executable(wrong src/main.cpp)",
         main="void missing_part();\nint main() {missing_part();}\n",
     )
-    workspace.package("wrong_need", "find_package(OpenCV REQUIRED)\nadd_executable(wrong a.cpp)")
+    workspace.package("wrong_need", "find_package(PCL REQUIRED)\nadd_executable(wrong a.cpp)")
     workspace.package(
         "wrong_cmake",
         'message(FATAL_ERROR "this robot has no wheels")\nadd_executable(wrong a.cpp)',
@@ -223,9 +235,10 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         main="int main() {}\n",
     )
     names = ("source", "link", "need", "cmake", "name")
-    workspace.site("fine/fine", *(f"wrong_{name}/wrong" for name in names))
+    wrong = [f"wrong_{name}/wrong" for name in names]
+    workspace.site("fine/fine", *wrong, "half_vision/seeing")
 
-    source, link, need, cmake, name = workspace.problems()
+    source, link, need, cmake, name, vision = workspace.problems()
     assert source.splitlines() == [
         "src/wrong_source/src/main.cpp: em++ failed (package 'wrong_source')",
         "src/wrong_source/src/main.cpp:3:7: error: cannot initialize a variable of type 'int' with"
@@ -242,7 +255,10 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
     ]
     assert need == (
-        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'OpenCV', "
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which has no build for the page"
+    )
+    assert vision == (
+        "src/half_vision/CMakeLists.txt: 'half_vision' needs 'OpenCV', "
         "which has no build for the page"
     )
     assert cmake.splitlines() == [

@@ -79,6 +79,9 @@ def test_a_node_has_its_other_forms(context: BrowserContext, serve: Serve, built
         "timer 1",
         "# the robot of this test",
         "package 'nowhere' not found, searching: [/ros]",
+        "index 1 0 1",
+        "r2d2 2.5",
+        "logged 0",
         "logged 1",
         "option 0 topic",
     ]

@@ -80,8 +80,8 @@ delta 21
 delta 20
 aligned a 1
 aligned a 2
-aligned b 3
 a is silent
+aligned b 3
 aligned b 4
 aligned b 9
 passed 2, dropped 1, waiting 0

@@ -194,13 +194,14 @@ PublisherBase::PublisherBase(
   refuse_network_flow(options.require_unique_network_flow_endpoints, "publisher");
 }
 
-PublisherBase::~PublisherBase() {detail::forget_lent(ros_name(endpoint_.id()));}
-
 void PublisherBase::lend(std::shared_ptr<detail::Lent> message)
 {
-  const std::size_t readers = detail::borrowers(endpoint_.name());
+  const double name = ros_name(endpoint_.id());
+  if (!lender_) {
+    lender_ = std::shared_ptr<void>(nullptr, [name](void *) {detail::forget_lent(name);});
+  }
   const std::size_t depth = std::max<std::size_t>(endpoint_.qos().depth(), 1);
-  detail::lend(ros_name(endpoint_.id()), sent_, std::move(message), readers, depth);
+  detail::lend(name, sent_, std::move(message), detail::borrowers(endpoint_.name()), depth);
 }
 
 bool PublisherBase::assert_liveliness() const

@@ -6,11 +6,14 @@
 #include <cstring>
 #include <string>
 
+#include "rclcpp/detail/platform.hpp"
 #include "rclcpp/logging.hpp"
 #include "rcutils/allocator.h"
 #include "rcutils/cmdline_parser.h"
+#include "rcutils/env.h"
 #include "rcutils/error_handling.h"
 #include "rcutils/logging.h"
+#include "rcutils/time.h"
 #include "rcutils/types/uint8_array.h"
 
 namespace
@@ -149,6 +152,25 @@ char * rcutils_cli_get_option(char ** begin, char ** end, const char * option)
   for (char ** word = begin; word != end; ++word) {
     if (std::strcmp(*word, option) == 0) {return word + 1 == end ? nullptr : word[1];}
   }
+  return nullptr;
+}
+
+rcutils_ret_t rcutils_system_time_now(rcutils_time_point_value_t * now)
+{
+  *now = rclcpp::detail::nanoseconds(rclcpp::detail::now());
+  return RCUTILS_RET_OK;
+}
+
+rcutils_ret_t rcutils_steady_time_now(rcutils_time_point_value_t * now)
+{
+  return rcutils_system_time_now(now);  // it never steps back
+}
+
+const char * rcutils_get_env(const char * name, const char ** value)
+{
+  if (!name || !value) {return "argument is null";}
+  const char * found = std::getenv(name);
+  *value = found ? found : "";
   return nullptr;
 }
 

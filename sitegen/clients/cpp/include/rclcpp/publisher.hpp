@@ -65,7 +65,7 @@ public:
   PublisherBase(
     const node_interfaces::NodeBaseInterface & node, const std::string & topic,
     const detail::MessageMembers & type, const QoS & qos, const PublisherOptionsBase & options);
-  virtual ~PublisherBase();
+  virtual ~PublisherBase() = default;
 
   const char * get_topic_name() const {return endpoint_.name().c_str();}
   std::size_t get_queue_size() const {return endpoint_.qos().depth();}
@@ -115,6 +115,7 @@ private:
   IntraProcessSetting intra_process_;
   bool lends_;
   std::uint64_t sent_ = 0;
+  std::shared_ptr<void> lender_;  // forgets what was lent when it goes
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>

@@ -47,8 +47,7 @@ void lend(
   std::size_t depth);
 /// A writer is gone, and what it lent.
 void forget_lent(double writer);
-/// The message that is one's own now if nobody else will want it, else what others have as well. Null if
-/// it was not lent.
+/// What was lent, null if nothing was. Who has it is alone with it if none are `left` and no other has it.
 std::shared_ptr<Lent> lent(double writer, std::uint64_t sequence);
 
 }  // namespace detail

@@ -7,11 +7,16 @@
 #include <vector>
 
 #include "ament_index_cpp/get_package_share_directory.hpp"
+#include "ament_index_cpp/get_packages_with_prefixes.hpp"
+#include "ament_index_cpp/get_resource.hpp"
 #include "components/shape.hpp"
 #include "pluginlib/class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp/type_adapter.hpp"
+#include "rcpputils/env.hpp"
+#include "rcpputils/find_and_replace.hpp"
 #include "rcpputils/join.hpp"
+#include "rcpputils/rolling_mean_accumulator.hpp"
 #include "rcutils/cmdline_parser.h"
 #include "rcutils/logging_macros.h"
 #include "std_msgs/msg/string.hpp"
@@ -142,6 +147,21 @@ int main(int argc, char ** argv)
     ament_index_cpp::get_package_share_directory("nowhere");
   } catch (const ament_index_cpp::PackageNotFoundError & error) {
     std::printf("%s\n", error.what());
+  }
+  std::string content = "?";
+  const auto packages = ament_index_cpp::get_packages_with_prefixes();
+  std::printf(
+    "index %d %d %d%s\n", packages.count("family") == 1, packages.count("nowhere") == 1,
+    ament_index_cpp::get_resource("packages", "family", content), content.c_str());
+  rcpputils::RollingMeanAccumulator<double> mean(2);
+  for (double number : {9.0, 2.0, 3.0}) {mean.accumulate(number);}
+  rcpputils::set_env_var("ROBOT", "r-2-d-2");
+  std::printf(
+    "%s %.1f\n",
+    rcpputils::find_and_replace(rcpputils::get_env_var("ROBOT"), "-", "").c_str(),
+    mean.getRollingMean());
+  for (int i = 0; i < 3; ++i) {
+    RCUTILS_LOG_INFO_THROTTLE_NAMED(rcutils_steady_time_now, 60000, "named", "logged %d", i);
   }
   RCUTILS_LOG_INFO_NAMED("named", "logged %d", 1);
   std::printf(

@@ -64,9 +64,9 @@ int main(int argc, char ** argv)
   aligner.add<1>(at<Imu>(3));
   aligner.add<0>(at<Temperature>(2));
   aligner.add<0>(at<Temperature>(1));
-  aligner.dispatchMessages();  // 1, 2, and 3 as the next of the first input may be as early
+  aligner.dispatchMessages();  // not 3, for the next of the other input may be as early
   aligner.add<1>(at<Imu>(4));
-  aligner.add<0>(at<Temperature>(2));  // too late
+  aligner.add<0>(at<Temperature>(1));  // too late
   aligner.dispatchMessages();
   std::puts("a is silent");
   aligner.add<1>(at<Imu>(9));
@@ -82,15 +82,14 @@ int main(int argc, char ** argv)
     [](const Temperature::ConstSharedPtr & a, const Imu::ConstSharedPtr & b) {
       std::printf("latest %d %d\n", a->header.stamp.sec, b->header.stamp.sec);
     });
-  const auto later = [] {std::this_thread::sleep_for(40ms);};
   latest.add<0>(at<Temperature>(1));
   latest.add<1>(at<Imu>(1));
-  later();
+  std::this_thread::sleep_for(40ms);
   latest.add<0>(at<Temperature>(2));
-  later();
+  std::this_thread::sleep_for(40ms);
   latest.add<0>(at<Temperature>(3));
-  later();
-  latest.add<1>(at<Imu>(2));
+  latest.add<1>(at<Imu>(2));  // comes half as often
+  std::this_thread::sleep_for(1ms);
   latest.add<0>(at<Temperature>(4));
   rclcpp::shutdown();
   return 0;
