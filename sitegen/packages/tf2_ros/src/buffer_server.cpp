@@ -1,6 +1,7 @@
 #include "tf2_ros/buffer_server.hpp"
 
 #include <memory>
+#include <string>
 
 #include "tf2/exceptions.hpp"
 #include "tf2_ros/buffer_interface.hpp"
@@ -61,12 +62,13 @@ bool BufferServer::can_answer(const GoalHandle & handle) const
 {
   const auto goal = handle->get_goal();
   const auto source_time = fromMsg(goal->source_time);
+  std::string error;  // else the buffer warns, each time that it is asked
   if (!goal->advanced) {
-    return buffer_.canTransform(goal->target_frame, goal->source_frame, source_time, nullptr);
+    return buffer_.canTransform(goal->target_frame, goal->source_frame, source_time, &error);
   }
   return buffer_.canTransform(
     goal->target_frame, fromMsg(goal->target_time), goal->source_frame, source_time,
-    goal->fixed_frame, nullptr);
+    goal->fixed_frame, &error);
 }
 
 void BufferServer::answer(const GoalHandle & handle) const

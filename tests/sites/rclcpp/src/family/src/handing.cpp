@@ -51,6 +51,8 @@ int main(int argc, char ** argv)
       message->data = number;
       sent = message.get();
       publisher.publish(std::move(message));
+      // Where it was, if it is gone, something else is now.
+      for (int i = 0; i < 8; ++i) {owned.push_back(std::make_unique<Int32>());}
       for (got = 0; got < readers; ) {executor.spin_once(5s);}
     };
   const auto matched = [&](const rclcpp::PublisherBase & publisher, std::size_t readers) {
