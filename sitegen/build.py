@@ -152,7 +152,7 @@ def make(
     site, given = compiled.resolve(site, cache=cache_folder(), report=report)
 
     # Python nodes become archives; what is wrong there is told before anything takes minutes.
-    bundles = python.bundle(site, nodes_of(site), cache=cache_folder())
+    bundles = python.bundle(site, nodes_of(site), cache=cache_folder(), say=report.say)
 
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from sitegen.errors import Place
 
@@ -12,14 +13,21 @@ from sitegen.errors import Place
 CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
 
 
-def outside(files: Mapping[str, Path], program: str) -> dict[str, Place]:
-    """Return the modules from elsewhere that a program cannot do without, and where it says so.
+class Import(NamedTuple):
+    """Where a module is imported, and whether every run comes there: not in an if of a function."""
+
+    place: Place
+    sure: bool
+
+
+def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
+    """Return the modules from elsewhere that a program asks for and does not do without.
 
     `files` are those of its package and of the packages that it needs, by their place below the
     prefix; `program` is an entry point ("module:function") or the place of a file.
     """
     modules = {_name(place): file for place, file in files.items() if _is_module(place)}
-    found: dict[str, Place] = {}
+    found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
     seen: set[str] = set()
     if program in files:
@@ -46,49 +54,60 @@ def _sort(
     file: Path,
     modules: Mapping[str, Path],
     waiting: list[str],
-    found: dict[str, Place],
+    found: dict[str, Import],
 ) -> None:
     """Put what one module imports where it belongs: `waiting` if it is the program's own."""
     package = name if file.name == "__init__.py" else name.rpartition(".")[0]
-    for imported, line in _imports(file, package):
+    for imported, line, sure in _imports(file, package):
         above = imported.split(".")
         own = [".".join(above[: n + 1]) for n in range(len(above))]
         here = [each for each in own if each in modules]
         if above[0] in modules or here:
             waiting += here
         else:
-            found.setdefault(above[0], Place(file, line))
+            known = found.get(above[0])
+            if known is None or (sure and not known.sure):
+                found[above[0]] = Import(Place(file, line), sure)
 
 
-def _imports(file: Path, package: str) -> Iterator[tuple[str, int]]:
-    """Yield the whole names of modules, and of what may be one, with their lines."""
+def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
+    """Yield whole names of modules, and of what may be one, their lines, and whether for sure."""
     try:
         tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
     except (SyntaxError, ValueError):
         return  # Python will say so, in the console
-    for node in _unconditional(tree):
+    for node, sure in _unconditional(tree):
         if isinstance(node, ast.Import):
-            yield from ((alias.name, node.lineno) for alias in node.names)
+            yield from ((alias.name, node.lineno, sure) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
             above = package.split(".") if node.level else []
             above = above[: len(above) - node.level + 1] if node.level else above
             base = ".".join([*filter(None, above), *filter(None, [node.module])])
             if base:
-                yield base, node.lineno
-                yield from ((f"{base}.{alias.name}", node.lineno) for alias in node.names)
+                yield base, node.lineno, sure
+                yield from ((f"{base}.{alias.name}", node.lineno, sure) for alias in node.names)
 
 
-def _unconditional(tree: ast.AST) -> Iterator[ast.AST]:
-    """Yield the nodes below `tree`, but what is for type checkers or may fail."""
+def _unconditional(
+    tree: ast.AST, *, within: bool = False, sure: bool = True
+) -> Iterator[tuple[ast.AST, bool]]:
+    """Yield the nodes below `tree`, but what is for type checkers or may fail, and if for sure.
+
+    `within` says whether `tree` is in a function.
+    """
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Try) and any(_catches(each) for each in node.handlers):
             for part in (*node.handlers, *node.orelse, *node.finalbody):
-                yield from _unconditional(part)
+                yield from _unconditional(part, within=within, sure=sure)
             continue
         if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
             continue
-        yield node
-        yield from _unconditional(node)
+        yield node, sure
+        yield from _unconditional(
+            node,
+            within=within or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef),
+            sure=sure and not (within and isinstance(node, ast.If)),
+        )
 
 
 def _catches(handler: ast.ExceptHandler) -> bool:

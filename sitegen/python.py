@@ -5,13 +5,12 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen import bytecode, imports, interfaces, messages, wheels, workspace
 from sitegen.descriptions import described
-from sitegen.errors import Place
 from sitegen.messages import MessageType
 from sitegen.model import Node, Package, Site
 from sitegen.wheel import archived
@@ -56,7 +55,9 @@ class Bundles:
         return {path: len(data) for path, data in self.archives.items()}
 
 
-def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles:
+def bundle(
+    site: Site, nodes: Iterable[Node], *, cache: Path, say: Callable[[str], None] = lambda _: None
+) -> Bundles:
     """Return the archives for those of `nodes` that are Python's.
 
     Raises a SiteError that says what is wrong with the definitions of the workspace, or which
@@ -73,7 +74,7 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path) -> Bundles:
     if workspace.OWN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
-    collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache)
+    collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache, say=say)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
@@ -99,7 +100,7 @@ def _wanted(
     programs: Iterable[tuple[str, str]],
     needs: Mapping[str, Sequence[Package]],
     common: Iterable[str],
-) -> dict[tuple[str, str], dict[str, Place]]:
+) -> dict[tuple[str, str], dict[str, imports.Import]]:
     """Return the modules that each program imports and that are not on every page."""
     there = {place.split("/")[1].removesuffix(".py") for place in common}
     there |= sys.stdlib_module_names | IN_THE_PAGE

@@ -6,13 +6,14 @@ import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from sitegen import requirements
 from sitegen.errors import Place, Problems
 from sitegen.fetch import FetchError, fetch, mismatch
+from sitegen.imports import Import
 from sitegen.model import Site
 from sitegen.wheel import Wheel, canonical, opened
 
@@ -22,6 +23,8 @@ PURE = "-none-any.whl"
 LARGEST = 100_000_000
 # Of what comes to each page with rclpy.
 THERE = {"pyyaml", "typing-extensions"}
+# How PyPI names the packages of ROS: those come with rclpy and the messages.
+OF_ROS = "ros-"
 ADVICE = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
 POINT = "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
 
@@ -31,32 +34,37 @@ Program = tuple[str, str]
 
 
 def collect(
-    site: Site, wanted: Mapping[Program, Mapping[str, Place]], *, cache: Path
+    site: Site,
+    wanted: Mapping[Program, Mapping[str, Import]],
+    *,
+    cache: Path,
+    say: Callable[[str], None],
 ) -> dict[Program, list[Wheel]]:
     """Return the wheels that each program needs.
 
     `wanted` has the modules that each imports from elsewhere, and where. Raises a SiteError with
-    all modules that are nowhere, each with its line.
+    all modules that are nowhere, each with its line; says those that not every run imports.
     """
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     origins = {module: name for name, each in lock.items() for module in each["imports"]}
-    problems = Problems(site.root)
+    problems, notes = Problems(site.root), Problems(site.root)
     pinned = _pinned(site, lock, problems, cache / "wheels")
     given = {module for wheel in pinned for module in wheel.modules}
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
-        for module, place in modules.items():
+        for module, (place, sure) in modules.items():
+            lacks = problems if sure else notes
             pure = module not in origins or lock[origins[module]]["file_name"].endswith(PURE)
             if module in given:
                 # What one of them needs is among them, or the build has said so.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or (pure and not site.pyodide.packages):
                 message = f"no module of this name comes to the page; {ADVICE}, or leave it out"
-                problems.add(place, f"import {module}", message)
+                lacks.add(place, f"import {module}", message)
             elif not site.pyodide.packages:
                 message = f"'{origins[module]}' has to be compiled for the page; {POINT}"
-                problems.add(place, f"import {module}", message)
+                lacks.add(place, f"import {module}", message)
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -65,8 +73,10 @@ def collect(
                     wheels += pinned if len(others) < len(names) else []
                     found[program] |= {wheel.name: wheel for wheel in wheels}
                 except FetchError as error:
-                    problems.add(place, f"import {module}", str(error))
+                    lacks.add(place, f"import {module}", str(error))
     problems.raise_if_any()
+    for line in dict.fromkeys(notes.lines):
+        say(f"{line}; left out, since not every run comes there")
     return {program: list(wheels.values()) for program, wheels in found.items()}
 
 
@@ -81,6 +91,8 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
     for wheel in wheels:
         place = Place(file, _line(file, wheel.package))
         for need in sorted(wheel.needs - there - THERE):
+            if need.startswith(OF_ROS):
+                continue
             if need in lock and site.pyodide.packages:
                 names.append(need)
                 continue

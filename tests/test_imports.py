@@ -87,7 +87,7 @@ ALLOWED = {
     "typesupport": set(),
     "wiring": {"errors", "model"},
     "wheel": set(),
-    "wheels": {"errors", "fetch", "model", "requirements", "wheel"},
+    "wheels": {"errors", "fetch", "imports", "model", "requirements", "wheel"},
     "workspace": {"cmakelists", "errors", "model", "setupfiles"},
 }
 

@@ -141,7 +141,8 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
     native = Native()
     installed = hidden.parent / "installed"
     shutil.unpack_archive(hidden / "nodes" / "tutorials" / "python.zip", installed)
-    for program in ("pubsub", "policies", "loops", "lifecycle", "graph", "introspection"):
+    programs = ("pubsub", "policies", "loops", "lifecycle", "graph", "introspection")
+    for program in (*programs, "observers", "overrides", "spinning"):
         state, lines = run(tab, program)
         expected = native.call(f"tutorials.{program}:main", installed)
         assert printed(lines) == expected.stdout.splitlines(), (program, lines)
@@ -199,7 +200,7 @@ def _interrupt_busy(tab: Page) -> None:
         busy.wait_for("computing")
         busy.stop()
         busy.wait_for("finally")
-        assert busy.lines() == ["computing", "interrupted, ok: False", "finally"]
+        assert busy.lines() == ["ready", "computing", "interrupted, ok: False", "finally"]
         busy.button("Clear").click()
 
 
@@ -239,3 +240,10 @@ def test_webkit_runs_python_in_shared_memory(window: Window, isolated: Path, ser
     node = WindowPanel(window, "pubsub")
     node.start()
     node.wait_for("ok False")
+    # A second worker: WebKit asks whether the first one's program is still right.
+    busy = WindowPanel(window, "busy")
+    busy.start()
+    busy.wait_for("computing")
+    busy.stop()
+    busy.wait_for("finally")
+    assert busy.lines() == ["ready", "computing", "interrupted, ok: False", "finally"]

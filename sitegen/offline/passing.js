@@ -6,8 +6,14 @@ self.addEventListener("activate", (event) => event.waitUntil(forget()));
 self.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.mode !== "navigate" && request.destination !== "worker") return;
-  event.respondWith(fetch(request).then(isolating(request)));
+  event.respondWith(whole(request).then(isolating(request)));
 });
+
+/** The answer to a request, never that nothing has changed: WebKit asks for that, and has no use for it from here. */
+async function whole(request) {
+  const response = await fetch(request);
+  return response.status === 304 ? fetch(request.url, { credentials: "same-origin" }) : response;
+}
 
 /** What it kept while it worked without a network. */
 async function forget() {

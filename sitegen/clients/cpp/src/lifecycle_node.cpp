@@ -210,9 +210,13 @@ bool LifecycleNode::change(std::uint8_t id, CallbackReturn & code)
     std::begin(kEdges), std::end(kEdges),
     [&](const Edge & one) {return one.id == id && one.from == current_.id();});
   if (edge == std::end(kEdges)) {
+    const std::string label = current_.label();
+    RCLCPP_WARN(
+      rclcpp::get_logger("rcl_lifecycle"), "No transition matching %d found for current state %s",
+      id, label.c_str());
     RCLCPP_ERROR(
-      get_logger(), "Unable to change state from state machine: no transition %d from state %s",
-      id, current_.label().c_str());
+      get_logger(), "Unable to start transition %u from current state %s: %s", id, label.c_str(),
+      "Transition is not registered.");
     code = CallbackReturn::ERROR;
     return false;
   }

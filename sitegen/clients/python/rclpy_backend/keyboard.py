@@ -36,6 +36,8 @@ class Keyboard(io.RawIOBase):
 
     def readinto(self, buffer: Any) -> int:
         """Wait for what somebody types."""
+        for output in turns.running().outputs:
+            output.end()  # a question has no end of line
         _tell()
         while True:
             wait(None)

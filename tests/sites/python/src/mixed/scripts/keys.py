@@ -14,6 +14,7 @@ from geometry_msgs.msg import Twist
 def key(settings):
     """Return the key that is pressed."""
     tty.setraw(sys.stdin.fileno())
+    print("which key? ", end="", flush=True)
     pressed = sys.stdin.read(1)
     termios.tcsetattr(sys.stdin, termios.TCSADRAIN, settings)
     return pressed
