@@ -43,7 +43,8 @@ ALLOWED = {
     "containers": {"model"},
     "config": {"errors", "fetch", "launch", "model", "parameterfiles", "theme", "workspace"},
     "check": {"build", "cache", "descriptions", "errors", "model", "prose", "report", "wiring"},
-    "cmakelists": set(),
+    "cmakelists": {"cmakescript"},
+    "cmakescript": set(),
     "cmake": {"model", "toolchain"},
     "cpp": {
         *("cache", "cmake", "diagnosis", "digest", "errors", "interfaces", "messages", "model"),

@@ -123,7 +123,33 @@ def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: st
         ("project(demo_nodes)\nadd_executable(${PROJECT_NAME}_a a.cpp)", ("demo_nodes_a",)),
         ("add_executable(${PROJECT_NAME} a.cpp)", ("demo",)),
         ("add_executable(fixed a.cpp)\nadd_executable(${NAME} a.cpp)", None),
-        ("foreach(name a b)\nadd_executable(${name} a.cpp)\nendforeach()", None),
+        ("set(NAME ${OTHER})\nadd_executable(${NAME}_a a.cpp)", None),
+        ("set(NAME a CACHE STRING what)\nadd_executable(${NAME}_a a.cpp)", ("a_a",)),
+        ("if(WIN32)\nset(NAME a)\nendif()\nadd_executable(${NAME} a.cpp)", None),
+        ("set(NAME a)\nstring(TOUPPER x NAME)\nadd_executable(${NAME} a.cpp)", None),
+        ("foreach(name a b)\nadd_executable(${name} a.cpp)\nendforeach()", ("a", "b")),
+        (
+            "set(names c d)\nforeach(name IN ITEMS a LISTS names)\nforeach(n RANGE 1)\n"
+            "add_executable(${name}_${n} a.cpp)\nendforeach()\nendforeach()",
+            ("a_0", "a_1", "c_0", "c_1", "d_0", "d_1"),
+        ),
+        ("file(GLOB names *)\nforeach(name ${names})\nadd_executable(${name} a.cpp)\n", None),
+        (
+            "function(demo folder target)\nadd_executable(${target} ${folder}/a.cpp ${ARGN})\n"
+            "endfunction()\nDemo(topics talker b.cpp)\ndemo(topics listener)",
+            ("talker", "listener"),
+        ),
+        (
+            "macro(one name)\nset(${name}_made ${name})\nadd_executable(${ARGV1} a.cpp)\n"
+            "endmacro()\none(a ${a})\none(b ${b})",
+            None,
+        ),
+        ("macro(again)\nadd_executable(a a.cpp)\nagain()\nendmacro()\nagain()", ("a",)),
+        (
+            "if(BUILD_TESTING)\nif(A)\nadd_executable(test a.cpp)\nelse()\nendif()\n"
+            "function(never)\nendfunction()\nelse()\nadd_executable(real a.cpp)\nendif()",
+            ("real",),
+        ),
         ("add_subdirectory(${WHERE})", None),
         ("ament_auto_add_executable(talker a.cpp)", ("talker",)),
         (
