@@ -77,6 +77,20 @@ def browser(browser_name: str) -> Iterator[Browser]:
         yield browser
 
 
+@pytest.fixture(autouse=True)
+def nothing_left_open(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Close the pages that a test opened: their nodes would run beside those of all others."""
+    if "browser" not in request.fixturenames:
+        yield
+        return
+    browser: Browser = request.getfixturevalue("browser")
+    before = list(browser.contexts)
+    yield
+    for context in browser.contexts:
+        if context not in before:
+            context.close()
+
+
 @pytest.fixture(scope="session")
 def webkit_window() -> Iterator[Window]:
     """One WebKitGTK for all tests."""
