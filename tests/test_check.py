@@ -15,7 +15,7 @@ from sitegen.report import Report
 from sitegen.toolchain import Toolchain
 
 ROOT = Path(__file__).parent.parent
-SITES = ["demos/demo03", "demos/demo04", "demos/demo05", "demos/demo06", "tests/sites/services"]
+SITES = ["demos/demo03", "demos/demo04", "demos/demo05", "demos/demo06"]
 
 CPP = """\
 #include <memory>
@@ -123,6 +123,13 @@ def test_a_site_whose_nodes_hear_each_other_is_right(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", SITES)
 def test_sites_of_ours_are_right(name: str) -> None:
     assert warnings(ROOT / name) == []
+
+
+def test_who_calls_nobody_is_told() -> None:
+    assert warnings(ROOT / "tests/sites/services") == [
+        "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, where nobody "
+        "serves it; give the page a node that does, or remap the name"
+    ]
 
 
 def test_what_nobody_is_at_the_other_side_of(tmp_path: Path) -> None:
