@@ -204,7 +204,7 @@ def test_a_site_of_python_nodes_needs_no_compiler(
 def test_a_cmake_package_may_have_programs_and_modules_of_python() -> None:
     packages = workspace.scan(HERE / "sites" / "python" / "src")
     package = packages["mixed"]
-    assert package.executables == ("greeter.py", "plain", "sorting.py")
+    assert package.executables == ("greeter.py", "plain", "sorting.py", "packing.py", "keys.py")
     assert package.sources["greeter.py"] == ("scripts/greeter.py",)
     assert package.setup
     files = {p: f.relative_to(package.path).as_posix() for p, f in package.setup.files.items()}
@@ -214,6 +214,8 @@ def test_a_cmake_package_may_have_programs_and_modules_of_python() -> None:
         "lib/mixed/greeter.py": "scripts/greeter.py",
         "lib/mixed/plain": "scripts/plain",
         "lib/mixed/sorting.py": "scripts/sorting.py",
+        "lib/mixed/packing.py": "scripts/packing.py",
+        "lib/mixed/keys.py": "scripts/keys.py",
         "lib/mixed/helper": "scripts/helper.sh",
         "share/mixed/config/name.txt": "config/name.txt",
         "share/mixed/copy/package.xml": "package.xml",
