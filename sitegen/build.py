@@ -317,6 +317,7 @@ def summarize(made: Made, report: Report) -> None:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
     if untold:
         report.say(f"  … and {count(len(untold), 'page')} more, of text only")
+    sizes = made.bundles.sizes()
     for node in nodes_of(site):
         if node.ros2wasm:
             total = sum(file.stat().st_size for file in node.ros2wasm.files)
@@ -324,7 +325,6 @@ def summarize(made: Made, report: Report) -> None:
             report.say(f"  {script}: ROS2WASM {size(total)}")
             continue
         if site.setup_of(node):
-            sizes = made.bundles.sizes()
             total = sum(sizes[path] for path in made.bundles.needed[node.package, node.executable])
             report.say(f"  {node.package}/{node.executable}: Python {size(total)}")
             continue

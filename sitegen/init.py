@@ -42,7 +42,7 @@ class Runs:
 
 
 def init(folder: Path, report: Report, *, github: bool = False) -> None:
-    """Write a site.yaml that builds, a page for each package; one that is there stays as it is.
+    """Write a site.yaml, a page for each package and launch file; one that is there stays as it is.
 
     For `github`, write workflows for the site, too; then a site.yaml may be there already.
     """

@@ -26,5 +26,5 @@ def test_chance_finds_nothing_wrong(play: Any, seed: int) -> None:
     end = play(f'const chance = await import("./chance.js"); return chance.play({seed}, {STEPS});')
     assert end["wrong"] == [], f"seed {seed}"
     assert end["left"] == []
-    # How much is heard is a matter of the machine: a hundred thousand on an idle one.
+    # How much is heard is a matter of the machine.
     assert end["heard"] > 100, end

@@ -108,7 +108,7 @@ def test_what_only_some_runs_import_is_left_out_with_a_note(site: Path, tmp_path
     write(site, {"run.py": text})
     loaded = load(site / "site.yaml")
     said: list[str] = []
-    assert python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
+    python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
     assert said == [
         "src/mine/run.py:3: import matplotlib: 'matplotlib' has to be compiled for the page; "
         "say where the Pyodide distribution is, in 'pyodide: {packages: …}'; "

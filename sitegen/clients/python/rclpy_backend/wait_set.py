@@ -55,6 +55,7 @@ class WaitSet(Destroyable):
         """Wait for a part of something larger."""
         self._entities["timer" if isinstance(entity, Timer) else "part"].append(entity)
 
+    # These are called for everything that a node has, for each message: so they call nothing else.
     def add_service(self, service: Service) -> int:
         """Wait for requests; returns the index among the services."""
         entities = self._entities["service"]
