@@ -56,7 +56,7 @@ int main(int argc, char ** argv)
     const ssize_t size = read(STDIN_FILENO, bytes, sizeof bytes);
     pressed.assign(bytes, size);
     std::printf("%d key", ready);
-    for (const char byte : pressed) {std::printf(" %d", byte);}
+    for (const unsigned char byte : pressed) {std::printf(" %d", byte);}
     std::puts("");
   }
   fcntl(STDIN_FILENO, F_SETFL, O_NONBLOCK);
