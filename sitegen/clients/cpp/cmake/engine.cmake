@@ -30,7 +30,8 @@ set(_threads
   cond_init cond_wait cond_timedwait cond_signal cond_broadcast
   key_create key_delete getspecific setspecific)
 list(TRANSFORM _threads PREPEND pthread_ OUTPUT_VARIABLE _wrapped)
-list(APPEND _wrapped abort __assert_fail)
+# So is the keyboard (src/input.cpp).
+list(APPEND _wrapped abort __assert_fail __wasi_fd_read fcntl poll select)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
 endif()
@@ -42,6 +43,10 @@ if(SITEGEN_DEBUG)
     -fsanitize-minimal-runtime "SHELL:-include ${SITEGEN_CPP}/src/checks.h")
   add_link_options(-gsource-map --profiling-funcs "SHELL:--source-map-base /")
   list(APPEND _wrapped __cxa_throw ros_fail)
+endif()
+if(SITEGEN_DRAFT)
+  # Sources are compiled as ever, so that only the link is another when the site is built.
+  add_link_options(-O1)
 endif()
 # Where files are on the author's computer is no business of the page's.
 get_filename_component(_work "${SITEGEN_RCLCPP}/../../.." ABSOLUTE)
