@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import yaml
@@ -15,6 +15,7 @@ from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
 from sitegen.errors import Place, Problems, SiteError, relative
 from sitegen.github import workflows
+from sitegen.lacking import lacking
 from sitegen.launch import launched
 from sitegen.model import Node, Package
 from sitegen.report import Report
@@ -87,18 +88,27 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     shown: list[Package] = []
     launch: dict[str, Path] = {}
     faults: list[str] = []
+    missing = {name: lacking(package) for name, package in packages.items()}
     for name, package in packages.items():
         place = Place(package.path / "package.xml", 1)
-        nodes = [Node(each, name, each, place) for each in package.executables or ()]
+        rest = [each for each in package.executables or () if each not in missing[name]]
+        nodes = [Node(each, name, each, place) for each in rest]
         fault = _fault(root, nodes, packages)
         if nodes and not fault:
-            shown.append(package)
+            shown.append(replace(package, executables=tuple(rest)))
         faults += [fault] if fault else []
+        for each, what in missing[name].items():
+            folder = relative(package.path, root)
+            faults.append(f"{folder}: '{each}' needs '{what}', which has no build for the page")
         for file in _files(package, LAUNCH):
             problems = Problems(root)
             path = package.path / file
             started = launched(path, {}, {**workspace.given(), **packages}, problems)
             fault = next(iter(problems.lines), "") or _fault(root, started, packages)
+            for node in started:
+                if node.executable in missing.get(node.package, {}):
+                    what = missing[node.package][node.executable]
+                    fault = f"{relative(path, root)}: '{node.executable}' needs '{what}'"
             if not started and not fault:
                 fault = f"{relative(path, root)}: starts nothing that a page could run"
             if fault:

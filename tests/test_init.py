@@ -119,6 +119,44 @@ launch:
     ]
 
 
+def test_programs_that_need_what_no_page_has_are_left_out(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    files = {
+        "package.xml": "<package><name>eyes</name></package>",
+        "CMakeLists.txt": """\
+project(eyes)
+find_package(OpenCV REQUIRED)
+add_executable(seer src/seer.cpp)
+add_executable(blind src/blind.cpp)
+add_library(parts src/camera.cpp)
+rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
+""",
+        "include/eyes/lens.hpp": "#include <opencv2/core.hpp>\n",
+        "src/seer.cpp": '#include "eyes/lens.hpp"\nint main() {}\n',
+        "src/blind.cpp": "int main() {}\n",
+        "src/camera.cpp": '#include "cv_bridge/cv_bridge.hpp"\n',
+        "launch/see.launch.xml": '<launch><node pkg="eyes" exec="seer"/></launch>',
+        "launch/rest.launch.xml": '<launch><node pkg="eyes" exec="blind"/></launch>',
+    }
+    for name, text in files.items():
+        file = workspace / "src/eyes" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    assert main(["init", str(workspace)]) == 0
+    said = capsys.readouterr().out
+    assert "  /eyes/  blind\n" in said
+    for fault in (
+        "src/eyes: 'seer' needs 'OpenCV', which has no build for the page",
+        "src/eyes: 'camera' needs 'cv_bridge', which has no build for the page",
+        "src/eyes/launch/see.launch.xml: 'seer' needs 'OpenCV'",
+    ):
+        assert f"  left out: {fault}\n" in said
+    pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
+    assert pages["eyes/"] == pages["eyes/rest/"] == ["blind"]
+    assert "eyes/see/" not in pages
+
+
 def test_names_suit_nodes_and_pages(workspace: Path) -> None:
     shutil.copytree(ROOT / "tests/sites/python/src/mixed", workspace / "src/mixed")
     file = workspace / "src/cpp_pubsub/package.xml"

@@ -46,6 +46,7 @@ def test_a_managed_node_changes_its_state(
         "0 inactive",
         "Caught exception in callback for transition 11",
         "Original error: stuck",
+        "Error occurred while doing error handling.",
         "0 unconfigured",
         "2 transitions",
         "finalized",

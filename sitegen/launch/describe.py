@@ -90,6 +90,9 @@ ROS: dict[str, Any] = {
     "FindPackageShare": lambda package: Folder(f"$(find-pkg-share {text(package)})"),
     "FindPackagePrefix": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
+    "ExecutableInPackage": lambda executable, package, **_: Text(
+        f"$(exec-in-pkg {text(executable)} {text(package)})"
+    ),
     "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
     "ParameterValue": lambda value, *, value_type=None: (
         value if value_type is None else (Typed if value_type is str else Text)(text(value))

@@ -1,14 +1,15 @@
-"""What launch files in Python have for events and for processes that are no nodes.
+"""What launch files in Python have for processes and for events.
 
-A page has neither: what these describe is left out of it, by its name in launch files in XML.
+A page has no events: what these describe is left out of it, by its name in launch files in XML.
 """
 
 from __future__ import annotations
 
+import shlex
 from types import SimpleNamespace
 from typing import Any
 
-from sitegen.launch.describe_actions import Described
+from sitegen.launch.describe_actions import Described, text
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
 HANDLERS = (
@@ -46,9 +47,13 @@ def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) 
     return Described("timer", actions, period=period, condition=condition)
 
 
-def process(*_: Any, condition: Any = None, **__: Any) -> Described:
-    """Stand for a process that is no node."""
-    return Described("executable", condition=condition)
+def process(
+    *_: Any, cmd: Any = (), shell: bool = False, condition: Any = None, **__: Any
+) -> Described:
+    """Describe a process by its command line."""
+    words = [text(word) for word in cmd]
+    line = " ".join(words) if shell else " ".join(shlex.quote(word) for word in words)
+    return Described("executable", cmd=line, condition=condition)
 
 
 def nothing(*_: Any, **__: Any) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
-from sitegen.launch import python, xacro, xml, yaml
+from sitegen.launch import processes, python, xacro, xml, yaml
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
@@ -20,11 +20,11 @@ DEEPEST = 20
 IGNORED = {"append_env", "log", "set_env", "unset_env"}
 # What a page does without, which its author gets to know.
 LEFT_OUT = {
-    "executable": "a program of the system does not run in a page",
     "event": "events of launch files do not happen in a page",
     "event_handler": "events of launch files do not happen in a page",
     "shutdown": "a page ends when its reader leaves it",
 }
+OF_SYSTEM = "a program of the system does not run in a page; this is left out"
 # Packages of programs that draw on a screen of their own.
 SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
 # Programs that read the keys of a terminal.
@@ -86,6 +86,7 @@ class _Launch:
             "let": self._let,
             "group": self._group,
             "include": self._include,
+            "executable": self._process,
             "node": self._node,
             "node_container": self._container,
             "load_composable_node": self._load,
@@ -223,6 +224,18 @@ class _Launch:
             self._notes.add(action.place, action.kind, message)
             return
         self._started(action, scope)
+
+    def _process(self, action: Action, scope: Scope) -> None:
+        """Start what is a program of the workspace; nothing around it holds for a process."""
+        try:
+            found = processes.program(self._text(action, "cmd", scope), self._folders)
+        except SubstitutionError:
+            found = None
+        if found is None:
+            self._notes.add(action.place, action.kind, OF_SYSTEM)
+            return
+        words = {"pkg": found.package, "exec": found.executable, "args": shlex.join(found.words)}
+        self._node(Action("node", words, action.place), Scope(scope.file, scope.variables))
 
     def _started(self, action: Action, scope: Scope) -> Node:
         executable = self._needed(action, "exec", scope)

@@ -9,6 +9,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
+from sitegen.launch.processes import installed
+
 # What expressions may use: they have no need of files and modules.
 PLAIN = (abs, all, any, bool, float, int, len, max, min, round, sorted, str, sum)
 NAMES = {**vars(math), "math": math, **{each.__name__: each for each in PLAIN}}
@@ -42,6 +44,9 @@ def expand(
         "find_pkg_share": lambda package: str(share(package)),
         "find_pkg_prefix": lambda package: str(share(package)),
         "find_exec": lambda name: name,
+        "exec_in_pkg": lambda executable, package: str(
+            installed(share(package), package, executable)
+        ),
         "command": lambda line, *_: output(line),
         "eval": lambda *words: _evaluated(" ".join(words)),
         "expression": lambda *words: _evaluated("".join(map(_part, words))),

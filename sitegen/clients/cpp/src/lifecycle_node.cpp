@@ -232,6 +232,7 @@ bool LifecycleNode::change(std::uint8_t id, CallbackReturn & code)
     return true;
   }
   enter(state(S::TRANSITION_STATE_ERRORPROCESSING), id, "transition_error");
+  RCLCPP_WARN(get_logger(), "Error occurred while doing error handling.");
   const bool recovered = call(S::TRANSITION_STATE_ERRORPROCESSING, initial) ==
     CallbackReturn::SUCCESS;
   const auto last = recovered ? S::PRIMARY_STATE_UNCONFIGURED : S::PRIMARY_STATE_FINALIZED;

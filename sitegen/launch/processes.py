@@ -1,0 +1,42 @@
+"""Turn the command line of a process that a launch file starts into a program of the workspace."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+RUN = ["ros2", "run"]
+
+
+@dataclass(frozen=True)
+class Program:
+    """A program of a package, and what stands behind it on the command line."""
+
+    package: str
+    executable: str
+    words: list[str]
+
+
+def program(line: str, folders: Mapping[str, Path]) -> Program | None:
+    """Return what `line` runs, None if that is of no package; `folders` are those of packages.
+
+    It is run with `ros2 run`, or by the place where the package would install it.
+    """
+    try:
+        words = shlex.split(line)
+    except ValueError:
+        return None
+    if words[:2] == RUN and len(words) >= 4:
+        return Program(words[2], words[3], words[4:])
+    place = Path(words[0]) if words else Path()
+    package = place.parent.name
+    if package in folders and place == installed(folders[package], package, place.name):
+        return Program(package, place.name, words[1:])
+    return None
+
+
+def installed(folder: Path, package: str, executable: str) -> Path:
+    """Return the place of an executable where `folder` stands for the prefix of its package."""
+    return folder / "lib" / package / executable
