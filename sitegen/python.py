@@ -96,6 +96,19 @@ def _own(package: str) -> str:
     return f"nodes/{package}/python.zip"
 
 
+def lacking(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
+    """Return the modules that a node imports in every run, and that no page has by itself.
+
+    `packages` are those of the workspace and those that come with sitegen.
+    """
+    needs = {node.package: workspace.with_dependencies(packages, node.package)}
+    described = [one.name for one in packages.values() if one.interfaces]
+    own = [folder.name for folder in interfaces.OWN.iterdir()]
+    common = [f"python/{name}" for name in (*bytecode.modules(), *own, *described)]
+    [wanted] = _wanted([(node.package, node.executable)], needs, common).values()
+    return {name: one for name, one in wanted.items() if one.sure}
+
+
 def _wanted(
     programs: Iterable[tuple[str, str]],
     needs: Mapping[str, Sequence[Package]],

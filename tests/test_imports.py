@@ -60,7 +60,10 @@ ALLOWED = {
     "sourcemap": set(),
     "git": {"errors"},
     "github": {"errors"},
-    "init": {"config", "errors", "github", "launch", "model", "report", "workspace"},
+    "init": {
+        *("config", "errors", "github", "launch", "model", "python", "report", "wheels"),
+        "workspace",
+    },
     "interfaces": {"definitions", "errors", "typesupport"},
     "imports": {"errors"},
     "launch": {"containers", "errors", "model", "parameterfiles"},

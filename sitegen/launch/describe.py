@@ -20,6 +20,7 @@ from sitegen.launch.describe_actions import (
     RUN,
     Condition,
     Described,
+    Executable,
     Folder,
     Text,
     Typed,
@@ -89,6 +90,7 @@ ROS: dict[str, Any] = {
     ),
     "FindPackageShare": lambda package: Folder(f"$(find-pkg-share {text(package)})"),
     "FindPackagePrefix": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
+    "ExecutableInPackage": lambda executable, package, **_: Executable(package, executable),
     "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
     "ParameterValue": lambda value, *, value_type=None: (

@@ -38,6 +38,14 @@ class Folder(Text):
         return share(package)
 
 
+class Executable(Text):
+    """An executable of a package."""
+
+    def __init__(self, package: Any, executable: Any) -> None:
+        super().__init__(f"$(exec-in-pkg {text(executable)} {text(package)})")
+        self.package, self.executable = package, executable
+
+
 class Typed(Text):
     """The value of a parameter that is a text, whatever it looks like."""
 

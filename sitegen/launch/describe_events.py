@@ -1,14 +1,16 @@
-"""What launch files in Python have for events and for processes that are no nodes.
+"""What launch files in Python have for events and for processes.
 
-A page has neither: what these describe is left out of it, by its name in launch files in XML.
+A page has neither: what these describe is left out of it, by its name in launch files in XML. Only
+a process that runs an executable of a package is a node.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from sitegen.launch.describe_actions import Described
+from sitegen.launch.describe_actions import Described, Executable, node, text
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
 HANDLERS = (
@@ -46,8 +48,19 @@ def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) 
     return Described("timer", actions, period=period, condition=condition)
 
 
-def process(*_: Any, condition: Any = None, **__: Any) -> Described:
-    """Stand for a process that is no node."""
+def process(*_: Any, cmd: Sequence[Any] = (), condition: Any = None, **__: Any) -> Described:
+    """Stand for a process: a node where it runs an executable of a package."""
+    program, *words = cmd or [""]
+    if isinstance(program, Executable):
+        return node(
+            package=program.package,
+            executable=program.executable,
+            arguments=words,
+            condition=condition,
+        )
+    if [text(word) for word in cmd[:2]] == ["ros2", "run"] and len(cmd) > 3:
+        _, _, package, executable, *words = cmd
+        return node(package=package, executable=executable, arguments=words, condition=condition)
     return Described("executable", condition=condition)
 
 
