@@ -43,6 +43,13 @@ def brought() -> Iterator[tuple[str, bytes]]:
         yield f"python/{name}", file.read_bytes()
 
 
+def modules() -> list[str]:
+    """Return the names of these modules, without what is below them."""
+    return [file.name for folder in (PAGE, CLIENT) for file in folder.iterdir()] + [
+        name.split("/")[0] for name in SHARED
+    ]
+
+
 def with_our_numpy(module: bytes) -> bytes:
     """Let a generated module import numpy only where the site has it."""
     return NUMPY.sub(OUR_NUMPY, module)

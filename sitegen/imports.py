@@ -26,17 +26,52 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
     `files` are those of its package and of the packages that it needs, by their place below the
     prefix; `program` is an entry point ("module:function") or the place of a file.
     """
+    return _walk(files, program)[0]
+
+
+def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
+    """Return these modules, and the files of the program's own."""
     modules = {_name(place): file for place, file in files.items() if _is_module(place)}
     found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
-    seen: set[str] = set()
+    seen: dict[str, Path] = {}
     if program in files:
+        seen[program] = files[program]
         _sort(program, files[program], modules, waiting, found)
     while waiting:
         name = waiting.pop()
         if name not in seen:
-            seen.add(name)
+            seen[name] = modules[name]
             _sort(name, modules[name], modules, waiting, found)
+    return found, list(seen.values())
+
+
+def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
+    """Return the names of `module` that a program uses, with "*" where that is not clear."""
+    found: set[str] = set()
+    for file in _walk(files, program)[1]:
+        try:
+            tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+        except (SyntaxError, ValueError):
+            continue
+        known: set[str] = set()
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Import):
+                known |= {each.asname or each.name for each in node.names if each.name == module}
+                inside = any(each.name.startswith(f"{module}.") for each in node.names)
+                found |= {"*"} if inside else set()
+            elif isinstance(node, ast.ImportFrom) and node.module:
+                if node.module == module and not node.level:
+                    found |= {each.name for each in node.names}
+                elif node.module.startswith(f"{module}."):
+                    found.add("*")
+        names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+        of = [node for node in ast.walk(tree) if isinstance(node, ast.Attribute)]
+        of = [node for node in of if isinstance(node.value, ast.Name) and node.value.id in known]
+        found |= {node.attr for node in of}
+        # Handed on as a whole, nobody knows what it is used for.
+        if len(of) < sum(node.id in known for node in names):
+            found.add("*")
     return found
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import yaml
 
-from sitegen import workspace
+from sitegen import python, wheels, workspace
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
 from sitegen.errors import Place, Problems, SiteError, relative
@@ -88,43 +88,51 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     shown: list[Package] = []
     launch: dict[str, Path] = {}
     faults: list[str] = []
-    missing = {name: lacking(package) for name, package in packages.items()}
     for name, package in packages.items():
         place = Place(package.path / "package.xml", 1)
-        rest = [each for each in package.executables or () if each not in missing[name]]
-        nodes = [Node(each, name, each, place) for each in rest]
-        fault = _fault(root, nodes, packages)
-        if nodes and not fault:
-            shown.append(replace(package, executables=tuple(rest)))
-        faults += [fault] if fault else []
-        for each, what in missing[name].items():
-            folder = relative(package.path, root)
-            faults.append(f"{folder}: '{each}' needs '{what}', which has no build for the page")
+        nodes = [Node(each, name, each, place) for each in package.executables or ()]
+        wrong = _faults(root, nodes, packages)
+        running = tuple(node.executable for node in nodes if node.name not in wrong)
+        if running:
+            shown.append(replace(package, executables=running))
+        faults += dict.fromkeys(wrong.values())
         for file in _files(package, LAUNCH):
             problems = Problems(root)
             path = package.path / file
             started = launched(path, {}, {**workspace.given(), **packages}, problems)
-            fault = next(iter(problems.lines), "") or _fault(root, started, packages)
-            for node in started:
-                if node.executable in missing.get(node.package, {}):
-                    what = missing[node.package][node.executable]
-                    fault = f"{relative(path, root)}: '{node.executable}' needs '{what}'"
-            if not started and not fault:
-                fault = f"{relative(path, root)}: starts nothing that a page could run"
-            if fault:
-                faults.append(fault)
+            lines = [*problems.lines, *_faults(root, started, packages).values()]
+            if not started and not lines:
+                lines = ["starts nothing that a page could run"]
+            if lines:
+                where = relative(path, root)
+                faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
             else:
                 launch[_page_path(package.name, file, launch)] = path
     return Runs(shown, launch, faults)
 
 
-def _fault(root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]) -> str:
-    """Return the line that says why one of these nodes cannot be on a page, or nothing."""
-    problems = Problems(root)
+def _faults(root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]) -> dict[str, str]:
+    """Return the line that says why a node cannot be on a page, by the names of such nodes."""
+    faults = {}
     there = workspace.with_given(packages, (node.package for node in nodes))
+    names = {node.package for node in nodes} & set(packages)
+    missing = {name: lacking(packages[name]) for name in names}
     for node in nodes:
+        problems = Problems(root)
         check_package(Declared(node, None), there, problems)
-    return next(iter(problems.lines), "")
+        setup = there[node.package].setup if node.package in there else None
+        what = missing.get(node.package, {}).get(node.executable)
+        if what:
+            folder = relative(packages[node.package].path, root)
+            message = f"'{node.executable}' needs '{what}', which has no build for the page"
+            faults[node.name] = f"{folder}: {message}"
+            continue
+        if not problems.lines and setup and node.executable in setup.scripts:
+            for module, (place, _) in python.lacking(node, there).items():
+                problems.add(place, f"import {module}", wheels.lack(module))
+        if problems.lines:
+            faults[node.name] = problems.lines[0]
+    return faults
 
 
 def _page_path(package: str, file: str, taken: Collection[str]) -> str:

@@ -32,6 +32,10 @@ OF_RCLPY = {
     "type_description_interfaces/srv/GetTypeDescription",
 }
 COMMON = "nodes/ros.zip"
+# Our arrays by the name of numpy, for programs that need no more of it.
+NUMPY = "nodes/numpy.zip"
+ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
+NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.fixed_array import *\n"}
 # What Pyodide brings beside Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
@@ -74,8 +78,13 @@ def bundle(
     if workspace.OWN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
-    collected = wheels.collect(site, _wanted(programs, needs, common), cache=cache, say=say)
+    lacks = _wanted(programs, needs, common)
+    small = set() if site.pyodide.packages else _content_with_ours(lacks, needs)
+    for program in small:
+        del lacks[program]["numpy"]
+    collected = wheels.collect(site, lacks, cache=cache, say=say)
     archives = {COMMON: archived(bytecode.added(common))}
+    archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
     for package, executable in sorted(programs):
@@ -83,7 +92,8 @@ def bundle(
             f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
         }
         archives |= {path: wheel.data for path, wheel in others.items()}
-        needed[package, executable] = (COMMON, *others, _own(package))
+        ours = [NUMPY] if (package, executable) in small else []
+        needed[package, executable] = (COMMON, *ours, *others, _own(package))
         places = [place.split("/") for place, _ in _installed(needs[package])]
         own[package, executable] = sorted(
             {p[1].removesuffix(".py") for p in places if p[0] == "python"}
@@ -96,6 +106,23 @@ def _own(package: str) -> str:
     return f"nodes/{package}/python.zip"
 
 
+def lacking(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
+    """Return the modules that a node imports in every run, and that no page has by itself.
+
+    `packages` are those of the workspace and those that come with sitegen.
+    """
+    needs = {node.package: workspace.with_dependencies(packages, node.package)}
+    described = [one.name for one in packages.values() if one.interfaces]
+    own = [folder.name for folder in interfaces.OWN.iterdir()]
+    common = [f"python/{name}" for name in (*bytecode.modules(), *own, *described)]
+    wanted = _wanted([(node.package, node.executable)], needs, common)
+    small = _content_with_ours(wanted, needs)
+    [modules] = wanted.values()
+    return {
+        name: one for name, one in modules.items() if one.sure and not (small and name == "numpy")
+    }
+
+
 def _wanted(
     programs: Iterable[tuple[str, str]],
     needs: Mapping[str, Sequence[Package]],
@@ -106,14 +133,30 @@ def _wanted(
     there |= sys.stdlib_module_names | IN_THE_PAGE
     found = {}
     for package, executable in programs:
-        setups = [each.setup for each in needs[package] if each.setup]
-        files = {place: file for setup in setups for place, file in setup.files.items()}
-        program = setups[-1].scripts[executable]
-        modules = imports.outside(files, program)
+        modules = imports.outside(*_program(needs[package], executable))
         found[package, executable] = {
             name: place for name, place in modules.items() if name not in there
         }
     return found
+
+
+def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:
+    """Return the files that a program of the last of `packages` has, and where it begins."""
+    setups = [each.setup for each in packages if each.setup]
+    files = {place: file for setup in setups for place, file in setup.files.items()}
+    return files, setups[-1].scripts[executable]
+
+
+def _content_with_ours(
+    wanted: Mapping[tuple[str, str], Iterable[str]], needs: Mapping[str, Sequence[Package]]
+) -> set[tuple[str, str]]:
+    """Return those programs that use no more of numpy than our arrays have."""
+    return {
+        (package, executable)
+        for (package, executable), modules in wanted.items()
+        if "numpy" in modules
+        and imports.names_of("numpy", *_program(needs[package], executable)) <= ARRAYS
+    }
 
 
 def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:

@@ -15,16 +15,21 @@ from sitegen import literals
 
 ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(\[.*\])?")
 NOT_MODULES = {"test", "tests", "build", "install", "log", "launch", "config", "resource"}
-READ = ("entry_points", "packages", "package_dir", "py_modules", "package_data", "data_files")
+READ = (
+    *("entry_points", "scripts", "packages", "package_dir", "py_modules", "package_data"),
+    "data_files",
+)
+# Where the programs of `scripts` are installed.
+PROGRAMS = "lib/programs"
 
 
 @dataclass
 class Listing:
     """What a package installs.
 
-    `scripts` are its executables, each "module:function"; `files` its files, by their place below
-    the prefix ("python/" stands for where modules are installed), relative to the package. `fault`
-    says what could not be read: a file, a line and a message.
+    `scripts` are its executables, each "module:function" or the place of a file; `files` its files,
+    by their place below the prefix ("python/" stands for where modules are installed), relative to
+    the package. `fault` says what could not be read: a file, a line and a message.
     """
 
     scripts: dict[str, str] = field(default_factory=dict)
@@ -45,6 +50,11 @@ def read(folder: Path) -> Listing:
         given = {**_pyproject(folder), **_cfg(folder), **_py(folder)}
         listing.scripts = dict(_scripts(folder, given.get("entry_points")))
         listing.files = dict(_files(folder, given))
+        for script in given.get("scripts") or ():
+            name = PurePosixPath(str(script)).name
+            for place, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
+                listing.scripts[name] = place
+                listing.files[place] = file
     except _UnreadableError as error:
         listing.fault = error.fault
     return listing

@@ -55,16 +55,11 @@ def collect(
     for program, modules in wanted.items():
         for module, (place, sure) in modules.items():
             lacks = problems if sure else notes
-            pure = module not in origins or lock[origins[module]]["file_name"].endswith(PURE)
             if module in given:
                 # What one of them needs is among them, or the build has said so.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
-            elif module not in origins or (pure and not site.pyodide.packages):
-                message = f"no module of this name comes to the page; {ADVICE}, or leave it out"
-                lacks.add(place, f"import {module}", message)
-            elif not site.pyodide.packages:
-                message = f"'{origins[module]}' has to be compiled for the page; {POINT}"
-                lacks.add(place, f"import {module}", message)
+            elif module not in origins or not site.pyodide.packages:
+                lacks.add(place, f"import {module}", _lack(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -78,6 +73,18 @@ def collect(
     for line in dict.fromkeys(notes.lines):
         say(f"{line}; left out, since not every run comes there")
     return {program: list(wheels.values()) for program, wheels in found.items()}
+
+
+def lack(module: str) -> str:
+    """Return why a module is not on pages by itself, and what to do."""
+    lock = json.loads(DISTRIBUTION.read_text())["packages"]
+    return _lack(module, {name: each for each, of in lock.items() for name in of["imports"]}, lock)
+
+
+def _lack(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
+    if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
+        return f"no module of this name comes to the page; {ADVICE}, or leave it out"
+    return f"'{origins[module]}' has to be compiled for the page; {POINT}"
 
 
 def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:

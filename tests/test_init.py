@@ -149,12 +149,38 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
     for fault in (
         "src/eyes: 'seer' needs 'OpenCV', which has no build for the page",
         "src/eyes: 'camera' needs 'cv_bridge', which has no build for the page",
-        "src/eyes/launch/see.launch.xml: 'seer' needs 'OpenCV'",
+        "src/eyes/launch/see.launch.xml: src/eyes: 'seer' needs 'OpenCV'",
     ):
         assert f"  left out: {fault}\n" in said
     pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
     assert pages["eyes/"] == pages["eyes/rest/"] == ["blind"]
     assert "eyes/see/" not in pages
+
+
+def test_nodes_that_lack_a_module_are_left_out(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = workspace / "src/plots"
+    files = {
+        "package.xml": "<package><name>plots</name><export>"
+        "<build_type>ament_python</build_type></export></package>",
+        "setup.py": "from setuptools import setup\nsetup(packages=['plots'], entry_points={"
+        "'console_scripts': ['draw = plots.draw:main', 'say = plots.say:main']})\n",
+        "plots/__init__.py": "",
+        "plots/draw.py": "import rclpy\nimport matplotlib\ndef main(): pass\n",
+        "plots/say.py": "import rclpy\nfrom example_interfaces.msg import String\n",
+        "launch/both.launch.xml": "<launch><node pkg='plots' exec='say'/>"
+        "<node pkg='plots' exec='draw'/></launch>",
+    }
+    for name, text in files.items():
+        (package / name).parent.mkdir(parents=True, exist_ok=True)
+        (package / name).write_text(text)
+    assert main(["init", str(workspace)]) == 0
+    said = capsys.readouterr().out
+    fault = "src/plots/plots/draw.py:2: import matplotlib: 'matplotlib' has to be compiled"
+    assert "  /plots/  say\n" in said
+    assert f"  left out: {fault}" in said
+    assert f"  left out: src/plots/launch/both.launch.xml: {fault}" in said
 
 
 def test_names_suit_nodes_and_pages(workspace: Path) -> None:

@@ -299,7 +299,7 @@ from launch.substitutions import *
 from launch_ros.actions import LifecycleNode, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState
-from launch_ros.substitutions import FindPackageShare
+from launch_ros.substitutions import ExecutableInPackage, FindPackageShare
 from lifecycle_msgs.msg import Transition
 
 
@@ -317,6 +317,9 @@ def generate_launch_description():
         DeclareLaunchArgument("mood", default_value="it's"),
         first,
         spawn,
+        ExecuteProcess(cmd=[
+            ExecutableInPackage(package="a", executable="process"), "--rate", side]),
+        ExecuteProcess(cmd=["ros2", "run", "a", "runs"]),
         TimerAction(period=2.0, actions=[
             spawn,
             Node(package="a", executable="late", condition=IfCondition(
@@ -355,7 +358,13 @@ def generate_launch_description():
 @pytest.mark.parametrize(
     ("kind", "expected"),
     [
-        ("py", ["first", "late", "follows 1.73", "{}/x", "either left"]),
+        (
+            "py",
+            [
+                *("first", "process --rate 3", "runs", "late", "follows 1.73", "{}/x"),
+                "either left",
+            ],
+        ),
         ("xml", ["first 4", "late", "timed use_sim_time"]),
     ],
 )
@@ -373,6 +382,44 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
     kinds = {line.split(": ")[1] for line in notes.lines}
     events = {"event", "event_handler"} if kind == "py" else set()
     assert kinds == {"executable", "timer", *events}
+
+
+INSTALLED = """
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    share = get_package_share_directory("robots")
+    file = os.path.join(share, "fox.txt")
+    with open(file) as opened:
+        return LaunchDescription([
+            Node(package="robots", executable="fox", arguments=[opened.read(), file],
+                 parameters=[{"file": file, "more": share + "_more"}])])
+"""
+
+
+def test_files_are_where_the_package_installs_them(root: Path) -> None:
+    package = root / "robots"
+    for name, text in {
+        "package.xml": PACKAGE.format("robots").replace(
+            "</package>", "<export><build_type>ament_python</build_type></export></package>"
+        ),
+        "setup.py": "from glob import glob\nfrom setuptools import setup\n"
+        "setup(packages=[], data_files=[('share/robots', glob('texts/*'))])\n",
+        "texts/fox.txt": "a fox",
+        "x.launch.py": INSTALLED,
+    }.items():
+        (package / name).parent.mkdir(parents=True, exist_ok=True)
+        (package / name).write_text(text)
+    found, wrong = nodes(root, "robots/x.launch.py")
+    assert wrong == []
+    # Programs of a page find them elsewhere than the launch file does.
+    assert found[0].arguments == ("a fox", "/ros/share/robots/fox.txt")
+    assert found[0].parameters["file"] == "'/ros/share/robots/fox.txt'"
+    assert "/ros/" not in found[0].parameters["more"]
 
 
 def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:

@@ -99,6 +99,15 @@ def test_setup_py_is_read_without_running_it(package: Path) -> None:
     }
 
 
+def test_scripts_of_a_setup_py_are_programs(package: Path) -> None:
+    (package / "setup.py").write_text(
+        "from setuptools import setup\nsetup(packages=[], scripts=['py_pubsub/talker.py'])\n"
+    )
+    listing = setupfiles.read(package)
+    assert listing.scripts == {"talker.py": "lib/programs/talker.py"}
+    assert listing.files == {"lib/programs/talker.py": "py_pubsub/talker.py"}
+
+
 def test_setup_cfg_is_read(package: Path) -> None:
     (package / "setup.cfg").write_text(SETUP_CFG)
     (package / "setup.py").write_text("from setuptools import setup\nsetup()\n")

@@ -93,7 +93,7 @@ def test_an_exception_is_told_as_python_tells_it(page: Page) -> None:
     assert state == "failed"
     assert printed(lines, "stderr") == [
         "Traceback (most recent call last):",
-        '  File "/ros/python/tutorials/errors.py", line 38, in main',
+        '  File "/ros/python/tutorials/errors.py", line 43, in main',
         '    raise ValueError("at the end")',
         "ValueError: at the end",
     ]

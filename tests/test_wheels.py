@@ -91,7 +91,8 @@ def test_a_program_needs_what_its_modules_import_and_cannot_do_without(site: Pat
 
 
 def test_what_is_missing_is_named_when_the_site_is_built(site: Path, tmp_path: Path) -> None:
-    write(site, {"run.py": "import rclpy, numpy\nimport nowhere\nimport cachetools, yaml\n"})
+    program = "import rclpy, numpy\nimport nowhere\nimport cachetools, yaml\nnumpy.dot"
+    write(site, {"run.py": program})
     advice = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
     assert problems(site, tmp_path) == [
         "src/mine/run.py:1: import numpy: 'numpy' has to be compiled for the page; "

@@ -10,6 +10,7 @@ from pathlib import Path
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
 from sitegen.launch import processes, python, xacro, xml, yaml
+from sitegen.launch.shares import on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
@@ -65,17 +66,22 @@ def launched(
 
     Programs that draw on a screen are left out, which `notes` gets to know.
     """
-    launch = _Launch(packages, problems, notes or Problems(problems.root))
-    launch.file(Scope(file, dict(arguments)), Place(file, 1))
-    return launch.finished()
+    with shares(packages) as folders:
+        launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
+        launch.file(Scope(file, dict(arguments)), Place(file, 1))
+        return launch.finished()
 
 
 class _Launch:
     def __init__(
-        self, packages: Mapping[str, Package], problems: Problems, notes: Problems
+        self,
+        packages: Mapping[str, Package],
+        folders: Mapping[str, Path],
+        problems: Problems,
+        notes: Problems,
     ) -> None:
         self._packages = packages
-        self._folders = {name: each.path for name, each in packages.items()}
+        self._folders = folders
         self._problems = problems
         self._notes = notes
         self.nodes: list[Node] = []
@@ -175,7 +181,8 @@ class _Launch:
 
     def _include(self, action: Action, scope: Scope) -> None:
         inner = scope.inner()
-        inner.file = Path(self._needed(action, "file", scope))
+        file = Path(self._needed(action, "file", scope))
+        inner.file = file.resolve() if file.is_absolute() else file
         inner.depth += 1
         inner.calls = ()
         for given in action.of_kind("arg", "let"):
@@ -253,7 +260,10 @@ class _Launch:
             namespace=_joined(scope.namespace, self._text(action, "namespace", scope)),
             remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
             parameters=self._values(action, scope),
-            arguments=(*words, *(["--ros-args", *ros, "--"] if ros else [])),
+            arguments=tuple(
+                on_page(word, self._folders)
+                for word in (*words, *(["--ros-args", *ros, "--"] if ros else []))
+            ),
         )
         self.nodes.append(node)
         return node
@@ -320,7 +330,7 @@ class _Launch:
         values = dict(scope.parameters)
         for parameter in action.of_kind("param"):
             parameterfiles.merge(values, self._parameters(parameter, scope, ""))
-        return values
+        return {name: on_page(value, self._folders) for name, value in values.items()}
 
     def _parameters(self, action: Action, scope: Scope, above: str) -> dict[str, str]:
         if "from" in action.attributes:
@@ -369,11 +379,11 @@ class _Launch:
         return xacro.printed(line, self._folders)
 
     def _share(self, package: str) -> Path:
-        found = self._packages.get(package)
+        found = self._folders.get(package)
         if found is None:
             advice = nearest(package, self._packages)
             raise SubstitutionError(f"no package '{package}' in the workspace; {advice}")
-        return found.path
+        return found
 
     def _note(self, place: Place, key: str, message: str) -> None:
         self._problems.add(place, key, message)

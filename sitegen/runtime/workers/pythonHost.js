@@ -56,8 +56,8 @@ export function pythonHost(participant, printer, typed, post, failed) {
     matched: (id) => participant.matched(id),
     /** @param {number} id */
     has: (id) => participant.has(id),
-    // Text is what Python takes soonest.
-    filled: () => participant.filled().join(" "),
+    // How many events there were, and where messages wait. Text is what Python takes soonest.
+    filled: () => [participant.events, ...participant.filled()].join(" "),
     /** @param {number} id */
     take: (id) => participant.take(id),
     look: () => participant.look(),

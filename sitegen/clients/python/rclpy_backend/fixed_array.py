@@ -1,13 +1,17 @@
 """Arrays of a fixed number of numbers, as far as message classes need numpy for them.
 
-The generated classes import this module by the name of numpy, which is megabytes to load.
+The generated classes import this module by the name of numpy, which is megabytes to load. So do
+programs that use no more of numpy than `__all__` has; what an array cannot do here, it refuses.
 """
 
 from __future__ import annotations
 
 import array as numbers
 from collections.abc import Iterable
+from math import pi
 from typing import Any
+
+__all__ = ["array", "empty", "float32", "float64", "ndarray", "pi", "zeros"]
 
 
 class dtype:
@@ -19,6 +23,9 @@ class dtype:
 
     def __repr__(self) -> str:
         return f"dtype('{self.name}')"
+
+    def __str__(self) -> str:
+        return self.name
 
 
 float32, float64 = dtype("float32", "f"), dtype("float64", "d")
@@ -61,6 +68,12 @@ class ndarray(numbers.array[Any]):
         return self._compare(other, equal=False)
 
     __hash__ = None
+    # Those of numpy's arrays go through all numbers; the ones of Python's would join arrays.
+    __add__: Any = None
+    __iadd__: Any = None
+    __mul__: Any = None
+    __rmul__: Any = None
+    __imul__: Any = None
 
     def _compare(self, other: Any, *, equal: bool) -> list[bool]:
         return [(a == b) is equal for a, b in zip(self, other, strict=True)]
@@ -79,13 +92,20 @@ def _written(number: float) -> str:
     return text.removesuffix("0") if text.endswith(".0") else text
 
 
-def array(values: Iterable[Any], dtype: dtype = float64) -> ndarray:
+def array(values: Iterable[Any], dtype: dtype | None = None) -> ndarray:
     """Return an array of `values`."""
-    made = ndarray(dtype.code, values)
-    made.dtype = dtype
+    given = list(values)
+    whole = given and all(type(each) is int for each in given)
+    kind = dtype or (int64 if whole else float64)
+    made = ndarray(kind.code, given)
+    made.dtype = kind
     return made
 
 
-def zeros(size: int, dtype: dtype = float64) -> ndarray:
-    """Return an array of zeros."""
+def zeros(shape: int | tuple[int], dtype: dtype = float64) -> ndarray:
+    """Return an array of zeros, in one row."""
+    [size] = shape if isinstance(shape, tuple) else (shape,)
     return array([0] * size, dtype)
+
+
+empty = zeros

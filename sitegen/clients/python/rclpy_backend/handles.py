@@ -11,7 +11,7 @@ import ros_host
 
 from rclpy_backend.arguments import Arguments, parse
 from rclpy_backend.enums import RCL_DEFAULT_DOMAIN_ID
-from rclpy_backend.errors import InvalidHandle, RCLError
+from rclpy_backend.errors import InvalidHandle
 
 _addresses = itertools.count(16, 16)
 
@@ -60,6 +60,7 @@ class Context(Destroyable):
             domain_id = int(os.environ.get("ROS_DOMAIN_ID") or 0)
         self._domain_id = domain_id
         self.arguments: Arguments = parse(pyargs or ())
+        self._shut_down = False
         living_contexts.append(self)
 
     def get_domain_id(self) -> int:
@@ -77,10 +78,10 @@ class Context(Destroyable):
             ros_host.wake()
 
     def shutdown(self) -> None:
-        """End it; raises RCLError the second time."""
-        if not self.ok():
-            already = "rcl_shutdown already called on the given context"
-            raise RCLError(f"failed to shutdown: {already}")
+        """End it; raises a RuntimeError the second time. That a signal ended it does not count."""
+        if self._shut_down:
+            raise RuntimeError("Context already shutdown.")
+        self._shut_down = True
         self.invalidate()
 
 

@@ -123,8 +123,8 @@ class WaitSet(Destroyable):
 
     def _find_ready(self) -> list[Waitable]:
         # The page is asked once, and not for each: that takes as long as all else here.
-        filled = set(map(int, ros_host.filled().split()))
-        events: int = ros_host.events()
+        events, *ids = map(int, ros_host.filled().split())
+        filled = set(ids)
         ready: list[Waitable] = []
         entities = self._entities
         for kind in ENDPOINTS:

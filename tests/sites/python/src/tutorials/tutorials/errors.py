@@ -1,6 +1,7 @@
 """What goes wrong, in the words of rclpy."""
 
 import rclpy
+from rclpy.context import Context
 from std_msgs.msg import String, UInt8
 
 
@@ -35,4 +36,8 @@ def main():
     attempt(lambda: node.create_timer("soon", print))
     rclpy.shutdown()
     attempt(rclpy.shutdown)
+    context = Context()
+    rclpy.init(context=context)
+    rclpy.shutdown(context=context)
+    attempt(lambda: rclpy.shutdown(context=context))
     raise ValueError("at the end")

@@ -15,4 +15,4 @@ def main():
     finally:
         print("finally")
         node.destroy_node()
-        rclpy.try_shutdown()
+        rclpy.shutdown()  # that Stop ended it already does not count
