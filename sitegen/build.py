@@ -132,11 +132,13 @@ def make(
     compiling: bool = True,
     edited: bool = False,
     debug: bool = False,
+    draft: bool = False,
 ) -> Made:
     """Make all files of the site of `folder`; refuse early an `output` not to be replaced.
 
     Without `compiling`, all is checked as always, and only the programs in C++ are missing. A site
-    that is being `edited` is kept by no browser, and its index is for who serves it to make.
+    that is being `edited` is kept by no browser, and its index is for who serves it to make. As a
+    `draft`, its programs are there sooner, and larger.
     """
     # site.yaml is loaded into a Site, and the workspace it names is scanned.
     site = config.load(folder / "site.yaml")
@@ -163,6 +165,7 @@ def make(
         cache=cache_folder(),
         report=report,
         debug=debug,
+        draft=draft and not debug,
     )
     builds = {**own, **given}
 

@@ -54,11 +54,13 @@ def compile_nodes(
     cache: Path,
     report: Report,
     debug: bool = False,
+    draft: bool = False,
 ) -> Builds:
     """Compile each executable for each engine, or take it from the cache.
 
-    With `debug`, the programs can tell where they are in their sources. Returns the builds by
-    package and executable. Raises a SiteError that quotes the compiler.
+    With `debug`, the programs can tell where they are in their sources; a `draft` is made sooner
+    and is larger. Returns the builds by package and executable. Raises a SiteError that quotes the
+    compiler.
     """
     if not jobs:
         return {}
@@ -67,7 +69,7 @@ def compile_nodes(
     except ToolMissingError as error:
         names = ", ".join(f"'{job.package.name}'" for job in jobs)
         raise SiteError([f"{error}: needed for the C++ nodes of {names}"]) from None
-    compiler = Compiler(tools, root, cache, report, debug)
+    compiler = Compiler(tools, root, cache, report, debug=debug, draft=draft)
     missing = [
         (job, engine)
         for job in jobs
@@ -103,17 +105,25 @@ class Compiler:
     """Compiles with one toolchain into one cache.
 
     In the cache, `nodes/<digest>/` holds finished programs by a digest of all that went into them;
-    `work/<digest>/` holds what CMake makes on the way, for one state of tools and library in one
-    place.
+    those that are drafts in `nodes/<digest>-draft/`; `work/<digest>/` holds what CMake makes on the
+    way, for one state of tools and library in one place.
     """
 
     def __init__(
-        self, tools: Toolchain, root: Path, cache: Path, report: Report, debug: bool
+        self,
+        tools: Toolchain,
+        root: Path,
+        cache: Path,
+        report: Report,
+        *,
+        debug: bool,
+        draft: bool,
     ) -> None:
         self._tools = tools
         self._root = root
         self._report = report
         self._debug = debug
+        self._draft = draft
         paths = [
             CLIENT,
             *(HERE / name for name in GENERATOR),
@@ -125,6 +135,7 @@ class Compiler:
         # What CMake makes names the files of this installation, and breaks where they are not.
         self._work = cache / "work" / digest_of([], self._base, str(HERE))
         self._digests: dict[Path, str] = {}
+        self._folders: dict[tuple[Path, str], Path] = {}
 
     def builds(self, job: Job, engines: Iterable[str]) -> list[Build]:
         """Where the programs of `job` are, or will be."""
@@ -132,10 +143,20 @@ class Compiler:
 
     def build(self, job: Job, executable: str, engine: str) -> Build:
         """Where one program is, or will be."""
-        folder = self._nodes / self._digest(job.package, job.needs)
+        folder = self._folder(job, engine)
         stem = f"{executable}.{engine}"
         suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
         return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
+
+    def _folder(self, job: Job, engine: str) -> Path:
+        # What is there as it is published needs no draft. Asked once: by then, it may be there.
+        key = (job.package.path, engine)
+        if key not in self._folders:
+            folder = self._nodes / self._digest(job.package, job.needs)
+            wanted = [folder / f"{name}.{engine}.wasm" for name in job.executables]
+            drafted = self._draft and not all(wasm.exists() for wasm in wanted)
+            self._folders[key] = folder.with_name(f"{folder.name}-draft") if drafted else folder
+        return self._folders[key]
 
     def _digest(self, package: Package, needs: Sequence[Package]) -> str:
         all_of_them = [*sorted(needs, key=lambda need: need.name), package]
@@ -168,7 +189,7 @@ class Compiler:
             raise SiteError(problems)
 
     def _cmake(self, engine: str) -> CMake:
-        return CMake(self._tools, self._work, engine, self._debug)
+        return CMake(self._tools, self._work, engine, self._debug, self._draft)
 
     def _write_ros(self) -> None:
         complete = self._work / "ros.complete"
@@ -224,11 +245,14 @@ class Compiler:
             raise
         finally:
             self._report.done(f"{package.name} ({engine})")
-        self._stamp(cmake, package).write_text(self._digest(package, needs))
+        self._stamp(cmake, package).write_text(self._state(package, needs))
 
     def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
         stamp = self._stamp(cmake, package)
-        return stamp.exists() and stamp.read_text() == self._digest(package, needs)
+        return stamp.exists() and stamp.read_text() == self._state(package, needs)
+
+    def _state(self, package: Package, needs: Sequence[Package]) -> str:
+        return f"{self._digest(package, needs)}{'-draft' if self._draft else ''}"
 
     def _stamp(self, cmake: CMake, package: Package) -> Path:
         return cmake.tree(package) / "prepared"

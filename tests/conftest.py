@@ -12,11 +12,12 @@ from browser import Built, Scripted, Serve, running, serving
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect
 from webkit import Window, webkit
 
-from sitegen.build import build
+from sitegen.build import make, write
 from sitegen.report import Report
 from sitegen.toolchain import Toolchain
 
-ROOT = Path(__file__).parent.parent
+TESTS = Path(__file__).parent
+ROOT = TESTS.parent
 # How the ROS2WASM project builds.
 ROS2WASM = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
 # A browser that lacks JSPI gets the other build of each node.
@@ -144,13 +145,18 @@ def tab(browser: Browser, serve: Serve) -> Iterator[Page]:
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    """A function that builds the site of a folder, once, and returns where it is."""
+    """A function that builds the site of a folder, once, and returns where it is.
+
+    The programs of sites that are there for tests are drafts: to optimize hundreds of them would
+    take longer than the tests. Those of demos are what `sitegen build` makes of them.
+    """
     sites: dict[Path, Path] = {}
 
     def made(folder: Path) -> Path:
         if folder not in sites:
             output = tmp_path_factory.mktemp(folder.name) / "dist"
-            build(folder, output=output, report=Report())
+            draft = TESTS in folder.parents
+            write(make(folder, Report(), output=output, draft=draft).artifacts, output)
             sites[folder] = output
         return sites[folder]
 

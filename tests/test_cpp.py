@@ -16,7 +16,7 @@ from browser import Built, Serve
 from panel import Panel
 from playwright.sync_api import Page
 
-from sitegen.build import build
+from sitegen.build import build, make
 from sitegen.cache import cache_folder
 from sitegen.diagnosis import Diagnosis
 from sitegen.errors import SiteError
@@ -188,6 +188,31 @@ def test_what_changed_is_compiled_and_nothing_else(workspace: Workspace) -> None
     )
     (problem,) = workspace.problems()
     assert "fatal error: 'counts/msg/count.hpp' file not found" in problem
+
+
+def test_a_draft_is_only_linked_otherwise(workspace: Workspace) -> None:
+    workspace.package("quick", "add_executable(quick src/main.cpp)", main="int main() {}\n")
+    workspace.site("quick/quick")
+
+    def program(*, draft: bool) -> tuple[set[str], bytes]:
+        before = workspace.compiled()
+        said = io.StringIO()
+        made = make(workspace.folder, Report(said), draft=draft)
+        (one,) = made.builds["quick", "quick"]
+        return workspace.changed(before), one.wasm.read_bytes()
+
+    compiled, draft = program(draft=True)
+    assert compiled == {"main.cpp.o"}
+    compiled, published = program(draft=False)
+    assert compiled == set()
+    assert len(published) < len(draft)
+    # What is there as it is published is no worse for whoever edits.
+    assert program(draft=True) == (set(), published)
+
+    workspace.write("src/quick/src/main.cpp", "int main() { return 0; }\n")
+    compiled, again = program(draft=True)
+    assert compiled == {"main.cpp.o"}
+    assert len(again) > len(published)
 
 
 def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspace) -> None:

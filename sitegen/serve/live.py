@@ -46,7 +46,7 @@ class LiveSite:
         begun = time.monotonic()
         try:
             made = edited(self._made, changed) if self._made else None
-            made = made or make(self._folder, self._report, edited=True, debug=self._debug)
+            made = made or self._make()
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)
@@ -68,6 +68,9 @@ class LiveSite:
         seconds = time.monotonic() - begun
         self._report.say(f"{cause}built in {seconds:.1f} s, {count(len(different), 'file')} new")
         self._tell("built", sorted(different))
+
+    def _make(self) -> Made:
+        return make(self._folder, self._report, edited=True, draft=True, debug=self._debug)
 
     def file(self, path: str) -> Artifact | None:
         """Return the file at `path` of the site."""

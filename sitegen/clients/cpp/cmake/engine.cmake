@@ -43,6 +43,10 @@ if(SITEGEN_DEBUG)
   add_link_options(-gsource-map --profiling-funcs "SHELL:--source-map-base /")
   list(APPEND _wrapped __cxa_throw ros_fail)
 endif()
+if(SITEGEN_DRAFT)
+  # Sources are compiled as ever, so that only the link is another when the site is built.
+  add_link_options(-O1)
+endif()
 # Where files are on the author's computer is no business of the page's.
 get_filename_component(_work "${SITEGEN_RCLCPP}/../../.." ABSOLUTE)
 add_compile_options(
