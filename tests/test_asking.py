@@ -39,6 +39,7 @@ def test_programs_are_answered(context: BrowserContext, serve: Serve, built: Bui
         "message_period of asking in ms: 1 1 1 1 count 2",
         "by name 5, later -1, removed 1 0",
         "the service type 'std_srvs/srv/Empty' is not known here: include its header",
+        "flows 1",
         "level 1 0, now 40",
         "waited 1 kept",
         "depth 7, reliable 0",

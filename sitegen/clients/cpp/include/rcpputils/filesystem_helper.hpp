@@ -23,8 +23,6 @@ public:
   path() = default;
   path(const std::string & text)  // NOLINT: implicit upstream
   : path_(text) {}
-  path(const char * text)  // NOLINT: implicit upstream
-  : path_(text) {}
   path(const path &) = default;
   path & operator=(const path &) = default;
 

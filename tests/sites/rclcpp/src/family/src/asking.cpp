@@ -198,6 +198,8 @@ int main(int argc, char ** argv)
   look_into_a_service(node);
   gather_statistics(node);
   ask_by_name(node);
+  const auto flows = node->create_publisher<String>("flows", 1)->get_network_flow_endpoints();
+  std::printf("flows %d\n", flows == std::vector<rclcpp::NetworkFlowEndpoint>());
 
   auto levels = node->create_client<SetLoggerLevels>("asking/set_logger_levels");
   auto request = std::make_shared<SetLoggerLevels::Request>();
