@@ -82,6 +82,14 @@ def test_what_was_typed_comes_back(prompt: Prompt) -> None:
         expect(prompt.line).to_have_value(text)
 
 
+def test_what_runs_may_ask(prompt: Prompt) -> None:
+    prompt.type("name = input('name? ')")
+    expect(prompt.output.locator("> div", has_text="name?").last).to_have_text("name? ")
+    prompt.type("Ada")
+    prompt.type("name * 2")
+    prompt.last("'AdaAda'")
+
+
 def test_tab_completes(prompt: Prompt) -> None:
     prompt.line.fill("rclpy.create_no")
     prompt.line.press("Tab")

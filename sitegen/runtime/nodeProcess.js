@@ -6,7 +6,7 @@ import { obstacle } from "./isolation.js";
 import { place } from "./place.js";
 import { startWorker } from "./workerGroup.js";
 
-/** @import { Engine, FromWorker, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "./protocol.js" */
+/** @import { Engine, FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "./protocol.js" */
 /** @import { Graph } from "./graph.js" */
 /** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
@@ -54,6 +54,8 @@ export class NodeProcess extends EventTarget {
     this.since = Date.now();
     /** Of its WebAssembly, in bytes; 0 while it is not known. */
     this.memory = 0;
+    /** How it reads what is typed, when it does. @type {Keyboard | undefined} */
+    this.keyboard = undefined;
     this.#entry = entry;
     this.#base = base;
     this.#graph = graph;
@@ -142,10 +144,11 @@ export class NodeProcess extends EventTarget {
     this.start();
   }
 
-  /** Hand a prompt what was typed. @param {Typed} typed */
+  /** Hand it what was typed. @param {Typed} typed */
   type(typed) {
     if (!this.#run) return;
-    if (typed.op === "line") this.#print("typed", typed.text);
+    const shown = typed.op === "line" || (typed.op === "keys" && this.keyboard === "lines");
+    if (shown) this.#print("typed", typed.text.replace(/\n$/, ""));
     this.#post(this.#run.worker, typed);
   }
 
@@ -230,6 +233,10 @@ export class NodeProcess extends EventTarget {
       case "memory":
         this.memory = message.bytes;
         break;
+      case "reading":
+        this.keyboard = message.keyboard;
+        this.dispatchEvent(new Event("reading"));
+        break;
       case "ready":
         this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
         break;
@@ -294,7 +301,10 @@ export class NodeProcess extends EventTarget {
   #setState(state) {
     this.#state = state;
     this.since = Date.now();
-    if (state !== "running" && state !== "stopping") this.memory = 0;
+    if (state !== "running" && state !== "stopping") {
+      this.memory = 0;
+      this.keyboard = undefined;
+    }
     this.dispatchEvent(new Event("state"));
   }
 }

@@ -69,13 +69,14 @@
  *
  * A program of the page. It emits `state` when `state` changed, `lines` (CustomEvent, detail: Line[])
  * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
- * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). A prompt takes what is typed; it emits
- * `ready` (detail: whether a line goes on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
+ * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). It takes what is typed, and emits
+ * `reading` when `keyboard` changed, which says how it reads. A prompt emits `ready` (detail: whether a line goes
+ * on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
  * From its next start on, a Python node runs with the text that it was given by `edit` for an installed file.
  * While it loads much, it emits `progress` (detail: {loaded, total}, bytes).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
- *   memory: number,
+ *   memory: number, keyboard: Keyboard | undefined,
  *   start(): void, stop(): void, clear(): void,
  *   type(typed: Typed): void, interrupt(): void,
  *   edit(place: string, text: string | undefined): void, restart(): void,
@@ -115,7 +116,7 @@ export const DEFAULT_QOS = Object.freeze({
 
 /**
  * Worker to page; `missed` are the messages of a subscription that its program was too slow for. Who looks
- * is told of the graph from then on. A prompt is ready for a line, which may go on what was typed (`more`),
+ * is told of the graph from then on. A program that begins to read the keyboard says so. A prompt is ready for a line, which may go on what was typed (`more`),
  * and answers with the words that a text may become.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
@@ -126,6 +127,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "lines", lines: Line[]}
  *   | {op: "progress", loaded: number, total: number}
  *   | {op: "memory", bytes: number}
+ *   | {op: "reading", keyboard: Keyboard}
  *   | {op: "ready", more: boolean}
  *   | {op: "words", text: string, words: string[]}
  *   | {op: "exit", code: number, error: string}} FromWorker
@@ -155,8 +157,13 @@ export const DEFAULT_QOS = Object.freeze({
  *   edits: Record<string, string>, byte?: Uint8Array}} Interpret a node, with the files that its visitor changed,
  *   by their places, and a byte by which the page interrupts what its worker does
  *
- * What a visitor types at a prompt: a line, or the beginning of a word.
- * @typedef {{op: "line" | "complete", text: string}} Typed
+ * What a visitor types: at a prompt a line, or the beginning of a word; elsewhere keys, as a terminal writes
+ * them, of which none are the end of what is read.
+ * @typedef {{op: "line" | "complete" | "keys", text: string}} Typed
+ *
+ * How a program set its terminal: it gets whole lines, and they are shown or (a password) hidden; or each key
+ * at once, of which Ctrl-C is an interrupt or (raw) one like others.
+ * @typedef {"lines" | "hidden" | "keys" | "raw"} Keyboard
  */
 
 /**

@@ -1,7 +1,8 @@
 // @ts-check
-// What a node prints, and how it is.
+// What a node prints, how it is, and its keyboard if it reads one.
 
 import { create } from "../elements.js";
+import { showKeyboard } from "../keyboard.js";
 import { showLines } from "../lines.js";
 import { say, states } from "../words.js";
 
@@ -22,13 +23,14 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const title = create("div", "ros-node", create("span", "ros-name", name), state);
   element.replaceChildren(create("div", "ros-bar", title));
   const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
-  const end = showLines(element, node, limit, {
+  const endLines = showLines(element, node, limit, {
     stopped: hasButtons ? say("Press Start to run {}", name) : say("Not running"),
     starting: say("Starting…"),
     running: say("Running, nothing printed yet"),
     stopping: say("Stopping…"),
     failed: say("Failed"),
   });
+  const endKeyboard = showKeyboard(element, node);
 
   const showState = () => {
     state.dataset.state = node.state;
@@ -39,7 +41,8 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
 
   return () => {
     node.removeEventListener("state", showState);
-    end();
+    endLines();
+    endKeyboard();
     element.replaceChildren();
   };
 }

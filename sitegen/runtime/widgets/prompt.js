@@ -120,6 +120,11 @@ export function mount(element, ros, { node: name, lines = 1000 }) {
     ready = true;
     feed();
   }, { signal });
+  node.addEventListener("reading", () => {
+    setText(sign, "");
+    ready = true;
+    feed();
+  }, { signal });
   node.addEventListener("words", (event) => {
     const { text, words } = /** @type {CustomEvent<{text: string, words: string[]}>} */ (event).detail;
     if (!words.length || text !== beginning()) return;

@@ -203,6 +203,10 @@ export const words = {
   "Interrupt": "Unterbrechen",
   "Ctrl-C in the line does the same": "Strg-C in der Zeile tut dasselbe",
   "Python": "Python",
+  "Keyboard of {}": "Tastatur von {}",
+  "Type for {}; Enter sends the line": "Für {} tippen; Enter schickt die Zeile ab",
+  "Type for {}, unseen; Enter sends it": "Für {} tippen, unsichtbar; Enter schickt ab",
+  "{} reads each key pressed here": "{} liest jede Taste, die hier gedrückt wird",
   "Press Start for Python": "Für Python auf Start drücken",
 
   // The link that led here.

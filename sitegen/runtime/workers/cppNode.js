@@ -2,6 +2,7 @@
 // The worker of a compiled node: load its program, enter it, report how it ended.
 
 import { cppHost } from "./cppHost.js";
+import { keyboardHost } from "./keyboardHost.js";
 import { Participant } from "../participant/participant.js";
 import { place } from "../place.js";
 import { Printer } from "./printer.js";
@@ -18,6 +19,8 @@ const post = (message) => postMessage(message);
 const printer = new Printer(post);
 /** @type {Participant | undefined} */
 let participant;
+/** What was typed and not yet read; none of them is the end. @type {Uint8Array[]} */
+const typed = [];
 /** @type {Promise<any> | undefined} */
 let script;
 /** The address of its lines, of a program built with --debug. @type {string | undefined} */
@@ -32,6 +35,9 @@ onmessage = (event) => {
   } else if (event.data.op === "start") {
     participant = new Participant(event.data.id, post);
     run(event.data, participant).catch((error) => end(1, describe(error)));
+  } else if (event.data.op === "keys") {
+    typed.push(new TextEncoder().encode(event.data.text));
+    participant?.wake();
   } else {
     participant?.receive(event.data);
   }
@@ -65,7 +71,7 @@ async function run(node, graph) {
   const args = [node.name, ...node.arguments];
   const { default: load } = await script;
   const program = await load({
-    ros: cppHost(graph, printer, args, fail, ended, grown),
+    ros: { ...cppHost(graph, printer, args, fail, ended, grown), ...keyboardHost(typed, printer, post) },
     noInitialRun: true,
     // Its WebAssembly is here already; a script without an address of its own could not name it.
     locateFile: (/** @type {string} */ name) => name,

@@ -5,7 +5,7 @@
 import { now } from "../protocol.js";
 import { suspend } from "./stacks.js";
 
-/** @import { EndpointKind, FromWorker, Qos, Severity, Typed } from "../protocol.js" */
+/** @import { EndpointKind, FromWorker, Keyboard, Qos, Severity, Typed } from "../protocol.js" */
 /** @import { EventKind } from "../participant/status.js" */
 /** @import { Participant } from "../participant/participant.js" */
 /** @import { Printer } from "./printer.js" */
@@ -22,7 +22,7 @@ const SEVERITIES = { 10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fata
 /**
  * @param {Hosted} participant
  * @param {Printer} printer
- * @param {() => Typed | undefined} typed gives what came for a prompt and waits
+ * @param {() => Typed | undefined} typed gives what was typed and not yet read
  * @param {(message: FromWorker) => void} post to the page
  * @param {(error: unknown) => void} [failed] called with what a thread ended by; without, there are no threads
  */
@@ -81,6 +81,11 @@ export function pythonHost(participant, printer, typed, post, failed) {
     },
     wake: () => participant.wake(),
     typed,
+    /** The program reads its keyboard. @param {Keyboard} keyboard how */
+    reading(keyboard) {
+      printer.flush();
+      post({ op: "reading", keyboard });
+    },
     /** A prompt waits for a line. @param {boolean} more whether the last one goes on */
     ready(more) {
       printer.flush();

@@ -41,7 +41,7 @@ function serve(way) {
       byte = data.byte;
       if (still) watch(still, data, participant);
       else run(data, participant).catch((error) => end(1, describe(error)));
-    } else if (data.op === "line" || data.op === "complete") {
+    } else if (data.op === "line" || data.op === "complete" || data.op === "keys") {
       typed.push(data);
       participant?.wake();
     } else {

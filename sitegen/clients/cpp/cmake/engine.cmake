@@ -30,7 +30,8 @@ set(_threads
   cond_init cond_wait cond_timedwait cond_signal cond_broadcast
   key_create key_delete getspecific setspecific)
 list(TRANSFORM _threads PREPEND pthread_ OUTPUT_VARIABLE _wrapped)
-list(APPEND _wrapped abort __assert_fail)
+# So is the keyboard (src/input.cpp).
+list(APPEND _wrapped abort __assert_fail __wasi_fd_read fcntl poll select)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
 endif()

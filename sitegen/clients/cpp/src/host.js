@@ -45,6 +45,16 @@ mergeInto(LibraryManager.library, {
 #endif
   ros_wait__sig: 'id',
   ros_wake: function() { Module["ros"]["wake"](); },
+  ros_reading: function(keyboard) {
+    // A question has no end of line, which would bring it to the console.
+    [FS.streams[1], FS.streams[2]].forEach(function(stream) {
+      if (stream.tty.output && stream.tty.output.length) stream.tty.ops.put_char(stream.tty, 10);
+    });
+    Module["ros"]["reading"](keyboard);
+  },
+  ros_reading__deps: ['$FS'],
+  ros_typed: function() { return Module["ros"]["typed"](); },
+  ros_take_typed: function(to, capacity) { return Module["ros"]["takeTyped"](HEAPU8, to, capacity); },
   ros_now: function() { return Module["ros"]["now"](); },
   ros_log: function(severity, logger, text) { Module["ros"]["log"](HEAPU8, severity, logger, text); },
   ros_argument: function(index, to, capacity) {

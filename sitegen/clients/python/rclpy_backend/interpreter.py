@@ -31,7 +31,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
     importlib.invalidate_caches()
     program = turns.Program(host, own)
     turns.enter(program, program.ident)
-    sys.stdin = keyboard.opened()
+    sys.stdin = keyboard.opened(program)
     loops.none_runs()
     try:
         code: int = importlib.import_module("rclpy_backend.program").run(module, attribute, words)

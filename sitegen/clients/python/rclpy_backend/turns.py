@@ -81,6 +81,7 @@ class Program:
         self.waiting = 0
         self.over = False
         self.signals: Signals | None = None
+        self.keyboard: Any = None
         self._own = {*OWN, *own}
         self._modules: dict[str, ModuleType] = {
             "__main__": ModuleType("__main__"),

@@ -101,6 +101,13 @@ void ros_read(uint8_t * to);
  * turn once, a negative number waits without end. Returns the signal that waits to be handled
  * (2, SIGINT, when the reader pressed Stop), 0 if none. */
 int32_t ros_wait(double milliseconds);
+/* The program reads what is typed: 0 whole lines, 1 whole lines that are not shown, 2 each key at once,
+ * 3 Ctrl-C as a key, too. */
+void ros_reading(int32_t keyboard);
+/* Bytes of what was typed first and not yet read, 0 if it is the end, -1 if nothing was typed. */
+int32_t ros_typed(void);
+/* Copy as many of these bytes to `to` as fit in `capacity` and remove them; returns how many. */
+int32_t ros_take_typed(uint8_t * to, int32_t capacity);
 /* End all waits of this program. */
 void ros_wake(void);
 /* Call `entry` with `argument` as soon as the caller waits. It may wait as well: JSPI gives it a stack
