@@ -267,8 +267,8 @@ def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path:
     assert not needs[1].linked
     *needs, other = with_plugins(packages, "other")
     assert other.linked == ("square",)
-    *needs, square = with_plugins(packages, "square")
-    assert square.linked == ()
+    *needs, plugins = with_plugins(packages, "square")
+    assert plugins.linked == ()
 
 
 def test_a_circle_of_dependencies_is_said(tmp_path: Path) -> None:
