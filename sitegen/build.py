@@ -231,7 +231,7 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
         elif not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
-        *before, package = workspace.with_dependencies(site.packages, name)
+        *before, package = workspace.with_plugins(site.packages, name)
         jobs.append(cpp.Job(package, tuple(wanted), tuple(before)))
     return jobs
 

@@ -59,7 +59,8 @@ class CMake:
 
     def tree(self, package: Package) -> Path:
         """The build folder of `package`: by its place, so that a change compiles what changed."""
-        place = hashlib.sha256(str(package.path).encode()).hexdigest()[:12]
+        what = "\n".join([str(package.path), *package.linked])
+        place = hashlib.sha256(what.encode()).hexdigest()[:12]
         kind = f"{self.engine}-debug" if self.debug else self.engine
         return self.work / kind / "packages" / f"{package.name}-{place}"
 
@@ -90,7 +91,8 @@ class CMake:
         Its programs call its folder `shown`.
         """
         prefixes = list(map(self.prefix, needs))
-        return self._configure(package.path, self.tree(package), prefixes, shown)
+        tree = self.tree(package)
+        return self._configure(package.path, tree, prefixes, shown, package.linked)
 
     def make(self, package: Package, *targets: str) -> Done:
         """Build targets of a configured package; with several, what fails stops none but itself."""
@@ -103,7 +105,14 @@ class CMake:
             done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
         return done
 
-    def _configure(self, source: Path, tree: Path, prefixes: Sequence[Path], shown: str) -> Done:
+    def _configure(
+        self,
+        source: Path,
+        tree: Path,
+        prefixes: Sequence[Path],
+        shown: str,
+        linked: Sequence[str] = (),
+    ) -> Done:
         optimize = OPTIMIZE_DEBUG if self.debug else OPTIMIZE
         defines = {
             "CMAKE_TOOLCHAIN_FILE": self.tools.platform_file,
@@ -117,6 +126,7 @@ class CMake:
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
+            "SITEGEN_LINKED": ";".join(linked),
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PYTHON": sys.executable,
             "SITEGEN_RCLCPP": self.library,

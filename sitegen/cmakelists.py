@@ -46,7 +46,8 @@ class Listing:
 
     `sources` has the files of executables, relative to the file that names them, the package's own.
     `installs` has what is installed as it is: the places below the prefix, and what goes there.
-    `finds` has the packages that are looked for, but for those that may be missing.
+    `finds` has the packages that are looked for, but for those that may be missing; `plugins` has
+    the packages for which plugins are described.
     """
 
     script: Script
@@ -55,6 +56,7 @@ class Listing:
     sources: dict[str, list[str]] = field(default_factory=dict)
     installs: list[Install] = field(default_factory=list)
     finds: list[str] = field(default_factory=list)
+    plugins: list[str] = field(default_factory=list)
 
     def add(self, name: str, words: list[str]) -> None:
         """Take in one command with its arguments."""
@@ -69,6 +71,8 @@ class Listing:
             self._add_interfaces(words[1:])
         elif name == "find_package" and ("QUIET" not in words or "REQUIRED" in words):
             self.finds += self.script.values(words[:1])
+        elif name == "pluginlib_export_plugin_description_file":
+            self.plugins += self.script.values(words[:1])
         elif name == "install":
             self._add_install(self.script.values(words))
         elif name == "ament_python_install_package":

@@ -27,7 +27,7 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
     wanted = _wanted(names, packages)
     jobs = []
     for name, executables in wanted.items():
-        *needs, package = workspace.with_dependencies(packages, name)
+        *needs, package = workspace.with_plugins(packages, name)
         jobs.append(cpp.Job(package, tuple(executables), tuple(needs)))
     engines = archive.ENGINES
     builds = cpp.compile_nodes(jobs, engines, root=root, cache=cache_folder(), report=report)

@@ -268,7 +268,8 @@ class Package:
     """A ROS package of the workspace, as its `package.xml` and its build files describe it.
 
     `executables` is None where only CMake itself can tell their names; `sources` has the files of
-    those that it names, as far as they stand there.
+    those that it names, as far as they stand there. `plugins` names the packages for which it has
+    plugins, and `linked` packages with whose plugins its programs are linked besides.
     """
 
     name: str
@@ -280,6 +281,8 @@ class Package:
     version: str = ""
     sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     setup: Setup | None = None
+    plugins: tuple[str, ...] = ()
+    linked: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

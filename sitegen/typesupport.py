@@ -18,6 +18,8 @@ from typing import Any
 NESTED = 1
 BOUNDED_TEXT = (21, 22)
 SCALARS = 48
+# Packages whose services every program includes, so that none asks for them by their names.
+UNNAMED = ("composition_interfaces", "lifecycle_msgs", "rcl_interfaces")
 
 
 @dataclass(frozen=True)
@@ -145,7 +147,23 @@ def type_support(interface: str, messages: Sequence[Message]) -> str:
     ]
     for message in messages:
         lines += _message_support(message)
+    package, folder, _ = interface.split("/")
+    if folder == "srv" and package not in UNNAMED:
+        lines += _service_support(interface)
     return "\n".join(lines) + "\n"
+
+
+def _service_support(interface: str) -> list[str]:
+    """Write what makes a service known by its name, in programs that ask for some so."""
+    cpp = interface.replace("/", "::")
+    return [
+        "",
+        "namespace rosidl_typesupport_sitegen_cpp",
+        "{",
+        f"inline const bool knows_{interface.replace('/', '_')} =",
+        f"  know_service<{cpp}_Request, {cpp}_Response>();",
+        "}  // namespace rosidl_typesupport_sitegen_cpp",
+    ]
 
 
 def _message_support(message: Message) -> list[str]:

@@ -26,6 +26,7 @@ PYTHON = "ament_python"
 OWN = "sitegen"
 # Packages of ROS that are written anew here: a workspace need not have them, and may.
 GIVEN = Path(__file__).parent / "packages"
+PLUGINS = "pluginlib"
 TURTLESIM, TURTLESIM_MSGS = "turtlesim", "turtlesim_msgs"
 IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
 SHEBANG = re.compile(rb"#!.*\bpython")
@@ -139,6 +140,25 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
     return list(ordered.values())
 
 
+def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
+    """Return the package `name` after all that its programs are made of.
+
+    Those are the packages it depends on and, if it may load plugins, those that have some for any
+    of these or for itself. They depend on it, so it is among them, too, as what they need.
+    """
+    *before, package = with_dependencies(packages, name)
+    known = {name, *(each.name for each in before)}
+    linked = [
+        each.name
+        for each in packages.values()
+        if PLUGINS in known and each.name not in known and known & set(each.plugins)
+    ]
+    needs = {each.name: each for each in before}
+    for one in linked:
+        needs |= {each.name: each for each in with_dependencies(packages, one)}
+    return [*needs.values(), replace(package, linked=tuple(linked))]
+
+
 def _visit(
     packages: Mapping[str, Package], name: str, above: tuple[str, ...], ordered: dict[str, Package]
 ) -> None:
@@ -208,6 +228,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         version=(xml.findtext("version") or "").strip(),
         sources={name: tuple(files) for name, files in sources.items()},
         setup=setup,
+        plugins=tuple(dict.fromkeys(listing.plugins)),
     )
 
 

@@ -68,7 +68,8 @@ def test_components_of_one_program_are_found_by_name(
         "1",
         "Could not load library libnothing.so: this program is not linked with it",
     ]
-    assert [line for line in lines[4:] if not line.startswith("[")][:4] == [
+    assert lines[4] == "round 13"
+    assert [line for line in lines[5:] if not line.startswith("[")][:4] == [
         "loaded 1 /deep/spare",
         "Failed to find class with the requested plugin name.",
         "1 nodes, unloaded 1 ",

@@ -39,6 +39,7 @@ def test_executors_call_back_as_their_groups_allow(
         f"events: {WAYS}",
         "contexts renamed named: before after, enough, still 1",
         "guard 3",
+        "told timer alone of telling, /told free of telling, 1, 1",
         "done",
     ]
 

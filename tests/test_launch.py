@@ -61,6 +61,21 @@ CONTAINERS = {
         <composable_node pkg="parts" plugin="parts::Nose" if="false"/>
       </load_composable_node>
     </launch>""",
+    "yaml": """
+launch:
+  - push_ros_namespace: {namespace: robot}
+  - node: {pkg: rclcpp_components, exec: component_container, name: box}
+  - load_composable_node:
+      target: /robot/box
+      composable_node:
+        - pkg: parts
+          plugin: parts::Eye
+          name: eye
+          remap: [{from: image, to: /image}]
+          param: [{name: rate, value: 5}]
+          extra_arg: [{name: use_intra_process_comms, value: true}]
+        - {pkg: parts, plugin: "parts::Ear", namespace: /head}
+""",
     "py": """
 from launch import LaunchDescription
 from launch_ros.actions import ComposableNodeContainer, LoadComposableNodes, PushRosNamespace
@@ -352,6 +367,16 @@ def generate_launch_description():
   <set_use_sim_time value="true"/>
   <node pkg="a" exec="timed"/>
 </launch>""",
+    "yaml": """
+launch:
+  - executable: {cmd: ros2 service call}
+  - node: {pkg: a, exec: first}
+  - timer:
+      period: 2.0
+      children:
+        - node: {pkg: a, exec: late}
+        - node: {pkg: a, exec: never, if: "$(eval '1 > 2')"}
+""",
 }
 
 
@@ -366,6 +391,7 @@ def generate_launch_description():
             ],
         ),
         ("xml", ["first 4", "late", "timed use_sim_time"]),
+        ("yaml", ["first", "late"]),
     ],
 )
 def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: list[str]) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from sitegen.errors import SiteError
 from sitegen.model import Package
-from sitegen.workspace import scan, with_dependencies
+from sitegen.workspace import scan, with_dependencies, with_plugins
 
 
 def write(folder: Path, files: dict[str, str]) -> Path:
@@ -243,6 +243,32 @@ def test_dependencies_come_first(tmp_path: Path) -> None:
     assert [package.name for package in with_dependencies(packages, "app")] == [
         *("msgs", "lib", "app")
     ]
+
+
+def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path: Path) -> None:
+    square = "pluginlib_export_plugin_description_file(base square.xml)"
+    packages = scan(
+        write(
+            tmp_path,
+            {
+                "base/package.xml": xml("base", "<depend>pluginlib</depend>"),
+                "pluginlib/package.xml": xml("pluginlib"),
+                "square/package.xml": xml("square", "<depend>base</depend><depend>sides</depend>"),
+                "square/CMakeLists.txt": square,
+                "sides/package.xml": xml("sides"),
+                "other/package.xml": xml("other", "<depend>base</depend>"),
+                "other/CMakeLists.txt": "pluginlib_export_plugin_description_file(else else.xml)",
+            },
+        )
+    )
+    *needs, base = with_plugins(packages, "base")
+    assert base.linked == ("square",)
+    assert [package.name for package in needs] == ["pluginlib", "base", "sides", "square"]
+    assert not needs[1].linked
+    *needs, other = with_plugins(packages, "other")
+    assert other.linked == ("square",)
+    *needs, plugins = with_plugins(packages, "square")
+    assert plugins.linked == ()
 
 
 def test_a_circle_of_dependencies_is_said(tmp_path: Path) -> None:

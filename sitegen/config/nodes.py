@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
+from sitegen import containers
 from sitegen.config import compiled, parameters, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
@@ -80,7 +81,11 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     if not node.package or node.components:
         return
     package = packages.get(node.package)
-    if package is None:
+    if package is None and node.package == containers.PACKAGE:
+        advice = "name some there"
+        message = f"'{node.executable}' gets its components in a launch file of a page; {advice}"
+        problems.add(*declared.where("package"), message)
+    elif package is None:
         message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
         problems.add(*declared.where("package"), message)
     elif package.build_type not in BUILD_TYPES:

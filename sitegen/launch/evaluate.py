@@ -230,7 +230,10 @@ class _Launch:
             message = f"'{executable}' reads the keys of a terminal and is left out; {instead}"
             self._notes.add(action.place, action.kind, message)
             return
-        self._started(action, scope)
+        if package == containers.PACKAGE:
+            self._container(action, scope)
+        else:
+            self._started(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
         """Start what is a program of the workspace; nothing around it holds for a process."""

@@ -10,7 +10,7 @@ from sitegen.errors import Place
 from sitegen.launch.tree import Action, UnreadableError
 
 # What stands below an action under its own name, as a list, and is an action in XML.
-PARTS = {"param", "remap", "env", "arg", "let"}
+PARTS = {"param", "remap", "env", "arg", "let", "composable_node", "extra_arg"}
 
 
 def read(file: Path) -> list[Action]:
@@ -51,7 +51,7 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
             attributes[name.replace("-", "_")] = value.value
         elif name in PARTS:
             inside += [_action(file, name, item) for item in _items(file, value)]
-        elif kind == "group":
+        elif kind == "group" or name == "children":
             inside += _actions(file, value)
         else:
             raise UnreadableError(_place(file, value), f"'{name}' of '{kind}' has to be a text")

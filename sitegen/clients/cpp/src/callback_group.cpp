@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rclcpp/detail/stacks.hpp"
+
 namespace rclcpp
 {
 
@@ -10,6 +12,12 @@ std::size_t CallbackGroup::size() const
   std::size_t all = 0;
   for (const auto & kind : members_) {all += kind.size();}
   return all;
+}
+
+void CallbackGroup::give_back()
+{
+  can_be_taken_from_ = true;
+  if (waited_for.exchange(false)) {detail::wake();}
 }
 
 void CallbackGroup::add(detail::ExecutableKind kind, std::weak_ptr<detail::Executable> executable)

@@ -328,6 +328,15 @@ std::shared_ptr<const node_interfaces::NodeBaseInterface> ServiceBase::node() co
   return living(node_);
 }
 
+std::shared_ptr<rmw_request_id_t> ServiceBase::request_id(
+  const rmw_message_info_t & info, double writer)
+{
+  auto id = std::make_shared<rmw_request_id_t>();
+  std::memcpy(id->writer_guid, &writer, sizeof(writer));
+  id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
+  return id;
+}
+
 void ServiceBase::respond(
   const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response)
 {

@@ -138,7 +138,7 @@ std::deque<Executor::Candidate> Executor::candidates()
   for (int kind = 0; kind < detail::kExecutableKinds; ++kind) {
     for (const auto & group : groups) {
       for (const auto & one : group->living(detail::ExecutableKind(kind))) {
-        all.push_back({group, one});
+        all.push_back({detail::ExecutableKind(kind), group, one});
       }
     }
   }
@@ -161,11 +161,7 @@ bool Executor::execute(const Candidate & candidate)
   {
     explicit Taken(CallbackGroup & group)
     : group_(group) {group_.can_be_taken_from() = false;}
-    ~Taken()
-    {
-      group_.can_be_taken_from() = true;
-      if (group_.waited_for.exchange(false)) {detail::wake();}
-    }
+    ~Taken() {group_.give_back();}
     CallbackGroup & group_;
   } taken(*group);
   return executable->execute_one();
@@ -185,7 +181,7 @@ bool Executor::execute_next()
   }
 }
 
-bool Executor::may_go_on() const {return context_->is_valid() && spinning_;}
+bool Executor::may_go_on() const {return context_->is_valid() && spinning;}
 
 void Executor::wait(double timeout)
 {
@@ -215,19 +211,20 @@ void Executor::work()
 
 void Executor::begin_spinning(const char * name)
 {
-  if (spinning_) {throw std::runtime_error(std::string(name) + "() called while already spinning");}
-  spinning_ = true;
+  if (spinning.exchange(true)) {
+    throw std::runtime_error(std::string(name) + "() called while already spinning");
+  }
 }
 
 void Executor::end_spinning()
 {
-  spinning_ = false;
+  spinning = false;
   round_.clear();
 }
 
 void Executor::cancel()
 {
-  spinning_ = false;
+  spinning = false;
   detail::wake();
 }
 
@@ -267,6 +264,12 @@ void Executor::spin_all(std::chrono::nanoseconds max_duration)
 void Executor::spin_once(std::chrono::nanoseconds timeout)
 {
   begin_spinning("spin_once");
+  spin_once_impl(timeout);
+  end_spinning();
+}
+
+void Executor::spin_once_impl(std::chrono::nanoseconds timeout)
+{
   detail::breathe();
   const double limit = in_milliseconds(timeout);
   const double end = detail::now() + limit;
@@ -275,7 +278,6 @@ void Executor::spin_once(std::chrono::nanoseconds timeout)
     if (!may_go_on() || (limit >= 0 && left <= 0)) {break;}
     wait(limit < 0 ? -1 : left);
   }
-  end_spinning();
 }
 
 void Executor::spin_node_some(NodeBase node)

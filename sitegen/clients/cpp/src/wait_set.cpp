@@ -60,7 +60,7 @@ std::shared_ptr<T> next(
 
 }  // namespace
 
-WaitSet::WaitSet(
+WaitSetBase::WaitSetBase(
   const Subscriptions & subscriptions, const GuardConditions & guard_conditions,
   const Timers & timers, const Clients & clients, const Services & services,
   const Waitables & waitables,
@@ -72,46 +72,46 @@ WaitSet::WaitSet(
   for (const auto & entry : waitables) {add_waitable(entry.waitable, entry.associated_entity);}
 }
 
-void WaitSet::add_subscription(
+void WaitSetBase::add_subscription(
   SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
   if (mask.include_subscription) {add(subscriptions_, subscription, "subscription");}
   if (mask.include_events) {add_waitable(subscription->events(), subscription);}
 }
-void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard_condition)
+void WaitSetBase::add_guard_condition(GuardCondition::SharedPtr guard_condition)
 {
   add(guard_conditions_, std::move(guard_condition), "guard condition");
 }
-void WaitSet::add_timer(TimerBase::SharedPtr timer) {add(timers_, std::move(timer), "timer");}
-void WaitSet::add_client(ClientBase::SharedPtr client) {add(clients_, std::move(client), "client");}
-void WaitSet::add_service(ServiceBase::SharedPtr service)
+void WaitSetBase::add_timer(TimerBase::SharedPtr timer) {add(timers_, std::move(timer), "timer");}
+void WaitSetBase::add_client(ClientBase::SharedPtr client) {add(clients_, std::move(client), "client");}
+void WaitSetBase::add_service(ServiceBase::SharedPtr service)
 {
   add(services_, std::move(service), "service");
 }
-void WaitSet::remove_subscription(
+void WaitSetBase::remove_subscription(
   SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
   if (mask.include_subscription) {remove(subscriptions_, subscription, "subscription");}
   if (mask.include_events) {remove_waitable(subscription->events());}
 }
-void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard_condition)
+void WaitSetBase::remove_guard_condition(GuardCondition::SharedPtr guard_condition)
 {
   remove(guard_conditions_, guard_condition, "guard condition");
 }
-void WaitSet::remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
-void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
-void WaitSet::remove_service(ServiceBase::SharedPtr service)
+void WaitSetBase::remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
+void WaitSetBase::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
+void WaitSetBase::remove_service(ServiceBase::SharedPtr service)
 {
   remove(services_, service, "service");
 }
 
-void WaitSet::add_waitable(
+void WaitSetBase::add_waitable(
   Waitable::SharedPtr waitable, std::shared_ptr<void> associated_entity)
 {
   add(waitables_, std::move(waitable), "waitable");
   associated_.push_back(std::move(associated_entity));
 }
-void WaitSet::remove_waitable(Waitable::SharedPtr waitable)
+void WaitSetBase::remove_waitable(Waitable::SharedPtr waitable)
 {
   const auto found = std::find(waitables_.begin(), waitables_.end(), waitable);
   const auto index = found - waitables_.begin();
@@ -119,7 +119,7 @@ void WaitSet::remove_waitable(Waitable::SharedPtr waitable)
   associated_.erase(associated_.begin() + index);
 }
 
-bool WaitSet::look()
+bool WaitSetBase::look()
 {
   const auto has_message = [](const detail::Receiver & receiver) {return receiver.is_ready();};
   // All of them: what is not asked is not noted.
@@ -140,7 +140,7 @@ bool WaitSet::look()
   return std::find(std::begin(found), std::end(found), true) != std::end(found);
 }
 
-WaitResultKind WaitSet::wait_for(double milliseconds)
+WaitResultKind WaitSetBase::wait_for(double milliseconds)
 {
   const bool empty = subscriptions_.empty() && clients_.empty() && services_.empty() &&
     timers_.empty() && guard_conditions_.empty() && waitables_.empty();
@@ -163,13 +163,13 @@ WaitResultKind WaitSet::wait_for(double milliseconds)
   return WaitResultKind::Invalid;
 }
 
-TimerBase::SharedPtr WaitSet::next_ready_timer() {return next(timers_, ready_.timers);}
-SubscriptionBase::SharedPtr WaitSet::next_ready_subscription()
+TimerBase::SharedPtr WaitSetBase::next_ready_timer() {return next(timers_, ready_.timers);}
+SubscriptionBase::SharedPtr WaitSetBase::next_ready_subscription()
 {
   return next(subscriptions_, ready_.subscriptions);
 }
-ServiceBase::SharedPtr WaitSet::next_ready_service() {return next(services_, ready_.services);}
-ClientBase::SharedPtr WaitSet::next_ready_client() {return next(clients_, ready_.clients);}
-Waitable::SharedPtr WaitSet::next_ready_waitable() {return next(waitables_, ready_waitables_);}
+ServiceBase::SharedPtr WaitSetBase::next_ready_service() {return next(services_, ready_.services);}
+ClientBase::SharedPtr WaitSetBase::next_ready_client() {return next(clients_, ready_.clients);}
+Waitable::SharedPtr WaitSetBase::next_ready_waitable() {return next(waitables_, ready_waitables_);}
 
 }  // namespace rclcpp

@@ -28,6 +28,8 @@ public:
   /// False while one of its callbacks runs that excludes the others.
   std::atomic_bool & can_be_taken_from() {return can_be_taken_from_;}
   std::atomic_bool & get_associated_with_executor_atomic() {return associated_;}
+  /// Let callbacks of it run again, by those too who passed it by.
+  void give_back();
   bool automatically_add_to_executor_with_node() const {return automatically_add_;}
   std::size_t size() const;
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <future>
-#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "rclcpp/detail/introspection.hpp"
+#include "rclcpp/detail/pending_requests.hpp"
 #include "rclcpp/detail/platform.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
@@ -159,7 +159,7 @@ public:
   }
 
   /// Forget a request: its future will never be ready. False if it was not pending.
-  bool remove_pending_request(std::int64_t request_id) {return pending_.erase(request_id) != 0;}
+  bool remove_pending_request(std::int64_t request_id) {return pending_.remove(request_id);}
   template<class FutureT>
   bool remove_pending_request(const detail::FutureAndRequestId<FutureT> & future)
   {
@@ -171,23 +171,9 @@ public:
     std::chrono::time_point<std::chrono::system_clock> time_point,
     std::vector<std::int64_t, AllocatorT> * pruned_requests = nullptr)
   {
-    const std::size_t before = pending_.size();
-    for (auto one = pending_.begin(); one != pending_.end(); ) {
-      if (one->second.sent >= time_point) {
-        ++one;
-        continue;
-      }
-      if (pruned_requests) {pruned_requests->push_back(one->first);}
-      one = pending_.erase(one);
-    }
-    return before - pending_.size();
+    return pending_.remove_older_than(time_point, pruned_requests);
   }
-  std::size_t prune_pending_requests()
-  {
-    const std::size_t count = pending_.size();
-    pending_.clear();
-    return count;
-  }
+  std::size_t prune_pending_requests() {return pending_.clear();}
 
   /// From now on publish what is sent and received on `<service>/_service_event`, or stop that.
   void configure_introspection(
@@ -199,36 +185,28 @@ public:
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override
   {
-    const auto found = pending_.find(static_cast<std::int64_t>(info.publication_sequence_number));
-    if (found == pending_.end()) {return;}  // removed, or answered by another server
+    const auto id = static_cast<std::int64_t>(info.publication_sequence_number);
+    if (!pending_.has(id)) {return;}  // removed, or answered by another server
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Response>();
     auto response = std::make_shared<Response>();
     if (!decode(type, bytes, response.get())) {return;}
     introspection_.publish(
-      detail::ServiceEvent::kResponseReceived, gid().data, found->first, nullptr, response.get());
-    const auto complete = std::move(found->second.complete);
-    pending_.erase(found);
-    complete(std::move(response));
+      detail::ServiceEvent::kResponseReceived, gid().data, id, nullptr, response.get());
+    pending_.take(id)(std::move(response));
   }
 
 private:
-  using Complete = std::function<void(SharedResponse)>;
-  struct Pending
-  {
-    std::chrono::system_clock::time_point sent;
-    Complete complete;
-  };
-
-  std::int64_t begin(const Request & request, Complete complete)
+  std::int64_t begin(
+    const Request & request, typename detail::PendingRequests<Response>::Complete complete)
   {
     const auto id = send(rosidl_typesupport_sitegen_cpp::members_of<Request>(), &request);
-    pending_.emplace(id, Pending{std::chrono::system_clock::now(), std::move(complete)});
+    pending_.add(id, std::move(complete));
     introspection_.publish(
       detail::ServiceEvent::kRequestSent, gid().data, id, &request, nullptr);
     return id;
   }
 
-  std::map<std::int64_t, Pending> pending_;
+  detail::PendingRequests<Response> pending_;
   detail::IntrospectionSwitch<ServiceT> introspection_;
 };
 

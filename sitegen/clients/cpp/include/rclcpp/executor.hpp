@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "rclcpp/any_executable.hpp"
 #include "rclcpp/callback_group.hpp"
 #include "rclcpp/executor_options.hpp"
 #include "rclcpp/future_return_code.hpp"
@@ -80,7 +82,7 @@ public:
     remove_node(node, false);
   }
   void cancel();
-  bool is_spinning() const {return spinning_;}
+  bool is_spinning() const {return spinning;}
 
   template<class FutureT, class Rep = std::int64_t, class Period = std::milli>
   FutureReturnCode spin_until_future_complete(
@@ -104,11 +106,28 @@ protected:
   /// Call back and wait, until it is canceled or shut down.
   void work();
 
+  virtual void spin_once_impl(std::chrono::nanoseconds timeout);
+  /// What classes of users make their own loops of: the next thing that is ready, after a wait for it if
+  /// need be. Its callback group is taken until `any_executable` is gone.
+  bool get_next_executable(
+    AnyExecutable & any_executable,
+    std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  bool get_next_ready_executable(AnyExecutable & any_executable);
+  void wait_for_work(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
+  void execute_any_executable(AnyExecutable & any_executable);
+  static void execute_subscription(std::shared_ptr<SubscriptionBase> subscription);
+  static void execute_timer(
+    std::shared_ptr<TimerBase> timer, const std::shared_ptr<void> & data = nullptr);
+  static void execute_service(std::shared_ptr<ServiceBase> service);
+  static void execute_client(std::shared_ptr<ClientBase> client);
+
+  std::atomic_bool spinning{false};
   Context::SharedPtr context_;
 
 private:
   struct Candidate
   {
+    detail::ExecutableKind kind;
     std::weak_ptr<CallbackGroup> group;
     std::weak_ptr<detail::Executable> executable;
   };
@@ -119,11 +138,11 @@ private:
   std::vector<CallbackGroup::SharedPtr> groups();
   std::deque<Candidate> candidates();
   bool execute(const Candidate & candidate);
+  NodeBase node_of(const CallbackGroup::SharedPtr & group) const;
 
   std::vector<std::weak_ptr<node_interfaces::NodeBaseInterface>> nodes_;
   std::vector<std::weak_ptr<CallbackGroup>> groups_;  // those that were added by hand
   std::deque<Candidate> round_;                       // what is looked at before all is again
-  bool spinning_ = false;
 };
 
 }  // namespace rclcpp

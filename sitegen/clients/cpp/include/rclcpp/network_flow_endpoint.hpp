@@ -22,6 +22,8 @@ private:
   std::string none_;
 };
 
+inline bool operator==(const NetworkFlowEndpoint &, const NetworkFlowEndpoint &) {return true;}
+inline bool operator!=(const NetworkFlowEndpoint &, const NetworkFlowEndpoint &) {return false;}
 inline std::ostream & operator<<(std::ostream & os, const NetworkFlowEndpoint &)
 {
   return os << "{}";

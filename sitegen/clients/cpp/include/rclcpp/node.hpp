@@ -15,7 +15,9 @@
 #include "rclcpp/detail/has_parameters.hpp"
 #include "rclcpp/detail/rosout.hpp"
 #include "rclcpp/detail/sees_graph.hpp"
+#include "rclcpp/generic_client.hpp"
 #include "rclcpp/generic_publisher.hpp"
+#include "rclcpp/generic_service.hpp"
 #include "rclcpp/generic_subscription.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
@@ -198,6 +200,26 @@ public:
     CallbackGroup::SharedPtr group = nullptr)
   {
     return create_client<ServiceT>(name, QoS(QoSInitialization::from_rmw(qos), qos), group);
+  }
+
+  std::shared_ptr<GenericClient> create_generic_client(
+    const std::string & name, const std::string & type, const QoS & qos = ServicesQoS(),
+    CallbackGroup::SharedPtr group = nullptr)
+  {
+    auto client = std::make_shared<GenericClient>(*base_, extend_name(name), type, qos);
+    base_->add(detail::ExecutableKind::kClient, client, group);
+    return client;
+  }
+
+  template<class CallbackT>
+  std::shared_ptr<GenericService> create_generic_service(
+    const std::string & name, const std::string & type, CallbackT && callback,
+    const QoS & qos = ServicesQoS(), CallbackGroup::SharedPtr group = nullptr)
+  {
+    auto service = std::make_shared<GenericService>(
+      *base_, extend_name(name), type, qos, std::forward<CallbackT>(callback));
+    base_->add(detail::ExecutableKind::kService, service, group);
+    return service;
   }
 
   template<class Rep, class Period, class CallbackT>

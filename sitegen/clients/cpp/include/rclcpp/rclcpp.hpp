@@ -31,7 +31,9 @@
 #include "rmw/rmw.h"
 
 #include "rclcpp/create_client.hpp"
+#include "rclcpp/create_generic_client.hpp"
 #include "rclcpp/create_generic_publisher.hpp"
+#include "rclcpp/create_generic_service.hpp"
 #include "rclcpp/create_generic_subscription.hpp"
 #include "rclcpp/create_publisher.hpp"
 #include "rclcpp/create_service.hpp"

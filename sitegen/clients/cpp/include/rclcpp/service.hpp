@@ -35,12 +35,68 @@ public:
 protected:
   void respond(
     const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
+  static std::shared_ptr<rmw_request_id_t> request_id(
+    const rmw_message_info_t & info, double writer);
   /// The node that it is of; throws RCLError when that is gone.
   std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
 
 private:
   std::weak_ptr<const node_interfaces::NodeBaseInterface> node_;
 };
+
+namespace detail
+{
+
+template<class ServiceT, class RequestPtr>
+using ServiceHandler =
+  std::function<void (ServiceT &, std::shared_ptr<rmw_request_id_t>, RequestPtr)>;
+
+template<class>
+constexpr bool unsupported = false;
+
+/// A callback of a service, in any of its forms, as one form.
+template<class ServiceT, class RequestPtr, class CallbackT>
+ServiceHandler<ServiceT, RequestPtr> service_handler(CallbackT callback)
+{
+  using IdPtr = std::shared_ptr<rmw_request_id_t>;
+  using ResponsePtr = decltype(std::declval<ServiceT &>().create_response());
+  constexpr bool plain = std::is_invocable_v<CallbackT &, RequestPtr, ResponsePtr>;
+  constexpr bool with_id = std::is_invocable_v<CallbackT &, IdPtr, RequestPtr, ResponsePtr>;
+  if constexpr (plain || with_id) {
+    return [callback](ServiceT & self, IdPtr id, RequestPtr request) mutable {
+             auto response = self.create_response();
+             if constexpr (with_id) {
+               callback(id, std::move(request), response);
+             } else {
+               callback(std::move(request), response);
+             }
+             if constexpr (std::is_same_v<ResponsePtr, std::shared_ptr<void>>) {
+               self.send_response(*id, response);
+             } else {
+               self.send_response(*id, *response);
+             }
+           };
+  } else if constexpr (std::is_invocable_v<CallbackT &, IdPtr, RequestPtr>) {
+    return [callback](ServiceT &, IdPtr id, RequestPtr request) mutable {
+             callback(std::move(id), std::move(request));
+           };
+  } else if constexpr (
+    std::is_invocable_v<CallbackT &, std::shared_ptr<ServiceT>, IdPtr, RequestPtr>)
+  {
+    return [callback](ServiceT & self, IdPtr id, RequestPtr request) mutable {
+             callback(self.shared_from_this(), std::move(id), std::move(request));
+           };
+  } else {
+    static_assert(
+      unsupported<CallbackT>,
+      "a service's callback takes (std::shared_ptr<Request>, std::shared_ptr<Response>), perhaps "
+      "with a std::shared_ptr<rmw_request_id_t> before them, or answers later and takes "
+      "(std::shared_ptr<rmw_request_id_t>, std::shared_ptr<Request>), perhaps with the service "
+      "before them");
+  }
+}
+
+}  // namespace detail
 
 /// A service. A callback that takes no response sends one later, by send_response.
 template<class ServiceT>
@@ -57,8 +113,11 @@ public:
     const node_interfaces::NodeBaseInterface & node, const std::string & name, const QoS & qos,
     CallbackT && callback)
   : ServiceBase(node, name, rosidl_typesupport_sitegen_cpp::members_of<Request>(), qos),
-    callback_(adapt(std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
+    callback_(
+      detail::service_handler<Service, std::shared_ptr<Request>>(
+        std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
 
+  std::shared_ptr<Response> create_response() const {return std::make_shared<Response>();}
   void send_response(rmw_request_id_t & to, Response & response)
   {
     respond(to, rosidl_typesupport_sitegen_cpp::members_of<Response>(), &response);
@@ -78,55 +137,12 @@ protected:
     auto request = std::make_shared<Request>();
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();
     if (!decode(type, bytes, request.get())) {return;}
-    auto id = std::make_shared<rmw_request_id_t>();
-    std::memcpy(id->writer_guid, &writer, sizeof(writer));
-    id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
+    auto id = request_id(info, writer);
     introspect(detail::ServiceEvent::kRequestReceived, *id, request.get(), nullptr);
     callback_(*this, std::move(id), std::move(request));
   }
 
 private:
-  using IdPtr = std::shared_ptr<rmw_request_id_t>;
-  using RequestPtr = std::shared_ptr<Request>;
-  using ResponsePtr = std::shared_ptr<Response>;
-  using Handler = std::function<void(Service &, IdPtr, RequestPtr)>;
-
-  template<class>
-  static constexpr bool unsupported = false;
-
-  template<class CallbackT>
-  static Handler adapt(CallbackT callback)
-  {
-    constexpr bool plain = std::is_invocable_v<CallbackT &, RequestPtr, ResponsePtr>;
-    constexpr bool with_id = std::is_invocable_v<CallbackT &, IdPtr, RequestPtr, ResponsePtr>;
-    if constexpr (plain || with_id) {
-      return [callback](Service & self, IdPtr id, RequestPtr request) mutable {
-               auto response = std::make_shared<Response>();
-               if constexpr (with_id) {
-                 callback(id, std::move(request), response);
-               } else {
-                 callback(std::move(request), response);
-               }
-               self.send_response(*id, *response);
-             };
-    } else if constexpr (std::is_invocable_v<CallbackT &, IdPtr, RequestPtr>) {
-      return [callback](Service &, IdPtr id, RequestPtr request) mutable {
-               callback(std::move(id), std::move(request));
-             };
-    } else if constexpr (std::is_invocable_v<CallbackT &, SharedPtr, IdPtr, RequestPtr>) {
-      return [callback](Service & self, IdPtr id, RequestPtr request) mutable {
-               callback(self.shared_from_this(), std::move(id), std::move(request));
-             };
-    } else {
-      static_assert(
-        unsupported<CallbackT>,
-        "a service's callback takes (std::shared_ptr<Request>, std::shared_ptr<Response>), perhaps "
-        "with a std::shared_ptr<rmw_request_id_t> before them, or answers later and takes "
-        "(std::shared_ptr<rmw_request_id_t>, std::shared_ptr<Request>), perhaps with the service "
-        "before them");
-    }
-  }
-
   void introspect(
     detail::ServiceEvent what, const rmw_request_id_t & id, const Request * request,
     const Response * response)
@@ -135,7 +151,7 @@ private:
     introspection_.publish(what, client, id.sequence_number, request, response);
   }
 
-  Handler callback_;
+  detail::ServiceHandler<Service, std::shared_ptr<Request>> callback_;
   detail::IntrospectionSwitch<ServiceT> introspection_;
 };
 

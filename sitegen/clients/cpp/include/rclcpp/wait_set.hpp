@@ -22,12 +22,11 @@
 namespace rclcpp
 {
 
-/// Waits until something of what it was given is ready. Nothing is called back.
-class WaitSet
+/// What all wait sets are: what they wait for, and what of it is ready. Nothing is called back.
+class WaitSetBase
 {
 public:
-  RCLCPP_SMART_PTR_DEFINITIONS(WaitSet)
-  RCLCPP_DISABLE_COPY(WaitSet)
+  RCLCPP_DISABLE_COPY(WaitSetBase)
 
   struct SubscriptionEntry
   {
@@ -59,7 +58,7 @@ public:
   };
   using Waitables = std::vector<WaitableEntry>;
 
-  explicit WaitSet(
+  explicit WaitSetBase(
     const Subscriptions & subscriptions = {}, const GuardConditions & guard_conditions = {},
     const Timers & timers = {}, const Clients & clients = {}, const Services & services = {},
     const Waitables & waitables = {},
@@ -86,22 +85,16 @@ public:
 
   const rcl_wait_set_t & get_rcl_wait_set() const {return ready_;}
 
-  template<class Rep = std::int64_t, class Period = std::milli>
-  WaitResult<WaitSet> wait(
-    std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1))
-  {
-    const auto kind = wait_for(std::chrono::duration<double, std::milli>(time_to_wait).count());
-    return WaitResult<WaitSet>(kind, *this);
-  }
-
   TimerBase::SharedPtr next_ready_timer();
   SubscriptionBase::SharedPtr next_ready_subscription();
   ServiceBase::SharedPtr next_ready_service();
   ClientBase::SharedPtr next_ready_client();
   Waitable::SharedPtr next_ready_waitable();
 
-private:
+protected:
   WaitResultKind wait_for(double milliseconds);
+
+private:
   /// Note what is ready; false if nothing is.
   bool look();
 
@@ -117,36 +110,86 @@ private:
   std::vector<const void *> ready_waitables_;
 };
 
-/// Threads take turns, so every wait set may be used by several.
-using ThreadSafeWaitSet = WaitSet;
+/// Threads take turns, so every wait set may be used by several; what is stored is the same, too.
+namespace wait_set_policies
+{
 
-/// A wait set whose sizes are known when it is compiled.
+struct SequentialSynchronization {};
+struct ThreadSafeSynchronization {};
+struct DynamicStorage {};
 template<
   std::size_t NumberOfSubscriptions, std::size_t NumberOfGuardConditions,
   std::size_t NumberOfTimers, std::size_t NumberOfClients, std::size_t NumberOfServices,
   std::size_t NumberOfWaitables>
-class StaticWaitSet : public WaitSet
+struct StaticStorage {};
+
+}  // namespace wait_set_policies
+
+/// Waits until something of what it was given is ready.
+template<class SynchronizationPolicy, class StoragePolicy>
+class WaitSetTemplate : public WaitSetBase
 {
 public:
-  RCLCPP_SMART_PTR_DEFINITIONS(
-    StaticWaitSet<
-      NumberOfSubscriptions, NumberOfGuardConditions, NumberOfTimers, NumberOfClients,
-      NumberOfServices, NumberOfWaitables>)
+  RCLCPP_SMART_PTR_DEFINITIONS(WaitSetTemplate)
 
-  explicit StaticWaitSet(
-    const std::array<SubscriptionEntry, NumberOfSubscriptions> & subscriptions = {},
+  using WaitSetBase::WaitSetBase;
+
+  template<class Rep = std::int64_t, class Period = std::milli>
+  WaitResult<WaitSetTemplate> wait(
+    std::chrono::duration<Rep, Period> time_to_wait = std::chrono::duration<Rep, Period>(-1))
+  {
+    const auto kind = wait_for(std::chrono::duration<double, std::milli>(time_to_wait).count());
+    return WaitResult<WaitSetTemplate>(kind, *this);
+  }
+};
+
+/// A wait set whose sizes are known when it is compiled.
+template<
+  class SynchronizationPolicy,
+  std::size_t NumberOfSubscriptions, std::size_t NumberOfGuardConditions,
+  std::size_t NumberOfTimers, std::size_t NumberOfClients, std::size_t NumberOfServices,
+  std::size_t NumberOfWaitables>
+class WaitSetTemplate<
+    SynchronizationPolicy,
+    wait_set_policies::StaticStorage<
+      NumberOfSubscriptions, NumberOfGuardConditions, NumberOfTimers, NumberOfClients,
+      NumberOfServices, NumberOfWaitables>>
+  : public WaitSetTemplate<SynchronizationPolicy, wait_set_policies::DynamicStorage>
+{
+  using Dynamic = WaitSetTemplate<SynchronizationPolicy, wait_set_policies::DynamicStorage>;
+
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WaitSetTemplate)
+
+  explicit WaitSetTemplate(
+    const std::array<WaitSetBase::SubscriptionEntry, NumberOfSubscriptions> & subscriptions = {},
     const std::array<GuardCondition::SharedPtr, NumberOfGuardConditions> & guard_conditions = {},
     const std::array<TimerBase::SharedPtr, NumberOfTimers> & timers = {},
     const std::array<ClientBase::SharedPtr, NumberOfClients> & clients = {},
     const std::array<ServiceBase::SharedPtr, NumberOfServices> & services = {},
-    const std::array<WaitableEntry, NumberOfWaitables> & waitables = {},
+    const std::array<WaitSetBase::WaitableEntry, NumberOfWaitables> & waitables = {},
     Context::SharedPtr context = contexts::get_global_default_context())
-  : WaitSet(
-      Subscriptions(subscriptions.begin(), subscriptions.end()),
-      GuardConditions(guard_conditions.begin(), guard_conditions.end()),
-      Timers(timers.begin(), timers.end()), Clients(clients.begin(), clients.end()),
-      Services(services.begin(), services.end()), Waitables(waitables.begin(), waitables.end()),
-      std::move(context)) {}
+  : Dynamic(
+      WaitSetBase::Subscriptions(subscriptions.begin(), subscriptions.end()),
+      WaitSetBase::GuardConditions(guard_conditions.begin(), guard_conditions.end()),
+      WaitSetBase::Timers(timers.begin(), timers.end()),
+      WaitSetBase::Clients(clients.begin(), clients.end()),
+      WaitSetBase::Services(services.begin(), services.end()),
+      WaitSetBase::Waitables(waitables.begin(), waitables.end()), std::move(context)) {}
 };
+
+using WaitSet = WaitSetTemplate<
+  wait_set_policies::SequentialSynchronization, wait_set_policies::DynamicStorage>;
+using ThreadSafeWaitSet = WaitSetTemplate<
+  wait_set_policies::ThreadSafeSynchronization, wait_set_policies::DynamicStorage>;
+template<
+  std::size_t NumberOfSubscriptions, std::size_t NumberOfGuardConditions,
+  std::size_t NumberOfTimers, std::size_t NumberOfClients, std::size_t NumberOfServices,
+  std::size_t NumberOfWaitables>
+using StaticWaitSet = WaitSetTemplate<
+  wait_set_policies::SequentialSynchronization,
+  wait_set_policies::StaticStorage<
+    NumberOfSubscriptions, NumberOfGuardConditions, NumberOfTimers, NumberOfClients,
+    NumberOfServices, NumberOfWaitables>>;
 
 }  // namespace rclcpp

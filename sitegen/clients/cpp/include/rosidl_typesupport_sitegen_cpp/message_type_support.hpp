@@ -59,4 +59,15 @@ const MessageMembers & members_of()
   return *static_cast<const MessageMembers *>(handle->data);
 }
 
+/// Only a program that asks for services by their names is linked with this.
+[[gnu::weak]] void note_service(const MessageMembers & request, const MessageMembers & response);
+
+template<class Request, class Response>
+bool know_service()
+{
+  if (!note_service) {return false;}
+  note_service(members_of<Request>(), members_of<Response>());
+  return true;
+}
+
 }  // namespace rosidl_typesupport_sitegen_cpp

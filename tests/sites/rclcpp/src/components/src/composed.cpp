@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "class_loader/class_loader.hpp"
+#include "components/shape.hpp"
+#include "pluginlib/class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/component_manager.hpp"
 #include "rclcpp_components/node_factory.hpp"
@@ -68,6 +70,11 @@ int main(int argc, char ** argv)
       std::printf("%s\n", error.what());
     }
   }
+  // Of a package that needs this one.
+  pluginlib::ClassLoader<components::Shape> shapes("components", "components::Shape");
+  auto shape = shapes.createSharedInstance("round");
+  shape->initialize(2);
+  std::printf("round %.0f\n", shape->area());
   manage();
   executor.spin();
 }

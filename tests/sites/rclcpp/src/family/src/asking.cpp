@@ -142,6 +142,53 @@ void gather_statistics(const rclcpp::Node::SharedPtr & node)
   }
 }
 
+/// Services and clients of a type that only the program knows when it runs.
+void ask_by_name(const rclcpp::Node::SharedPtr & node)
+{
+  const char * type = "example_interfaces/srv/AddTwoInts";
+  const auto sum = [](const std::shared_ptr<void> & message) -> auto & {
+      return static_cast<AddTwoInts::Response *>(message.get())->sum;
+    };
+  auto add = node->create_generic_service(
+    "named", type, [&](std::shared_ptr<void> request, std::shared_ptr<void> response) {
+      const auto * numbers = static_cast<AddTwoInts::Request *>(request.get());
+      sum(response) = numbers->a + numbers->b;
+    });
+  auto later = node->create_generic_service(
+    "later", type,
+    [&](
+      std::shared_ptr<rclcpp::GenericService> self, std::shared_ptr<rmw_request_id_t> id,
+      std::shared_ptr<void>) {
+      auto response = self->create_response();
+      sum(response) = -1;
+      self->send_response(*id, response);
+    });
+  rclcpp::GenericClient::SharedPtr client = node->create_generic_client("named", type);
+  auto other = rclcpp::create_generic_client(node, "later", type);
+  client->wait_for_service();
+  other->wait_for_service();
+  AddTwoInts::Request request;
+  request.a = 2;
+  request.b = 3;
+  auto answer = client->async_send_request(&request);
+  rclcpp::spin_until_future_complete(node, answer);
+  std::printf("by name %d", static_cast<int>(sum(answer.get())));
+  auto called = other->async_send_request(
+    &request, [&](rclcpp::GenericClient::SharedFuture future) {
+      std::printf(", later %d", static_cast<int>(sum(future.get())));
+    });
+  rclcpp::spin_until_future_complete(node, called);
+  auto nobody = node->create_generic_client("nobody", type);
+  const auto lost = nobody->async_send_request(&request);
+  const bool removed = nobody->remove_pending_request(lost);
+  std::printf(", removed %d %d\n", removed, nobody->remove_pending_request(lost.request_id));
+  try {
+    node->create_generic_client("unknown", "std_srvs/srv/Empty");
+  } catch (const std::runtime_error & error) {
+    std::printf("%s\n", error.what());
+  }
+}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -150,6 +197,9 @@ int main(int argc, char ** argv)
   ask_about_the_graph(*node);
   look_into_a_service(node);
   gather_statistics(node);
+  ask_by_name(node);
+  const auto flows = node->create_publisher<String>("flows", 1)->get_network_flow_endpoints();
+  std::printf("flows %d\n", flows == std::vector<rclcpp::NetworkFlowEndpoint>());
 
   auto levels = node->create_client<SetLoggerLevels>("asking/set_logger_levels");
   auto request = std::make_shared<SetLoggerLevels::Request>();

@@ -11,6 +11,7 @@
 #include "example_interfaces/srv/add_two_ints.hpp"
 #include "rclcpp/experimental/executors/events_executor/events_executor.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "rcpputils/scope_exit.hpp"
 #include "std_msgs/msg/int32.hpp"
 
 using namespace std::chrono_literals;
@@ -156,6 +157,61 @@ void contexts()
     context->shutdown_reason().c_str(), rclcpp::ok());
 }
 
+/// An executor of its author, which takes what is ready one by one and tells what it is.
+class Telling : public rclcpp::Executor
+{
+public:
+  void spin() override
+  {
+    if (spinning.exchange(true)) {throw std::runtime_error("spinning already");}
+    RCPPUTILS_SCOPE_EXIT(spinning = false;);
+    while (rclcpp::ok(context_) && spinning.load()) {
+      rclcpp::AnyExecutable next;
+      if (!get_next_executable(next)) {continue;}
+      text += next.timer ? "timer" : next.subscription ? next.subscription->get_topic_name() : "?";
+      text += next.callback_group->can_be_taken_from() ? " free" : " alone";
+      text += std::string(" of ") + next.node_base->get_name() + ", ";
+      execute_any_executable(next);
+    }
+  }
+
+  std::string text;
+};
+
+/// Wait sets are one template.
+template<class SynchronizationT, class StorageT>
+std::size_t size_of(rclcpp::WaitSetTemplate<SynchronizationT, StorageT> & wait_set)
+{
+  const auto result = wait_set.wait(0s);
+  const bool over = result.kind() == rclcpp::WaitResultKind::Timeout;
+  return over ? wait_set.get_rcl_wait_set().size_of_subscriptions : 100;
+}
+
+void tell()
+{
+  auto node = std::make_shared<rclcpp::Node>("telling");
+  auto publisher = node->create_publisher<Int32>("told", 1);
+  auto both = node->create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+  rclcpp::SubscriptionOptions options;
+  options.callback_group = both;
+  Telling executor;
+  auto subscription = node->create_subscription<Int32>(
+    "told", 1, [&](const Int32 &) {executor.cancel();}, options);
+  rclcpp::TimerBase::SharedPtr timer;
+  timer = node->create_wall_timer(
+    1ms, [&] {
+      timer->cancel();
+      publisher->publish(Int32());
+    });
+  executor.add_node(node);
+  executor.spin();
+  rclcpp::ThreadSafeWaitSet safe({{subscription}});
+  using Sizes = rclcpp::wait_set_policies::StaticStorage<1, 0, 0, 0, 0, 0>;
+  rclcpp::WaitSetTemplate<rclcpp::wait_set_policies::SequentialSynchronization, Sizes> fixed(
+    {{{subscription}}});
+  std::printf("told %s%zu, %zu\n", executor.text.c_str(), size_of(safe), size_of(fixed));
+}
+
 void guard()
 {
   rclcpp::GuardCondition condition;
@@ -180,6 +236,7 @@ int main(int argc, char ** argv)
   ways_to_spin<rclcpp::experimental::executors::EventsExecutor>("events");
   contexts();
   guard();
+  tell();
   rclcpp::shutdown();
   std::puts("done");
 }

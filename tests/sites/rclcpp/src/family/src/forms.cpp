@@ -14,6 +14,7 @@
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp/type_adapter.hpp"
 #include "rcpputils/env.hpp"
+#include "rcpputils/filesystem_helper.hpp"
 #include "rcpputils/find_and_replace.hpp"
 #include "rcpputils/join.hpp"
 #include "rcpputils/rolling_mean_accumulator.hpp"
@@ -58,6 +59,25 @@ void load_plugins()
   } catch (const pluginlib::LibraryLoadException & error) {
     std::printf("%s\n", error.what());
   }
+}
+
+void use_files()
+{
+  namespace fs = rcpputils::fs;
+  const fs::path folder = fs::create_temp_directory("bag");
+  const fs::path file = folder / "one.tar.gz";
+  std::printf("there %d", fs::exists(file));
+  std::ofstream(file.string()) << "12345";
+  std::printf(
+    " %d %d %d, %d bytes, %s %s %s\n", file.exists(), file.is_regular_file(),
+    fs::is_directory(file.parent_path()), static_cast<int>(fs::file_size(file)),
+    file.filename().string().c_str(), file.extension().string().c_str(),
+    fs::remove_extension(file, 2).filename().string().c_str());
+  std::printf(
+    "made %d %d, ", fs::create_directories(folder / "a" / "b"), fs::create_directories(file / "c"));
+  const bool removed = fs::remove(file);
+  const bool again = fs::remove(file);
+  std::printf("removed %d %d %d\n", removed, again, fs::remove_all(folder));
 }
 
 void filter(const rclcpp::Node::SharedPtr & node)
@@ -131,6 +151,7 @@ int main(int argc, char ** argv)
 
   filter(node);
   load_plugins();
+  use_files();
 
   int calls = 0;
   auto timer = rclcpp::create_timer(

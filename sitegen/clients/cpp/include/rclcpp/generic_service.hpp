@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "rclcpp/detail/named_service.hpp"
+#include "rclcpp/service.hpp"
+
+namespace rclcpp
+{
+
+/// A service whose type is known when the program runs. Its callback gets messages of that type, in the
+/// forms that those of other services have.
+class GenericService : public ServiceBase, public std::enable_shared_from_this<GenericService>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericService)
+
+  using Request = void *;
+  using Response = void *;
+  using SharedRequest = std::shared_ptr<void>;
+  using SharedResponse = std::shared_ptr<void>;
+  using CallbackType = std::function<void (const SharedRequest, SharedResponse)>;
+  using CallbackWithHeaderType = std::function<
+    void (const std::shared_ptr<rmw_request_id_t>, const SharedRequest, SharedResponse)>;
+
+  /// Throws std::runtime_error for a type that the program includes no header of.
+  template<class CallbackT>
+  GenericService(
+    const node_interfaces::NodeBaseInterface & node, const std::string & name,
+    const std::string & type, const QoS & qos, CallbackT && callback)
+  : ServiceBase(node, name, *detail::named_service(type).request, qos),
+    type_(detail::named_service(type)),
+    callback_(
+      detail::service_handler<GenericService, SharedRequest>(
+        std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
+
+  SharedRequest create_request() const {return detail::make_message(*type_.request);}
+  SharedResponse create_response() const {return detail::make_message(*type_.response);}
+  void send_response(rmw_request_id_t & to, SharedResponse & response)
+  {
+    respond(to, *type_.response, response.get());
+  }
+
+protected:
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override;
+
+private:
+  const detail::NamedService & type_;
+  detail::ServiceHandler<GenericService, SharedRequest> callback_;
+};
+
+}  // namespace rclcpp
