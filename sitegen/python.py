@@ -85,6 +85,8 @@ def bundle(
     collected = wheels.collect(site, lacks, cache=cache, say=say)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
+    for package, executable in sorted(small):
+        say(f"{package}/{executable}: without numpy; its arrays are ours and do no arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
     for package, executable in sorted(programs):

@@ -43,5 +43,6 @@ def test_programs_are_answered(context: BrowserContext, serve: Serve, built: Bui
         "level 1 0, now 40",
         "waited 1 kept",
         "depth 7, reliable 0",
+        "left to the system: 1 1 1 1",
         "refused: validation callback failed: too deep",
     ]

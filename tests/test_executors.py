@@ -59,6 +59,7 @@ def test_waitables_of_ones_own_are_waited_for(
         "bell 2",
         "timeout",
         "matched 1",
+        "has use_sim_time",
     ]
 
 

@@ -56,28 +56,47 @@ namespace
 // A buffer larger than this (bytes) is not kept for smaller messages.
 constexpr std::size_t kLarge = 1024 * 1024;
 
-/// A time that is not given has no limit. In ms.
+/// In ms.
 double limit(const Duration & duration)
 {
   const auto nanoseconds = duration.nanoseconds();
-  if (nanoseconds == 0 || nanoseconds == Duration::max().nanoseconds()) {
+  if (nanoseconds == Duration::max().nanoseconds()) {
     return std::numeric_limits<double>::infinity();
   }
   return static_cast<double>(nanoseconds) / 1e6;
 }
 
-/// What the page takes for `qos`. Where it is left to the system it is what Fast DDS has, which offers
-/// much and asks for little.
-ros_qos host_qos(std::int32_t kind, const QoS & qos)
+/// `qos` with what Fast DDS has where it is left to the system: it offers much and asks for little.
+QoS settled(std::int32_t kind, QoS qos)
 {
   const bool much = kind != ROS_SUBSCRIPTION;
   const auto reliability = qos.reliability();
+  if (reliability != ReliabilityPolicy::Reliable && reliability != ReliabilityPolicy::BestEffort) {
+    qos.reliability(much ? ReliabilityPolicy::Reliable : ReliabilityPolicy::BestEffort);
+  }
   const auto durability = qos.durability();
-  const bool reliable = reliability == ReliabilityPolicy::Reliable ||
-    (much && reliability != ReliabilityPolicy::BestEffort);
-  const bool kept = durability == DurabilityPolicy::TransientLocal ||
-    (much && durability != DurabilityPolicy::Volatile);
-  const std::int32_t flags = (reliable ? ROS_RELIABLE : 0) | (kept ? ROS_TRANSIENT_LOCAL : 0) |
+  if (durability != DurabilityPolicy::TransientLocal && durability != DurabilityPolicy::Volatile) {
+    qos.durability(much ? DurabilityPolicy::TransientLocal : DurabilityPolicy::Volatile);
+  }
+  if (qos.history() != HistoryPolicy::KeepAll) {qos.history(HistoryPolicy::KeepLast);}
+  if (qos.liveliness() != LivelinessPolicy::ManualByTopic) {
+    qos.liveliness(LivelinessPolicy::Automatic);
+  }
+  rmw_qos_profile_t & profile = qos.get_rmw_qos_profile();
+  for (rmw_time_t * time :
+    {&profile.deadline, &profile.lifespan, &profile.liveliness_lease_duration})
+  {
+    if (time->sec == 0 && time->nsec == 0) {*time = RMW_DURATION_INFINITE;}
+  }
+  return qos;
+}
+
+/// What the page takes for settled `qos`.
+ros_qos host_qos(const QoS & qos)
+{
+  const std::int32_t flags =
+    (qos.reliability() == ReliabilityPolicy::Reliable ? ROS_RELIABLE : 0) |
+    (qos.durability() == DurabilityPolicy::TransientLocal ? ROS_TRANSIENT_LOCAL : 0) |
     (qos.history() == HistoryPolicy::KeepAll ? ROS_KEEP_ALL : 0) |
     (qos.liveliness() == LivelinessPolicy::ManualByTopic ? ROS_MANUAL_BY_TOPIC : 0);
   return {
@@ -100,9 +119,9 @@ Endpoint::Endpoint(
 : name_(
     node.resolve(
       name, kind == ROS_SERVICE || kind == ROS_CLIENT ? NameKind::Service : NameKind::Topic)),
-  qos_(qos), id_(0)
+  qos_(settled(kind, qos)), id_(0)
 {
-  const ros_qos policies = host_qos(kind, qos);
+  const ros_qos policies = host_qos(qos_);
   id_ = ros_create(
     kind, node.get_fully_qualified_name(), name_.c_str(), type.c_str(), &policies);
 }

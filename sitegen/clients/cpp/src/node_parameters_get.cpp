@@ -9,6 +9,10 @@ namespace rclcpp
 namespace node_interfaces
 {
 
+// Who makes the parameters of a node is linked where they are used, also if they are only asked for.
+[[gnu::used]] NodeParametersInterface::SharedPtr (* const made)(
+  NodeParametersInterface::SharedPtr) = &NodeParametersInterface::linked;
+
 Parameter NodeParametersInterface::get_parameter(const std::string & name) const
 {
   const auto found = parameters_.find(name);

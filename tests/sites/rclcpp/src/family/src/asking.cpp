@@ -233,6 +233,15 @@ int main(int argc, char ** argv)
   std::printf(
     "depth %zu, reliable %d\n", changed.depth(),
     changed.reliability() == rclcpp::ReliabilityPolicy::Reliable);
+  const auto plain = rclcpp::SystemDefaultsQoS();
+  const auto system = node->create_subscription<String>("plain", plain, [](const String &) {});
+  const auto left = system->get_actual_qos();
+  std::printf(
+    "left to the system: %d %d %d %d\n",
+    left.reliability() == rclcpp::ReliabilityPolicy::BestEffort,
+    left.history() == rclcpp::HistoryPolicy::KeepLast,
+    left.liveliness() == rclcpp::LivelinessPolicy::Automatic,
+    left.deadline() == rclcpp::Duration::max());
   try {
     node->create_publisher<String>("deep", 11, options);
   } catch (const rclcpp::exceptions::InvalidQosOverridesException & error) {

@@ -107,6 +107,8 @@ int main(int argc, char ** argv)
   auto publisher = node->create_publisher<std_msgs::msg::String>("words", 10);
   auto result = events.wait(5s);
   if (auto event = result.next_ready_waitable()) {event->execute(event->take_data());}
+  // Nothing else here has to do with parameters.
+  std::printf("has %s\n", node->list_parameters({}, 0).names.at(0).c_str());
   rclcpp::shutdown();
   return 0;
 }
