@@ -149,7 +149,8 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
     for fault in (
         "src/eyes: 'seer' needs 'OpenCV', which has no build for the page",
         "src/eyes: 'camera' needs 'cv_bridge', which has no build for the page",
-        "src/eyes/launch/see.launch.xml: src/eyes: 'seer' needs 'OpenCV'",
+        "src/eyes/launch/see.launch.xml: src/eyes: 'seer' needs 'OpenCV', "
+        "which has no build for the page",
     ):
         assert f"  left out: {fault}\n" in said
     pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
