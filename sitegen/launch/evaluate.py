@@ -230,10 +230,8 @@ class _Launch:
             message = f"'{executable}' reads the keys of a terminal and is left out; {instead}"
             self._notes.add(action.place, action.kind, message)
             return
-        if package == containers.PACKAGE:
-            self._container(action, scope)
-        else:
-            self._started(action, scope)
+        start = self._container if package == containers.PACKAGE else self._started
+        start(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
         """Start what is a program of the workspace; nothing around it holds for a process."""
@@ -252,6 +250,7 @@ class _Launch:
         own = self._text(action, "name", scope)
         words = self._with_files(shlex.split(self._text(action, "args", scope)))
         ros = self._with_files(shlex.split(self._text(action, "ros_args", scope)))
+        words += ["--ros-args", *ros, "--"] if ros else []
         name = own or executable
         taken = {node.name for node in self.nodes}
         number = next(n for n in range(1, len(taken) + 2) if _numbered(name, n) not in taken)
@@ -263,10 +262,7 @@ class _Launch:
             namespace=_joined(scope.namespace, self._text(action, "namespace", scope)),
             remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
             parameters=self._values(action, scope),
-            arguments=tuple(
-                on_page(word, self._folders)
-                for word in (*words, *(["--ros-args", *ros, "--"] if ros else []))
-            ),
+            arguments=tuple(on_page(word, self._folders) for word in words),
         )
         self.nodes.append(node)
         return node
