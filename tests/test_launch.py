@@ -333,7 +333,7 @@ def generate_launch_description():
         first,
         spawn,
         ExecuteProcess(cmd=[
-            ExecutableInPackage(package="a", executable="process"), "--rate", side]),
+            ExecutableInPackage(package="mine", executable="process"), "--rate", side]),
         ExecuteProcess(cmd=["ros2", "run", "a", "runs"]),
         TimerAction(period=2.0, actions=[
             spawn,
