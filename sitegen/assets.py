@@ -40,6 +40,8 @@ def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
         files |= set((RUNTIME / "filter").iterdir())  # loaded by those programs that filter
     if debug:
         files.add(RUNTIME / "workers" / "stackTrace.js")
+    if any(widget.kind == "console" for widget in _widgets(site.pages)):
+        files |= set(_with_imports([RUNTIME / "keyboard.js"]))  # by those whose program reads
     if "pythonNode" in workers:
         files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
         parts = (VENDOR / "pyodide").iterdir()

@@ -23,13 +23,21 @@ onmessage = async ({ data: [program, input] }) => {
   const bytes = new TextEncoder().encode(input);
   const output = [];
   let at = 0;
+  const takeTyped = (heap, to, capacity) => {
+    const part = bytes.subarray(at, at + capacity);
+    heap.set(part, to);
+    at += part.length;
+    return part.length;
+  };
   const end = (error) => postMessage([output, error]);
   try {
     const { default: load } = await import(`${program}.js`);
     const module = await load({
-      ros: { argument: () => -1, fail: end, wait: async () => 0, wake() {}, now: () => Date.now() },
+      ros: {
+        argument: () => -1, fail: end, wait: async () => 0, wake() {}, now: () => Date.now(),
+        reading() {}, typed: () => bytes.length - at, takeTyped,
+      },
       locateFile: () => `${program}.wasm`,
-      stdin: () => (at < bytes.length ? bytes[at++] : null),
       print: (line) => output.push(line),
       printErr: (line) => output.push(`stderr: ${line}`),
       onExit: (code) => end(code ? `exit code ${code}` : ""),

@@ -141,7 +141,6 @@ RUNTIME_ALLOWED = {
             "codeView.js",
             "drawing.js",
             "elements.js",
-            "keyboard.js",
             "lines.js",
             "looking.js",
             "messages",

@@ -2,8 +2,8 @@
 // What a node prints, how it is, and its keyboard if it reads one.
 
 import { create } from "../elements.js";
-import { showKeyboard } from "../keyboard.js";
 import { showLines } from "../lines.js";
+import { place } from "../place.js";
 import { say, states } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
@@ -30,17 +30,25 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
     stopping: say("Stopping…"),
     failed: say("Failed"),
   });
-  const endKeyboard = showKeyboard(element, node);
+
+  const listening = new AbortController();
+  const { signal } = listening;
+  let endKeyboard = () => {};
+  node.addEventListener("reading", async () => {
+    // Few programs read: the page of others need not load what is for them.
+    const { showKeyboard } = await import(place("keyboard.js"));
+    if (!signal.aborted) endKeyboard = showKeyboard(element, node);
+  }, { signal, once: true });
 
   const showState = () => {
     state.dataset.state = node.state;
     state.textContent = states[node.state];
   };
-  node.addEventListener("state", showState);
+  node.addEventListener("state", showState, { signal });
   showState();
 
   return () => {
-    node.removeEventListener("state", showState);
+    listening.abort();
     endLines();
     endKeyboard();
     element.replaceChildren();
