@@ -75,7 +75,8 @@ def test_it_is_read_by_lines_unseen_and_key_by_key(typist: Typist) -> None:
     keyboard.press("Control+d")
     panel.expect_state("stopped")
     expect(keyboard).to_be_hidden()
-    assert [line for line in panel.lines() if line not in ("meanwhile", "secret?")] == [
+    lines = [line.strip() for line in panel.lines()]
+    assert [line for line in lines if line not in ("meanwhile", "secret?")] == [
         *("name?", "Ada <b>L</b>", "hello Ada <b>L</b>", "number?", "21", "twice 42"),
         *("a secret of 4", "0 before any key"),
         *(" ".join(["1 key", *map(str, bytes_)]) for bytes_ in TYPED),
@@ -84,14 +85,13 @@ def test_it_is_read_by_lines_unseen_and_key_by_key(typist: Typist) -> None:
     ]
 
 
-def test_stop_and_control_c_end_what_waits_for_it(typist: Typist) -> None:
+def test_control_c_interrupts_what_waits_for_it(typist: Typist) -> None:
     panel, keyboard = typist.panel, typist.keyboard
     panel.start()
     panel.wait_for("name?")
     keyboard.press("Control+c")
-    panel.expect_state("failed" if panel.node == "interpreted" else "stopped")
-    expect(keyboard).to_be_hidden()
-    panel.start()
-    panel.wait_for("meanwhile")
-    panel.stop()
+    if panel.node == "compiled":  # only its streams fail, as at a terminal
+        panel.wait_for("hello")
+        panel.stop()
+    panel.expect_state("stopped")
     expect(keyboard).to_be_hidden()
