@@ -41,7 +41,10 @@ ALLOWED = {
     "compile": {"archive", "build", "cache", "cpp", "errors", "model", "report", "workspace"},
     "compiled": {"archive", "errors", "fetch", "model", "report"},
     "containers": {"model"},
-    "config": {"errors", "fetch", "launch", "model", "parameterfiles", "theme", "workspace"},
+    "config": {
+        *("containers", "errors", "fetch", "launch", "model", "parameterfiles", "theme"),
+        "workspace",
+    },
     "check": {"build", "cache", "descriptions", "errors", "model", "prose", "report", "wiring"},
     "cmakelists": {"cmakescript"},
     "cmakescript": set(),
