@@ -232,7 +232,6 @@ class Compiler:
         if self._is_prepared(cmake, package, needs):
             return
         self._report.doing(f"{package.name} ({engine})", "compiling what other packages use of it")
-        self._stamp(cmake, package).unlink(missing_ok=True)
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
@@ -260,6 +259,8 @@ class Compiler:
     def _configure(
         self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Problems
     ) -> None:
+        # Drafts are made in the same tree: what it was prepared as may not be what it is now.
+        self._stamp(cmake, package).unlink(missing_ok=True)
         done = cmake.configure(package, needs, self._shown(package))
         if done.returncode:
             diagnosis = Diagnosis(self._root, package)

@@ -88,10 +88,11 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     shown: list[Package] = []
     launch: dict[str, Path] = {}
     faults: list[str] = []
+    missing = {name: lacking(package) for name, package in packages.items()}
     for name, package in packages.items():
         place = Place(package.path / "package.xml", 1)
         nodes = [Node(each, name, each, place) for each in package.executables or ()]
-        wrong = _faults(root, nodes, packages)
+        wrong = _faults(root, nodes, packages, missing)
         running = tuple(node.executable for node in nodes if node.name not in wrong)
         if running:
             shown.append(replace(package, executables=running))
@@ -100,7 +101,7 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             problems = Problems(root)
             path = package.path / file
             started = launched(path, {}, {**workspace.given(), **packages}, problems)
-            lines = [*problems.lines, *_faults(root, started, packages).values()]
+            lines = [*problems.lines, *_faults(root, started, packages, missing).values()]
             if not started and not lines:
                 lines = ["starts nothing that a page could run"]
             if lines:
@@ -111,12 +112,15 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     return Runs(shown, launch, faults)
 
 
-def _faults(root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]) -> dict[str, str]:
+def _faults(
+    root: Path,
+    nodes: Sequence[Node],
+    packages: Mapping[str, Package],
+    missing: Mapping[str, Mapping[str, str]],
+) -> dict[str, str]:
     """Return the line that says why a node cannot be on a page, by the names of such nodes."""
     faults = {}
     there = workspace.with_given(packages, (node.package for node in nodes))
-    names = {node.package for node in nodes} & set(packages)
-    missing = {name: lacking(packages[name]) for name in names}
     for node in nodes:
         problems = Problems(root)
         check_package(Declared(node, None), there, problems)

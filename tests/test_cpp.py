@@ -215,6 +215,28 @@ def test_a_draft_is_only_linked_otherwise(workspace: Workspace) -> None:
     assert len(again) > len(published)
 
 
+def test_what_a_draft_left_behind_is_not_published(workspace: Workspace) -> None:
+    main = "int main() {}\n"
+    both = "add_executable(one src/main.cpp)\nadd_executable(two src/main.cpp)"
+    workspace.package("part", both, main=main)
+    workspace.package(
+        "whole",
+        "find_package(part REQUIRED)\nadd_executable(whole src/main.cpp)",
+        depends="part",
+        main=main,
+    )
+    workspace.site("part/one", "whole/whole")
+    workspace.build()  # for which `part` is prepared
+    workspace.site("part/one", "part/two", "whole/whole")
+
+    def size(*, draft: bool) -> int:
+        made = make(workspace.folder, Report(io.StringIO()), draft=draft)
+        (two,) = made.builds["part", "two"]
+        return two.wasm.stat().st_size
+
+    assert size(draft=True) > size(draft=False)
+
+
 def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspace) -> None:
     workspace.package("fine", "add_executable(fine src/main.cpp)", main="int main() {}\n")
     # What needs no OpenCV runs beside what does.

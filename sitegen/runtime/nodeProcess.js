@@ -147,7 +147,7 @@ export class NodeProcess extends EventTarget {
   /** Hand it what was typed. @param {Typed} typed */
   type(typed) {
     if (!this.#run) return;
-    const shown = typed.op === "line" || (typed.op === "keys" && this.keyboard === "lines");
+    const shown = typed.op === "line" || (typed.op === "keys" && typed.text && this.keyboard === "lines");
     if (shown) this.#print("typed", typed.text.replace(/\n$/, ""));
     this.#post(this.#run.worker, typed);
   }
