@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -91,6 +91,8 @@ def compile_nodes(
 
 # What is wrong with packages that others need, by their names.
 Problems = Mapping[str, list[str]]
+# What is done for a job and an engine.
+Step = Callable[[Job, str], None]
 
 
 def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
@@ -172,18 +174,31 @@ class Compiler:
         return package.path.relative_to(self._root).as_posix() if below else package.name
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
-        """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
+        """Compile all `jobs`; raise a SiteError with all that failed."""
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
         use(self._work)
         with alone(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             self._write_ros()
-            # Every program needs the library, and then what the packages it needs have for others.
-            list(pool.map(self._compile_library, engines))
+            # Every program needs what the packages it needs have for others, and then the library.
+            # What CMake misses is known in seconds; the library takes minutes, the first time.
             wanted = [[job for job, one in jobs if one == engine] for engine in engines]
             failed = dict(zip(engines, pool.map(self._prepare, engines, wanted), strict=True))
-            attempt = partial(self._try_package, failed)
-            results = list(pool.map(attempt, *zip(*jobs, strict=True)))
+            self._each(pool, partial(self._configure_job, failed), jobs)
+            list(pool.map(self._compile_library, engines))
+            self._each(pool, self._compile_job, jobs)
+
+    def _each(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> None:
+        """Take a step for all `jobs`, some at a time; raise one SiteError with all that failed."""
+
+        def attempt(job: Job, engine: str) -> list[str]:
+            try:
+                step(job, engine)
+            except SiteError as error:
+                return error.lines
+            return []
+
+        results = list(pool.map(attempt, *zip(*jobs, strict=True)))
         problems = list(dict.fromkeys(line for lines in results for line in lines))
         if problems:
             raise SiteError(problems)
@@ -267,27 +282,22 @@ class Compiler:
             missing = failed.get(diagnosis.missing(done.stdout))
             raise SiteError(missing or diagnosis.of_cmake(done.stdout))
 
-    def _try_package(self, failed: Mapping[str, Problems], job: Job, engine: str) -> list[str]:
-        try:
-            return self._compile_package(job, engine, failed[engine])
-        except SiteError as error:
-            return error.lines
-        finally:
-            for executable in job.executables:
-                self._report.done(f"{job.package.name}/{executable} ({engine})")
+    def _configure_job(self, failed: Mapping[str, Problems], job: Job, engine: str) -> None:
+        cmake = self._cmake(engine)
+        if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
+            self._configure(cmake, job.package, job.needs, failed[engine])
 
-    def _compile_package(self, job: Job, engine: str, failed: Problems) -> list[str]:
+    def _compile_job(self, job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         package = job.package
-        for executable in job.executables:
-            self._report.doing(f"{package.name}/{executable} ({engine})", "compiling")
-        if not self._is_prepared(cmake, package, job.needs):  # else others read what it would write
-            self._configure(cmake, package, job.needs, failed)
+        names = {name: f"{package.name}/{name} ({engine})" for name in job.executables}
+        for name in names.values():
+            self._report.doing(name, "compiling")
         problems = []
         done = cmake.make(package, *job.executables)
         # If anything fails, each is asked for by itself, to know what is said of which.
         again = bool(done.returncode) and len(job.executables) > 1
-        for executable in job.executables:
+        for executable, name in names.items():
             if again:
                 done = cmake.make(package, executable)
             if done.returncode:
@@ -299,8 +309,9 @@ class Compiler:
                 theirs = [one for one in (*job.needs, package) if not one.path.is_relative_to(HERE)]
                 shown = list(map(self._shown, theirs))
                 self._keep(program, prefixes, shown, self.build(job, executable, engine))
-            self._report.done(f"{package.name}/{executable} ({engine})")
-        return problems
+            self._report.done(name)
+        if problems:
+            raise SiteError(problems)
 
     def _keep(
         self, program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: Build

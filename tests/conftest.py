@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, Scripted, Serve, running, serving
+from panel import Panel, Played
 from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect
 from webkit import Window, webkit
 
@@ -191,6 +192,21 @@ def context(browser: Browser, serve: Serve, engine: str) -> Iterator[BrowserCont
         context.add_init_script(WITHOUT_JSPI)
     yield context
     context.close()
+
+
+@pytest.fixture
+def played(context: BrowserContext, serve: Serve, built: Built) -> Played:
+    """A function that runs a node of a page to its end, and returns its panel."""
+
+    def play(site: Path, page: str, node: str) -> Panel:
+        tab = context.new_page()
+        tab.goto(f"{serve(built(site))}{page}/")
+        panel = Panel(tab, node)
+        panel.start()
+        panel.expect_state("stopped")
+        return panel
+
+    return play
 
 
 @pytest.fixture

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import time
+from collections.abc import Callable
+from pathlib import Path
 from typing import Protocol
 
 from browser import Scripted
@@ -48,6 +50,10 @@ class Panel:
 
     def wait_for(self, text: str) -> None:
         expect(self.console).to_contain_text(text)
+
+
+# What the fixture `played` is: it takes the folder of a site, a page of it, and a node there.
+Played = Callable[[Path, str, str], Panel]
 
 
 def messages(lines: list[str]) -> list[str]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, Serve
-from panel import Panel, expect_nothing_left
+from panel import Panel, Played, expect_nothing_left
 from playwright.sync_api import BrowserContext
 
 pytestmark = pytest.mark.firefox
@@ -52,14 +52,8 @@ def test_goals_are_executed_refused_aborted_and_canceled(
     expect_nothing_left(page)
 
 
-def test_components_of_one_program_are_found_by_name(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}actions/")
-    composed = Panel(page, "composed")
-    composed.start()
-    composed.expect_state("stopped")
+def test_components_of_one_program_are_found_by_name(played: Played) -> None:
+    composed = played(SITE, "actions", "composed")
     lines = composed.lines()
     factory = "Load rclcpp_components::NodeFactoryTemplate<components::Fibonacci{}>"
     assert lines[:4] == [

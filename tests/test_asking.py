@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from browser import Built, Serve
-from panel import Panel
-from playwright.sync_api import BrowserContext
+from panel import Played
 
 SITE = Path(__file__).parent / "sites" / "rclcpp"
 
 
-def test_programs_are_answered(context: BrowserContext, serve: Serve, built: Built) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}asking/")
-    asking = Panel(page, "asking")
-    asking.start()
-    asking.expect_state("stopped")
+def test_programs_are_answered(played: Played) -> None:
+    asking = played(SITE, "asking", "asking")
     assert asking.lines() == [
         "global asking asking",
         "changed 1, again 0",

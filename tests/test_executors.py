@@ -5,9 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from browser import Built, Serve
-from panel import Panel
-from playwright.sync_api import BrowserContext
+from panel import Played
 
 pytestmark = pytest.mark.firefox
 
@@ -20,14 +18,8 @@ WAYS = (
 )
 
 
-def test_executors_call_back_as_their_groups_allow(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}executors/")
-    executors = Panel(page, "executors")
-    executors.start()
-    executors.expect_state("stopped")
+def test_executors_call_back_as_their_groups_allow(played: Played) -> None:
+    executors = played(SITE, "executors", "executors")
     assert executors.lines() == [
         "overlap 0",
         "overlap 1, several threads",
@@ -44,14 +36,8 @@ def test_executors_call_back_as_their_groups_allow(
     ]
 
 
-def test_waitables_of_ones_own_are_waited_for(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}executors/")
-    waitables = Panel(page, "waitables")
-    waitables.start()
-    waitables.expect_state("stopped")
+def test_waitables_of_ones_own_are_waited_for(played: Played) -> None:
+    waitables = played(SITE, "executors", "waitables")
     assert waitables.lines() == [
         "bell 1",
         "old bell",
@@ -63,14 +49,8 @@ def test_waitables_of_ones_own_are_waited_for(
     ]
 
 
-def test_nodes_of_a_program_hand_over_messages(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}executors/")
-    handing = Panel(page, "handing")
-    handing.start()
-    handing.expect_state("stopped")
+def test_nodes_of_a_program_hand_over_messages(played: Played) -> None:
+    handing = played(SITE, "executors", "handing")
     # Who owns what it gets has a copy where others look at the message, as upstream does it.
     assert handing.lines() == [
         "1 in this program",
@@ -85,12 +65,8 @@ def test_nodes_of_a_program_hand_over_messages(
     ]
 
 
-def test_wait_sets_find_what_is_ready(context: BrowserContext, serve: Serve, built: Built) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}executors/")
-    waits = Panel(page, "waits")
-    waits.start()
-    waits.expect_state("stopped")
+def test_wait_sets_find_what_is_ready(played: Played) -> None:
+    waits = played(SITE, "executors", "waits")
     assert waits.lines() == [
         "empty 1",
         "timeout 1",

@@ -5,9 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from browser import Built, Serve
-from panel import LINE, Panel
-from playwright.sync_api import BrowserContext
+from panel import LINE, Panel, Played
 
 pytestmark = pytest.mark.firefox
 
@@ -24,14 +22,8 @@ def said(panel: Panel) -> list[str]:
     return [match[3] if match else line for match, line in matches]
 
 
-def test_a_managed_node_changes_its_state(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}forms/")
-    managed = Panel(page, "managed")
-    managed.start()
-    managed.expect_state("stopped")
+def test_a_managed_node_changes_its_state(played: Played) -> None:
+    managed = played(SITE, "forms", "managed")
     assert said(managed) == [
         "configure from unconfigured",
         "1 inactive",
@@ -53,12 +45,8 @@ def test_a_managed_node_changes_its_state(
     ]
 
 
-def test_a_node_has_its_other_forms(context: BrowserContext, serve: Serve, built: Built) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}forms/")
-    forms = Panel(page, "forms")
-    forms.start()
-    forms.expect_state("stopped")
+def test_a_node_has_its_other_forms(played: Played) -> None:
+    forms = played(SITE, "forms", "forms")
     lines = said(forms)
     words = lines.pop(2).split(", ")
     forms_of = [f"{kind} {word}" for word in ("one", "two", "three") for kind in KINDS]

@@ -67,9 +67,13 @@ SHAPES: dict[str, tuple[Programs, dict[str, str]]] = {
 
 
 def ring() -> Programs:
-    """Each node hears one topic of each of those before it, so that all parts hold together."""
+    """Each node hears one topic of each of those before it, so that all parts hold together.
+
+    They are many and not fast: that is what `bench many` is for.
+    """
     return {
         f"node{n}": [
+            "e:1000",
             f"n:node{n}",
             *(f"p:/node{n}/topic{k}" for k in range(TOPICS)),
             *(f"s:/node{(n - k - 1) % NODES}/topic{k}" for k in range(TOPICS)),

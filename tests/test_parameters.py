@@ -5,23 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from browser import Built, Serve
-from panel import Panel
-from playwright.sync_api import BrowserContext
+from panel import Played
 
 pytestmark = pytest.mark.firefox
 
 SITE = Path(__file__).parent / "sites" / "rclcpp"
 
 
-def test_parameters_are_checked_watched_and_served(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}parameters/")
-    parameters = Panel(page, "parameters")
-    parameters.start()
-    parameters.expect_state("stopped")
+def test_parameters_are_checked_watched_and_served(played: Played) -> None:
+    parameters = played(SITE, "parameters", "parameters")
     wrong = "Wrong parameter type, parameter {speed} is of type {double}"
     assert parameters.lines() == [
         "1.500000 r2 6 [3, 4, 5] 4",

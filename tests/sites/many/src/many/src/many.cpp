@@ -1,5 +1,6 @@
-// Nodes as its arguments name them: "n:name" begins one, "p:/topic" and "s:/topic" are what it has. They
-// publish until everybody has heard enough of everything, and a while longer.
+// Nodes as its arguments name them: "n:name" begins one, "p:/topic" and "s:/topic" are what it has,
+// and "e:1000" how often the next ones publish, in milliseconds. They tell when they have heard
+// enough of everything, and go on.
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -16,10 +17,10 @@ using std_msgs::msg::String;
 class Many : public rclcpp::Node
 {
 public:
-  explicit Many(const std::string & name)
+  Many(const std::string & name, std::chrono::milliseconds period)
   : Node(name)
   {
-    timer_ = create_wall_timer(100ms, [this]() {publish();});
+    timer_ = create_wall_timer(period, [this]() {publish();});
   }
 
   void publish_on(const std::string & topic)
@@ -89,10 +90,13 @@ int main(int argc, char ** argv)
 {
   rclcpp::executors::SingleThreadedExecutor executor;
   std::vector<std::shared_ptr<Many>> nodes;
+  std::chrono::milliseconds period = 100ms;
   for (const std::string & argument : rclcpp::init_and_remove_ros_arguments(argc, argv)) {
     const std::string value = argument.substr(std::min<std::size_t>(2, argument.size()));
-    if (argument.rfind("n:", 0) == 0) {
-      nodes.push_back(std::make_shared<Many>(value));
+    if (argument.rfind("e:", 0) == 0) {
+      period = std::chrono::milliseconds(std::stoi(value));
+    } else if (argument.rfind("n:", 0) == 0) {
+      nodes.push_back(std::make_shared<Many>(value, period));
       executor.add_node(nodes.back());
     } else if (argument.rfind("p:", 0) == 0) {
       nodes.back()->publish_on(value);
