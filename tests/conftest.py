@@ -8,9 +8,10 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import Built, Scripted, Serve, running, serving
+from browser import Built, Scripted, Serve, opened, running, serving
 from panel import Panel, Played
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+from stage import set_up
 from webkit import Window, webkit
 
 from sitegen.build import make, write
@@ -48,8 +49,10 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     metafunc.parametrize("browser_name", names, indirect=True, scope="session")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Run a test of a page again when it fails, and name it; keep together what has to be.
+
+    Firefox without JSPI is left to `--firefox`: Chromium without it runs the same programs.
 
     The three browsers are programs of others, on a machine that others use, with a second test
     beside this one; a few of a thousand runs fail by that. What is wrong here fails three times.
@@ -57,13 +60,24 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     Where several tests run at once, those of a file run in one process, since they share sites; and
     those in WebKitGTK do, since two of it on one machine wait for each other.
     """
+    if not config.getoption("firefox"):
+        items[:] = [item for item in items if not _is_firefox_without_jspi(item)]
     for item in items:
         fixtures = set(getattr(item, "fixturenames", ()))
         if {"browser_name", "webkit_window"} & fixtures:
             item.add_marker(pytest.mark.flaky(reruns=2))
-        parameters = item.callspec.params if hasattr(item, "callspec") else {}
-        webkit = "webkit_window" in fixtures or parameters.get("browser_name") == "webkit"
+        webkit = "webkit_window" in fixtures or _parameter(item, "browser_name") == "webkit"
         item.add_marker(pytest.mark.xdist_group("webkit" if webkit else item.path.stem))
+
+
+def _is_firefox_without_jspi(item: pytest.Item) -> bool:
+    return (_parameter(item, "browser_name"), _parameter(item, "engine")) == ("firefox", "asyncify")
+
+
+def _parameter(item: pytest.Item, name: str) -> object:
+    """Return what a test is run with; its parameters are where pytest keeps them."""
+    call = getattr(item, "callspec", None)
+    return call.params.get(name) if call else None
 
 
 @pytest.fixture(scope="session")
@@ -129,19 +143,8 @@ def serve() -> Iterator[Serve]:
 @pytest.fixture
 def tab(browser: Browser, serve: Serve) -> Iterator[Page]:
     """An empty tab; the test fails when its console shows an error."""
-    context = browser.new_context()
-    errors: list[str] = []
-    tab = context.new_page()
-
-    def note(message: ConsoleMessage) -> None:
-        if message.type == "error":
-            errors.append(message.text)
-
-    tab.on("console", note)
-    tab.on("pageerror", lambda error: errors.append(str(error)))
-    yield tab
-    context.close()
-    assert errors == []
+    with opened(browser) as tab:
+        yield tab
 
 
 @pytest.fixture(scope="session")
@@ -212,9 +215,7 @@ def played(context: BrowserContext, serve: Serve, built: Built) -> Played:
 @pytest.fixture
 def stage(tab: Page, serve: Serve, tmp_path: Path) -> Page:
     """A page with a graph that does what the test says; see stage.py."""
-    shutil.copytree(ROOT / "sitegen/runtime", tmp_path / "runtime")
-    shutil.copytree(ROOT / "themes/default", tmp_path / "theme")
-    shutil.copytree(ROOT / "tests/panels", tmp_path, dirs_exist_ok=True)
+    set_up(tmp_path)
     tab.goto(serve(tmp_path))
     tab.wait_for_selector("body[data-ready]")
     return tab

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
 from typing import Any
 
 from playwright.sync_api import Locator
 from playwright.sync_api import Page as Tab
 
+ROOT = Path(__file__).parent.parent
 # By how many pixels a page is wider than the screen.
 WIDER = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+
+
+def set_up(folder: Path) -> None:
+    """Put into an empty folder what a server needs for such a page, which a test may change."""
+    shutil.copytree(ROOT / "tests/panels", folder, dirs_exist_ok=True)
+    shutil.copytree(ROOT / "themes/default", folder / "theme")
+    # Large, and nobody's to change.
+    (folder / "runtime").symlink_to(ROOT / "sitegen/runtime")
 
 
 def show(page: Tab, kind: str, options: dict[str, Any] | None = None) -> Locator:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
+from browser import opened, serving
+from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
-from playwright.sync_api import expect
+from stage import set_up
 
 ROOT = Path(__file__).parent.parent
 # What stands where there is no rate.
@@ -37,6 +40,17 @@ def dumped(value: object) -> str:
         value, allow_unicode=True, width=sys.maxsize, default_flow_style=False, sort_keys=False
     )
     return text.removesuffix("\n")
+
+
+@pytest.fixture(scope="module")
+def stage(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tab]:
+    """One for all of these: they leave nothing behind."""
+    folder = tmp_path_factory.mktemp("stage")
+    set_up(folder)
+    with serving(folder) as url, opened(browser) as tab:
+        tab.goto(url)
+        tab.wait_for_selector("body[data-ready]")
+        yield tab
 
 
 def test_yaml_is_that_of_ros2_topic_echo(stage: Tab) -> None:
