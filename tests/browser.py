@@ -28,7 +28,7 @@ class Scripted(Protocol):
     def evaluate(self, expression: str, /) -> Any: ...
 
 
-CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium-headless-shell")
 FIREFOX = os.environ.get("FIREFOX", "/usr/bin/firefox-esr")
 FLAGS = [
     "--no-sandbox",
