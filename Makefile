@@ -18,12 +18,12 @@ serve:
 	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
 
 # Everything in Chromium; what drives nodes, graph and panels in Firefox and WebKitGTK, too.
-test: .venv/ready .venv/emscripten .venv/headless .venv/firefox .venv/webkit lint
-	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadgroup
+test: .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit lint
+	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile
 
 # Everything in Firefox, but what only Chromium has.
 test-firefox: .venv/ready .venv/emscripten .venv/headless .venv/firefox .venv/webkit
-	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadgroup --firefox
+	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --firefox
 
 lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/ruff check .
@@ -53,13 +53,13 @@ clean:
 	@command -v em++ > /dev/null || ./install emscripten
 	touch $@
 
-# Chromium without the window of a browser: a page opens in a third of the time.
-.venv/headless: | .venv/ready
-	@test -x /usr/bin/chromium-headless-shell || ./install chromium-headless-shell
-	touch $@
-
 .venv/chromium: | .venv/ready
 	@test -x /usr/bin/chromium || ./install chromium
+	touch $@
+
+# Chromium without a window: a page opens in a third of the time.
+.venv/headless: | .venv/ready
+	@test -x /usr/bin/chromium-headless-shell || ./install chromium-headless-shell
 	touch $@
 
 .venv/firefox: | .venv/ready

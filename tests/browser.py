@@ -29,6 +29,8 @@ class Scripted(Protocol):
 
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium-headless-shell")
+# All of it: without its window, it keeps no pages that were left.
+WHOLE_CHROMIUM = "/usr/bin/chromium"
 FIREFOX = os.environ.get("FIREFOX", "/usr/bin/firefox-esr")
 FLAGS = [
     "--no-sandbox",

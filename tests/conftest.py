@@ -50,15 +50,12 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Run a test of a page again when it fails, and name it; keep together what has to be.
+    """Run a test of a page again when it fails, and name it.
 
     Firefox without JSPI is left to `--firefox`: Chromium without it runs the same programs.
 
     The three browsers are programs of others, on a machine that others use, with a second test
     beside this one; a few of a thousand runs fail by that. What is wrong here fails three times.
-
-    Where several tests run at once, those of a file run in one process, since they share sites; and
-    those in WebKitGTK do, since two of it on one machine wait for each other.
     """
     if not config.getoption("firefox"):
         items[:] = [item for item in items if not _is_firefox_without_jspi(item)]
@@ -66,8 +63,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         fixtures = set(getattr(item, "fixturenames", ()))
         if {"browser_name", "webkit_window"} & fixtures:
             item.add_marker(pytest.mark.flaky(reruns=2))
-        webkit = "webkit_window" in fixtures or _parameter(item, "browser_name") == "webkit"
-        item.add_marker(pytest.mark.xdist_group("webkit" if webkit else item.path.stem))
 
 
 def _is_firefox_without_jspi(item: pytest.Item) -> bool:

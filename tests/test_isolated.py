@@ -109,7 +109,9 @@ def test_a_page_that_cannot_be_isolated_says_why(
     tab.add_init_script(LISTEN)
     url = serve(hidden)
     tab.goto(url)
-    until(tab, "() => sessionStorage.getItem('loads') === '2' && document.readyState === 'complete'")
+    until(
+        tab, "() => sessionStorage.getItem('loads') === '2' && document.readyState === 'complete'"
+    )
     state, lines = run(tab, "greeter")
     assert state == "failed"
     assert "loading this page once more did not isolate it; close its other tabs" in lines[0][1]

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import CHROMIUM, FLAGS, Built, Serve
+from browser import FLAGS, WHOLE_CHROMIUM, Built, Serve
 from panel import Panel, expect_nothing_left, numbers
 from playwright.sync_api import Browser, Page
 
@@ -19,7 +19,7 @@ RELOADS = 20
 def restoring(browser: Browser) -> Iterator[Page]:
     """A tab of a browser that keeps pages which were left, as those of visitors do."""
     kept = browser.browser_type.launch(
-        executable_path=CHROMIUM,
+        executable_path=WHOLE_CHROMIUM,
         args=FLAGS,
         ignore_default_args=["--disable-back-forward-cache"],
     )
