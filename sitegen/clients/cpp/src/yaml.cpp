@@ -14,7 +14,7 @@ namespace
 {
 
 Yaml block(YamlText & text, std::size_t least);
-Yaml value(YamlText & text, std::size_t least, bool may_be_map);
+Yaml value(YamlText & text, std::size_t least, bool may_nest);
 
 Yaml make(const YamlText & text, Yaml::Kind kind)
 {
@@ -32,11 +32,11 @@ void refuse_alias(const YamlText & text)
 }
 
 /// What comes after a dash or a colon: on the same line, or on lines of its own.
-Yaml item(YamlText & text, std::size_t least, bool may_be_map)
+Yaml item(YamlText & text, std::size_t least, bool may_nest)
 {
   text.skip_blanks();
   const bool here = !text.is_at_end_of_line() && !text.is_over() && text.column() >= least;
-  return here ? value(text, least, may_be_map) : block(text, least);
+  return here ? value(text, least, may_nest) : block(text, least);
 }
 
 Yaml list(YamlText & text, std::size_t column)
@@ -130,7 +130,8 @@ Yaml flow(YamlText & text)
   return node;
 }
 
-Yaml value(YamlText & text, std::size_t least, bool may_be_map)
+/// A list or a map in lines of their own may begin here where `may_nest`: not after the colon of a key.
+Yaml value(YamlText & text, std::size_t least, bool may_nest)
 {
   bool is_text = false;
   while (text.looks_at_one_of("!&")) {
@@ -146,8 +147,9 @@ Yaml value(YamlText & text, std::size_t least, bool may_be_map)
     node.quoted = true;
     node.text = text.block(least);
   } else if (text.looks_at_dash()) {
+    if (!may_nest) {text.fail();}
     node = list(text, text.column());
-  } else if (may_be_map && text.looks_at_key()) {
+  } else if (may_nest && !text.looks_at_one_of("[{") && text.looks_at_key()) {
     node = map(text, text.column());
   } else if (text.looks_at_one_of("[{\"'")) {
     node = flow(text);
