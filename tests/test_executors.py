@@ -76,5 +76,6 @@ def test_wait_sets_find_what_is_ready(played: Played) -> None:
         "guard 1",
         "timer",
         "guard condition already associated with a wait set",
-        "invalid 1",
+        "stopped 1",
+        "still ready 1",
     ]

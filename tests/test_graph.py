@@ -251,6 +251,48 @@ def test_each_client_gets_its_own_answers(play: Any) -> None:
     }
 
 
+def test_a_request_comes_after_what_was_announced_before_it(play: Any) -> None:
+    """A service that publishes, as those of parameters do, knows of a subscription made just before the call."""
+    assert play("""
+      // The page is slower than the port between the two.
+      let slow = () => new Promise((done) => setTimeout(done, 20));
+      const late = () => {
+        let participant, told = Promise.resolve();
+        const receive = (message) => participant.receive(message);
+        const id = graph.join(receive, "", (text) => complaints.push(text));
+        participant = new Participant(id, (message) => {
+          told = told.then(slow).then(() => graph.receive(id, message));
+        });
+        return { participant };
+      };
+      const [server, client] = [join(), late()];
+      const service = server.participant.create("service", "/server", "/set", "S", QOS);
+      const events = publisher(server, {}, "/events");
+      const asking = client.participant.create("client", "/client", "/set", "S", QOS);
+      await slow(); await slow(); await settle(server, client);
+      const heardOf = [];
+      for (let i = 1; i <= 3; i += 1) {
+        const s = subscription(client, {}, "/events");
+        client.participant.request(asking, new Uint8Array([i]));
+        client.participant.flush();
+        let request;
+        while (!(request = server.participant.take(service))) await arrived();
+        publish(server, events, request.message[0]);
+        await settle(server, client);
+        heardOf.push(heard(client, s));
+      }
+      // Nothing is new: it goes at once, and what is held when a program ends goes then.
+      client.participant.request(asking, new Uint8Array([7]));
+      await settle(client, server);
+      const direct = server.participant.take(service)?.message[0];
+      subscription(client, {}, "/events");
+      client.participant.request(asking, new Uint8Array([8]));
+      client.participant.finish();
+      await arrived();
+      return { heardOf, direct, last: server.participant.take(service)?.message[0], complaints };
+    """) == {"heardOf": [[1], [2], [3]], "direct": 7, "last": 8, "complaints": []}
+
+
 def test_a_request_of_a_server_that_left_is_answered_by_nobody(play: Any) -> None:
     assert play("""
       const [a, b, c] = [join(), join(), join()];

@@ -50,3 +50,59 @@ def test_parameters_are_checked_watched_and_served(played: Played) -> None:
         "ended 100, calls 1",
         "done",
     ]
+
+
+def test_files_of_parameters_are_read_while_a_program_runs(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}parameters/")
+    files = Panel(page, "files")
+    files.start()
+    files.expect_state("stopped")
+    # The values and the words of errors are those of native ROS 2 with the same file.
+    assert files.lines() == [
+        "folded string <one line",
+        "and more",
+        "  indented",
+        "end>",
+        "grip double <0.500000>",
+        "kept string <first",
+        "  second",
+        ">",
+        "limits.high double <1000.000000>",
+        "limits.low integer <-1>",
+        "list integer_array <[1, -2, 16]>",
+        "name string <all>",
+        'names string_array <["one", "2"]>',
+        "nothing string <>",
+        "number string <12>",
+        "path string </a/b:c#d>",
+        "plain string <words that go on",
+        "below>",
+        "quoted string <it's: here>",
+        "switches bool_array <[true, false, true]>",
+        "text string <a\tb ä on>",
+        "nodes 4",
+        "refused: Error opening YAML file",
+        "file 1: /** 2 /arm/* 3 arm/left 10 arm/right 1 ",
+        "value 1 1 0.2",
+        "0 Sequence should be of same type. Value type 'bool' do not belong at line_num 1",
+        "0 Error parsing a event near line 1",
+        "0 Will not support aliasing at line 1",
+        "0 Error parsing a event near line 1",
+        "0 Error parsing a event near line 1",
+        "0 No value at line 1",
+        "map 15",
+        "1 ",
+        "1 ",
+        "1 ",
+        "0 parameter 'list' cannot be set because it was not declared",
+        "0 parameter 'quoted' cannot be set because it was not declared",
+        "1 ",
+        "grip double <0.500000>",
+        "name string <right>",
+        "name string <mapped>",
+        "refused: No valid parameter",
+        "done",
+    ]

@@ -50,6 +50,19 @@ converted 2.000 1.000
 of Eigen 2.000 1.000 in world, back 1.000 0.000
 world <- late is there
 """.strip("\n").split("\n")
+# The form is that of the tutorials of tf2.
+ECHOED = """
+At time 0.0
+- Translation: [1.000, 0.000, 0.000]
+- Rotation: in Quaternion (xyzw) [0.000, 0.000, 0.707, 0.707]
+- Rotation: in RPY (radian) [0.000,  0.000, 1.571]
+- Rotation: in RPY (degree) [0.000,  0.000, 90.000]
+- Matrix:
+  0.000 -1.000  0.000  1.000
+  1.000  0.000  0.000  0.000
+  0.000  0.000  1.000  0.000
+  0.000  0.000  0.000  1.000
+""".strip().split("\n")
 MATCHED = """
 exact 1000 1000
 by reference 1000 1000
@@ -146,6 +159,24 @@ def test_a_client_asks_the_buffer_of_a_server(tab: Page, serve: Serve, built: Bu
         "map <- base: 2.0",
         NOWHERE,
     ]
+
+
+def test_the_programs_of_tf2_ros_tell_and_print_what_there_is(
+    tab: Page, serve: Serve, built: Built
+) -> None:
+    tab.goto(f"{serve(built(SITE))}asking/")
+    asking, echo = Panel(tab, "asking"), Panel(tab, "echo")
+    asking.start()
+    echo.start()
+    Panel(tab, "answering").start()
+    echo.wait_for('Invalid frame ID "world" passed to canTransform argument target_frame')
+    Panel(tab, "fixed").start()
+    assert lines(asking) == ["server 1", "world <- map: 1.0", NOWHERE]
+    echo.wait_for("At time 0.0")
+    echo.stop()
+    printed = echo.lines()
+    shown = printed[printed.index("At time 0.0") :]
+    assert [line.rstrip().replace("-0.000", " 0.000") for line in shown[:10]] == ECHOED
 
 
 @pytest.mark.firefox

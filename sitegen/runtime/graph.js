@@ -61,6 +61,9 @@ export class Graph extends EventTarget {
       case "look":
         this.#look(id);
         break;
+      case "settle":
+        this.#participants.get(id)?.post({ op: "settled" });
+        break;
     }
   }
 

@@ -116,7 +116,8 @@ export const DEFAULT_QOS = Object.freeze({
 
 /**
  * Worker to page; `missed` are the messages of a subscription that its program was too slow for. Who looks
- * is told of the graph from then on. A program that begins to read the keyboard says so. A prompt is ready for a line, which may go on what was typed (`more`),
+ * is told of the graph from then on; who asks to `settle` is told when others know of what it announced before.
+ * A program that begins to read the keyboard says so. A prompt is ready for a line, which may go on what was typed (`more`),
  * and answers with the words that a text may become.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
@@ -124,6 +125,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "missed", id: number, count: number}
  *   | {op: "complain", peer: number, text: string}
  *   | {op: "look"}
+ *   | {op: "settle"}
  *   | {op: "lines", lines: Line[]}
  *   | {op: "progress", loaded: number, total: number}
  *   | {op: "memory", bytes: number}
@@ -148,6 +150,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "match", local: number, peer: number, remote: number, qos: Qos}
  *   | {op: "unmatch", local: number, peer: number, remote: number}
  *   | {op: "incompatible", local: number, policy: Policy}
+ *   | {op: "settled"}
  *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
  *   | Typed
  *   | {op: "stop"}} ToWorker

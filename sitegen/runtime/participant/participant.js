@@ -2,6 +2,7 @@
 // A worker's part of the ROS graph: its endpoints, its links to other workers, and waiting.
 
 import { fromPageId, incompatibility, now, pageId, sends } from "../protocol.js";
+import { Announced } from "./announced.js";
 import { Link } from "./link.js";
 import { Queue } from "./queue.js";
 import { Reader } from "./reader.js";
@@ -39,6 +40,7 @@ export class Participant {
   #links = new Map();
   #waiting = new Waiting();
   #surroundings;
+  #announced;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #report;
   /** How many events there were, of all endpoints: who remembers it knows whether to look for new ones. */
@@ -52,6 +54,7 @@ export class Participant {
     this.#id = id;
     this.#post = post;
     this.#surroundings = new Surroundings(post);
+    this.#announced = new Announced(post);
   }
 
   /**
@@ -66,6 +69,7 @@ export class Participant {
     this.#surroundings.changes += 1;
     for (const other of this.#locals.values()) this.#meet(local, other);
     this.#post({ op: "create", endpoint });
+    this.#announced.note();
     return endpoint.id;
   }
 
@@ -123,7 +127,7 @@ export class Participant {
     if (!local) return 0;
     const sequence = ++local.sequence;
     const server = local.remotes[0];
-    if (server) this.#send(id, server, { sequence, timestamp: now(), message });
+    if (server) this.#ask(id, server, { sequence, timestamp: now(), message });
     return sequence;
   }
 
@@ -134,7 +138,7 @@ export class Participant {
    */
   respond(id, client, sequence, message) {
     if (!this.#locals.has(id)) return;
-    this.#send(id, fromPageId(client), { sequence, timestamp: now(), message });
+    this.#ask(id, fromPageId(client), { sequence, timestamp: now(), message });
   }
 
   /**
@@ -195,6 +199,12 @@ export class Participant {
     return [...own, ...others];
   }
 
+  /** Send all that is held back: the program ends. */
+  finish() {
+    this.#announced.release();
+    this.flush();
+  }
+
   /** Send what is held back. */
   flush() {
     for (const link of this.#links.values()) link.flush();
@@ -239,6 +249,10 @@ export class Participant {
         break;
       case "graph":
         this.#surroundings.change(message.come, message.gone);
+        break;
+      case "settled":
+        this.#announced.settled();
+        this.flush();
         break;
       case "incompatible":
         this.#mismatch(message.local, message.policy);
@@ -329,6 +343,17 @@ export class Participant {
   /** @param {number} id @param {Policy} policy */
   #mismatch(id, policy) {
     this.#locals.get(id)?.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
+  }
+
+  /**
+   * Send a request or a response. What is done for it there may be told to an endpoint that is new here.
+   * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
+   */
+  #ask(id, remote, sample) {
+    /** @param {Uint8Array} message */
+    const send = (message) => this.#send(id, remote, { ...sample, message });
+    if (remote.peer === this.#id) send(sample.message);
+    else this.#announced.before(sample.message, send);
   }
 
   /**

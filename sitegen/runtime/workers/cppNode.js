@@ -114,7 +114,7 @@ let over = false;
 async function end(code, error, stack = "") {
   if (over) return;
   over = true;
-  participant?.flush();
+  participant?.finish();
   printer.flush();
   const told = error && `${error.trimEnd()}\n${lines ? await where(stack, lines) : ADVICE}`;
   post({ op: "exit", code, error: told });

@@ -75,7 +75,7 @@ function serve(way) {
   /** @param {number} code @param {string} error */
   function end(code, error) {
     printer.flush();
-    participant?.flush();
+    participant?.finish();
     post({ op: "exit", code, error });
   }
 }

@@ -42,16 +42,15 @@ std::shared_ptr<Client<ServiceT>> AsyncParametersClient::make(
 AsyncParametersClient::AsyncParametersClient(
   node_interfaces::NodeBaseInterface::SharedPtr node, const std::string & remote,
   const QoS & qos, CallbackGroup::SharedPtr group)
-: node_(std::move(node))
+: node_(std::move(node)), remote_(remote.empty() ? node_->get_fully_qualified_name() : remote)
 {
-  const std::string name = remote.empty() ? node_->get_fully_qualified_name() : remote;
-  get_ = make<srv::GetParameters>(name, "get_parameters", qos, group);
-  types_ = make<srv::GetParameterTypes>(name, "get_parameter_types", qos, group);
-  set_ = make<srv::SetParameters>(name, "set_parameters", qos, group);
+  get_ = make<srv::GetParameters>(remote_, "get_parameters", qos, group);
+  types_ = make<srv::GetParameterTypes>(remote_, "get_parameter_types", qos, group);
+  set_ = make<srv::SetParameters>(remote_, "set_parameters", qos, group);
   set_atomically_ =
-    make<srv::SetParametersAtomically>(name, "set_parameters_atomically", qos, group);
-  list_ = make<srv::ListParameters>(name, "list_parameters", qos, group);
-  describe_ = make<srv::DescribeParameters>(name, "describe_parameters", qos, group);
+    make<srv::SetParametersAtomically>(remote_, "set_parameters_atomically", qos, group);
+  list_ = make<srv::ListParameters>(remote_, "list_parameters", qos, group);
+  describe_ = make<srv::DescribeParameters>(remote_, "describe_parameters", qos, group);
 }
 
 std::shared_future<std::vector<Parameter>> AsyncParametersClient::get_parameters(
@@ -122,6 +121,22 @@ AsyncParametersClient::delete_parameters(const std::vector<std::string> & names)
 {
   std::vector<Parameter> parameters;
   for (const auto & name : names) {parameters.emplace_back(name);}
+  return set_parameters(parameters);
+}
+
+std::shared_future<std::vector<AsyncParametersClient::SetResult>>
+AsyncParametersClient::load_parameters(const std::string & yaml_filename)
+{
+  return load_parameters(parameter_map_from_yaml_file(yaml_filename, remote_.c_str()));
+}
+
+std::shared_future<std::vector<AsyncParametersClient::SetResult>>
+AsyncParametersClient::load_parameters(const ParameterMap & parameter_map)
+{
+  const auto parameters = parameters_from_map(parameter_map, remote_.c_str());
+  if (parameters.empty()) {
+    throw exceptions::InvalidParametersException("No valid parameter");
+  }
   return set_parameters(parameters);
 }
 

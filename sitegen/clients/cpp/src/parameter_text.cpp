@@ -44,11 +44,67 @@ std::string unquote(const std::string & text)
   return result;
 }
 
-ParameterValue parse_scalar(const std::string & text)
+std::vector<std::string> split(const std::string & text)
+{
+  std::vector<std::string> parts(1);
+  char quote = 0;
+  for (const char c : text) {
+    if (quote) {
+      quote = c == quote ? 0 : quote;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == ',') {
+      parts.emplace_back();
+      continue;
+    }
+    parts.back() += c;
+  }
+  for (auto & part : parts) {part = trim(part);}
+  if (parts.back().empty()) {parts.pop_back();}  // an empty list, or a comma at its end
+  return parts;
+}
+
+ParameterValue parse_one(const std::string & text)
 {
   const bool is_quoted = text.size() > 1 && (text[0] == '"' || text[0] == '\'') &&
     text.back() == text[0];
-  if (is_quoted) {return ParameterValue(unquote(text));}
+  return is_quoted ? ParameterValue(unquote(text)) : parse_scalar(text);
+}
+
+template<class T>
+ParameterValue vector_of(const std::vector<ParameterValue> & values)
+{
+  std::vector<T> result;
+  for (const auto & value : values) {result.push_back(value.get<T>());}
+  return ParameterValue(result);
+}
+
+ParameterValue parse_list(const std::string & text)
+{
+  std::vector<ParameterValue> values;
+  for (const auto & part : split(text)) {values.push_back(parse_one(part));}
+  try {
+    return array_of(values);
+  } catch (const ParameterTypeException &) {
+    throw std::invalid_argument("Sequence should be of same type: [" + text + "]");
+  }
+}
+
+}  // namespace
+
+ParameterValue array_of(const std::vector<ParameterValue> & values)
+{
+  if (values.empty()) {return ParameterValue();}
+  switch (values[0].get_type()) {
+    case PARAMETER_BOOL: return vector_of<bool>(values);
+    case PARAMETER_INTEGER: return vector_of<std::int64_t>(values);
+    case PARAMETER_DOUBLE: return vector_of<double>(values);
+    default: return vector_of<std::string>(values);
+  }
+}
+
+ParameterValue parse_scalar(const std::string & text)
+{
   if (is_one_of(text, {"Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"})) {
     return ParameterValue(true);
   }
@@ -72,53 +128,6 @@ ParameterValue parse_scalar(const std::string & text)
   return ParameterValue(text);
 }
 
-std::vector<std::string> split(const std::string & text)
-{
-  std::vector<std::string> parts(1);
-  char quote = 0;
-  for (const char c : text) {
-    if (quote) {
-      quote = c == quote ? 0 : quote;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == ',') {
-      parts.emplace_back();
-      continue;
-    }
-    parts.back() += c;
-  }
-  for (auto & part : parts) {part = trim(part);}
-  if (parts.back().empty()) {parts.pop_back();}  // an empty list, or a comma at its end
-  return parts;
-}
-
-template<class T>
-ParameterValue vector_of(const std::vector<ParameterValue> & values)
-{
-  std::vector<T> result;
-  for (const auto & value : values) {result.push_back(value.get<T>());}
-  return ParameterValue(result);
-}
-
-ParameterValue parse_list(const std::string & text)
-{
-  std::vector<ParameterValue> values;
-  for (const auto & part : split(text)) {values.push_back(parse_scalar(part));}
-  if (values.empty()) {return ParameterValue();}
-  try {
-    switch (values[0].get_type()) {
-      case PARAMETER_BOOL: return vector_of<bool>(values);
-      case PARAMETER_INTEGER: return vector_of<std::int64_t>(values);
-      case PARAMETER_DOUBLE: return vector_of<double>(values);
-      default: return vector_of<std::string>(values);
-    }
-  } catch (const ParameterTypeException &) {
-    throw std::invalid_argument("Sequence should be of same type: [" + text + "]");
-  }
-}
-
-}  // namespace
-
 ParameterValue parse_parameter(const std::string & text)
 {
   const std::string value = trim(text);
@@ -128,7 +137,7 @@ ParameterValue parse_parameter(const std::string & text)
   if (!value.empty() && (value[0] == '{' || value[0] == '[')) {
     throw std::invalid_argument("Couldn't parse parameter value: '" + text + "'");
   }
-  return parse_scalar(value);
+  return parse_one(value);
 }
 
 }  // namespace detail

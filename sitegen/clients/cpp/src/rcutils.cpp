@@ -19,6 +19,8 @@
 namespace
 {
 
+rcutils_error_string_t error = {};  // empty: not set
+
 rclcpp::Logger logger(const char * name) {return rclcpp::Logger(name ? name : "");}
 
 void log(int severity, const char * name, const char * format, va_list arguments)
@@ -86,10 +88,19 @@ rcutils_ret_t rcutils_uint8_array_resize(rcutils_uint8_array_t * array, std::siz
   return RCUTILS_RET_OK;
 }
 
-// Nothing of what is here fails with an error that is kept.
-rcutils_error_string_t rcutils_get_error_string(void) {return {"error not set"};}
+void rcutils_set_error_state(const char * text, const char * file, std::size_t line)
+{
+  std::snprintf(error.str, sizeof(error.str), "%s, at %s:%zu", text, file, line);
+}
 
-void rcutils_reset_error(void) {}
+bool rcutils_error_is_set(void) {return error.str[0];}
+
+rcutils_error_string_t rcutils_get_error_string(void)
+{
+  return error.str[0] ? error : rcutils_error_string_t{"error not set"};
+}
+
+void rcutils_reset_error(void) {error = {};}
 
 bool rcutils_logging_logger_is_enabled_for(const char * name, int severity)
 {

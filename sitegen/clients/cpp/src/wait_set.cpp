@@ -147,10 +147,11 @@ WaitResultKind WaitSetBase::wait_for(double milliseconds)
   if (empty) {return WaitResultKind::Empty;}
   const double end = detail::now() + milliseconds;
   detail::breathe();
-  while (context_->is_valid()) {
+  while (true) {
     if (look()) {return WaitResultKind::Ready;}
     double left = milliseconds < 0 ? -1 : end - detail::now();
-    if (milliseconds >= 0 && left <= 0) {return WaitResultKind::Timeout;}
+    // Upstream, a shutdown ends no wait, and its time passes. Here nothing comes any more.
+    if (!context_->is_valid() || (milliseconds >= 0 && left <= 0)) {return WaitResultKind::Timeout;}
     for (const auto & timer : timers_) {
       const std::int64_t until = timer->time_left();
       if (until == INT64_MAX) {continue;}
@@ -159,8 +160,6 @@ WaitResultKind WaitSetBase::wait_for(double milliseconds)
     }
     detail::wait(left);
   }
-  look();
-  return WaitResultKind::Invalid;
 }
 
 TimerBase::SharedPtr WaitSetBase::next_ready_timer() {return next(timers_, ready_.timers);}

@@ -18,6 +18,7 @@
 #include "rcl_interfaces/srv/set_parameters_atomically.hpp"
 #include "rclcpp/executors.hpp"
 #include "rclcpp/node.hpp"
+#include "rclcpp/parameter_map.hpp"
 
 namespace rclcpp
 {
@@ -57,6 +58,9 @@ public:
   /// Set each to nothing.
   std::shared_future<std::vector<SetResult>> delete_parameters(
     const std::vector<std::string> & names);
+  /// Set what the file, or the map, has for the node; throws InvalidParametersException if it has nothing.
+  std::shared_future<std::vector<SetResult>> load_parameters(const std::string & yaml_filename);
+  std::shared_future<std::vector<SetResult>> load_parameters(const ParameterMap & parameter_map);
   std::shared_future<rcl_interfaces::msg::ListParametersResult> list_parameters(
     const std::vector<std::string> & prefixes, std::uint64_t depth,
     Callback<rcl_interfaces::msg::ListParametersResult> callback = nullptr);
@@ -99,6 +103,7 @@ private:
     const CallbackGroup::SharedPtr & group);
 
   node_interfaces::NodeBaseInterface::SharedPtr node_;
+  std::string remote_;
   std::vector<std::shared_ptr<ClientBase>> clients_;
   std::shared_ptr<Client<rcl_interfaces::srv::GetParameters>> get_;
   std::shared_ptr<Client<rcl_interfaces::srv::GetParameterTypes>> types_;
@@ -174,6 +179,12 @@ public:
     const std::vector<std::string> & names, Timeout timeout = Timeout(-1))
   {
     return wait(client_->delete_parameters(names), timeout);
+  }
+  /// From a file or a map.
+  template<class SourceT>
+  std::vector<SetResult> load_parameters(const SourceT & source, Timeout timeout = Timeout(-1))
+  {
+    return wait(client_->load_parameters(source), timeout);
   }
   rcl_interfaces::msg::ListParametersResult list_parameters(
     const std::vector<std::string> & prefixes, std::uint64_t depth, Timeout timeout = Timeout(-1))

@@ -70,6 +70,8 @@ int main(int argc, char ** argv)
     std::printf("%s\n", error.what());
   }
   std::thread stop([] {rclcpp::shutdown();});
-  std::printf("invalid %d\n", set.wait().kind() == rclcpp::WaitResultKind::Invalid);
+  std::printf("stopped %d\n", set.wait(1h).kind() == rclcpp::WaitResultKind::Timeout);
   stop.join();
+  publisher->publish(message);
+  std::printf("still ready %d\n", set.wait(1s).kind() == rclcpp::WaitResultKind::Ready);
 }

@@ -1,0 +1,28 @@
+// Files of parameters, read while a program runs. Those of a command line are read when the site is built.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rclcpp/detail/yaml.hpp"
+#include "rclcpp/parameter.hpp"
+
+namespace rclcpp
+{
+namespace detail
+{
+
+struct NodeParameters
+{
+  std::string node;  // as in the file: `arm/left`, `/**`
+  std::vector<Parameter> parameters;
+};
+
+/// What a file says of each node. Throws exceptions::RCLError.
+std::vector<NodeParameters> read_parameter_file(const std::string & path);
+
+/// A scalar or a list of them as a value, one that is not set for an empty list. Throws exceptions::RCLError.
+ParameterValue parameter_value(const Yaml & node);
+
+}  // namespace detail
+}  // namespace rclcpp

@@ -1,0 +1,5 @@
+# What user code takes of it is a part of the rclcpp library.
+include_guard(GLOBAL)
+include(CMakeFindDependencyMacro)
+find_dependency(rclcpp)
+sitegen_part_of_rclcpp(rcl_yaml_param_parser)
