@@ -311,7 +311,7 @@ from launch.conditions import IfCondition, LaunchConfigurationEquals
 from launch.event_handlers import OnProcessExit, OnProcessStart
 from launch.events import Shutdown as ShutdownEvent, matches_action
 from launch.substitutions import *
-from launch_ros.actions import LifecycleNode, Node
+from launch_ros.actions import LifecycleNode, LifecycleTransition, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState
 from launch_ros.substitutions import ExecutableInPackage, FindPackageShare
@@ -322,7 +322,8 @@ def generate_launch_description():
     side = LaunchConfiguration("side")
     spawn = ExecuteProcess(cmd=[[FindExecutable(name="ros2"), " service call ", side]], shell=True)
     first = LifecycleNode(
-        package="a", executable="first", name="first", namespace="", on_exit=Shutdown())
+        package="a", executable="first", name="first", namespace="", on_exit=Shutdown(),
+        autostart=True)
     configure = ChangeState(
         lifecycle_node_matcher=matches_action(first),
         transition_id=Transition.TRANSITION_CONFIGURE)
@@ -347,6 +348,7 @@ def generate_launch_description():
             target_lifecycle_node=first, goal_state="inactive",
             entities=[Node(package="a", executable="never")])),
         EmitEvent(event=configure),
+        LifecycleTransition(lifecycle_node_names=["/first"], transition_ids=[1, 3]),
         EmitEvent(event=ShutdownEvent(reason="done")),
         Node(package="a", executable="equal", name=[FindPackageShare("mine") / "x"],
              condition=LaunchConfigurationEquals("mood", "it's")),
@@ -364,13 +366,17 @@ def generate_launch_description():
     <node pkg="a" exec="late" if="$(eval '$(var side) == 3 and &quot;x y&quot; != &quot;x&quot;')"/>
     <node pkg="a" exec="never" if="$(eval 'len(str($(var side))) > 1')"/>
   </timer>
+  <lifecycle_node pkg="a" exec="managed" name="managed" namespace="" autostart="true"/>
+  <lifecycle_node pkg="a" exec="left" name="left" namespace="" autostart="false"/>
+  <lifecycle_transition lifecycle_node_names="/left" transition_ids="1"/>
   <set_use_sim_time value="true"/>
   <node pkg="a" exec="timed"/>
 </launch>""",
     "yaml": """
 launch:
   - executable: {cmd: ros2 service call}
-  - node: {pkg: a, exec: first}
+  - lifecycle_node: {pkg: a, exec: first, name: first, namespace: "", autostart: "true"}
+  - lifecycle_transition: {lifecycle_node_names: /first, transition_ids: "1"}
   - timer:
       period: 2.0
       children:
@@ -390,7 +396,7 @@ launch:
                 "either left",
             ],
         ),
-        ("xml", ["first 4", "late", "timed use_sim_time"]),
+        ("xml", ["first 4", "late", "managed", "left", "timed use_sim_time"]),
         ("yaml", ["first", "late"]),
     ],
 )
@@ -407,7 +413,9 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
     assert said == [each.format(packages["mine"].path) for each in expected]
     kinds = {line.split(": ")[1] for line in notes.lines}
     events = {"event", "event_handler"} if kind == "py" else set()
-    assert kinds == {"executable", "timer", *events}
+    managed = {"lifecycle_node", "lifecycle_transition"}
+    assert kinds == {"executable", "timer", *managed, *events}
+    assert [line for line in notes.lines if "'autostart' is left out" in line]
 
 
 INSTALLED = """

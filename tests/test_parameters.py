@@ -52,14 +52,8 @@ def test_parameters_are_checked_watched_and_served(played: Played) -> None:
     ]
 
 
-def test_files_of_parameters_are_read_while_a_program_runs(
-    context: BrowserContext, serve: Serve, built: Built
-) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}parameters/")
-    files = Panel(page, "files")
-    files.start()
-    files.expect_state("stopped")
+def test_files_of_parameters_are_read_while_a_program_runs(played: Played) -> None:
+    files = played(SITE, "parameters", "files")
     # The values and the words of errors are those of native ROS 2 with the same file.
     assert files.lines() == [
         "folded string <one line",

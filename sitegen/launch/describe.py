@@ -31,6 +31,7 @@ from sitegen.launch.describe_actions import (
     environment,
     include,
     load,
+    managed,
     node,
     share,
     text,
@@ -77,7 +78,7 @@ CORE: dict[str, Any] = {
 }
 ROS: dict[str, Any] = {
     "Node": node,
-    "LifecycleNode": node,
+    "LifecycleNode": managed,
     "PushRosNamespace": lambda namespace, condition=None: Described(
         "push_ros_namespace", namespace=namespace, condition=condition
     ),

@@ -208,6 +208,14 @@ def node(
 _parameters = parameters
 
 
+def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> Described:
+    """Describe a node with a life cycle, which has to have a name and a namespace."""
+    described = node(name=name, namespace=namespace, **of)
+    described.kind = "lifecycle_node"
+    described.attributes["autostart"] = text(autostart)
+    return described
+
+
 def composable(
     *,
     package: Any,

@@ -67,6 +67,7 @@ MEMBERS: dict[str, Any] = {
     "UnregisterEventHandler": lambda *_, **__: Described("event_handler"),
     "OnProcessStart": started,
     "EmitEvent": lambda *_, **__: Described("event"),
+    "LifecycleTransition": lambda *_, **__: Described("lifecycle_transition"),
     "Shutdown": lambda *_, **__: Described("shutdown"),
     "TimerAction": timer,
     "RosTimer": timer,

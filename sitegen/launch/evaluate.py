@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
-from sitegen.launch import processes, python, xacro, xml, yaml
+from sitegen.launch import processes, python, without, xacro, xml, yaml
 from sitegen.launch.shares import on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
@@ -17,19 +17,6 @@ from sitegen.model import Component, Node, Package
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
 DEEPEST = 20
-# Of no consequence for what runs on a page.
-IGNORED = {"append_env", "log", "set_env", "unset_env"}
-# What a page does without, which its author gets to know.
-LEFT_OUT = {
-    "event": "events of launch files do not happen in a page",
-    "event_handler": "events of launch files do not happen in a page",
-    "shutdown": "a page ends when its reader leaves it",
-}
-OF_SYSTEM = "a program of the system does not run in a page; this is left out"
-# Packages of programs that draw on a screen of their own.
-SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
-# Programs that read the keys of a terminal.
-KEYS = {("turtlesim", "turtle_teleop_key"): "the window of turtlesim has keys"}
 
 
 @dataclass
@@ -93,6 +80,7 @@ class _Launch:
             "group": self._group,
             "include": self._include,
             "executable": self._process,
+            "lifecycle_node": self._managed,
             "node": self._node,
             "node_container": self._container,
             "load_composable_node": self._load,
@@ -140,14 +128,14 @@ class _Launch:
                 self._note(action.place, action.kind, str(error))
 
     def _do(self, action: Action, scope: Scope) -> None:
-        if action.kind in IGNORED:
+        if action.kind in without.IGNORED:
             return
-        if why := LEFT_OUT.get(action.kind):
-            self._notes.add(action.place, action.kind, f"{why}; this is left out")
+        if why := without.LEFT_OUT.get(action.kind):
+            self._notes.add(action.place, action.kind, why)
             return
         do = self._actions.get(action.kind)
         if do is None:
-            known = sorted([*self._actions, *IGNORED, *LEFT_OUT])
+            known = sorted([*self._actions, *without.IGNORED, *without.LEFT_OUT])
             advice = nearest(action.kind, known)
             raise ValueError(f"this does not work on a page; {advice}")
         do(action, scope)
@@ -221,17 +209,20 @@ class _Launch:
 
     def _node(self, action: Action, scope: Scope) -> None:
         package = self._needed(action, "pkg", scope)
-        if package.startswith(SCREENS) and package not in self._packages:
-            message = f"'{package}' draws on a screen of its own and is left out of the page"
-            self._notes.add(action.place, action.kind, message)
-            return
         executable = self._needed(action, "exec", scope)
-        if instead := KEYS.get((package, executable)):
-            message = f"'{executable}' reads the keys of a terminal and is left out; {instead}"
-            self._notes.add(action.place, action.kind, message)
+        if why := without.program(package, executable, self._packages):
+            self._notes.add(action.place, action.kind, why)
             return
         start = self._container if package == containers.PACKAGE else self._started
         start(action, scope)
+
+    def _managed(self, action: Action, scope: Scope) -> None:
+        """Start a node whose states others have a say in."""
+        for name in ("name", "namespace"):
+            self._needed(action, name, scope)
+        if self._text(action, "autostart", scope).lower() in ("true", "1"):
+            self._notes.add(action.place, action.kind, without.AUTOSTART)
+        self._node(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
         """Start what is a program of the workspace; nothing around it holds for a process."""
@@ -240,7 +231,7 @@ class _Launch:
         except SubstitutionError:
             found = None
         if found is None:
-            self._notes.add(action.place, action.kind, OF_SYSTEM)
+            self._notes.add(action.place, action.kind, without.OF_SYSTEM)
             return
         words = {"pkg": found.package, "exec": found.executable, "args": shlex.join(found.words)}
         self._node(Action("node", words, action.place), Scope(scope.file, scope.variables))
