@@ -446,6 +446,17 @@ def test_files_are_where_the_package_installs_them(root: Path) -> None:
     assert found[0].arguments == ("a fox", "/ros/share/robots/fox.txt")
     assert found[0].parameters["file"] == "'/ros/share/robots/fox.txt'"
     assert "/ros/" not in found[0].parameters["more"]
+    # What is not there is told by the package, not by where the launch file looked for it.
+    wrong_name = INSTALLED.replace("fox.txt", "wolf.txt")
+    content = INSTALLED.replace("opened.read()", "FileContent(file + 's')")
+    for text, told in [
+        (wrong_name, "No such file or directory: '$(find-pkg-share robots)/wolf.txt'"),
+        (content, "no file '$(find-pkg-share robots)/fox.txts'"),
+    ]:
+        file = package / "x.launch.py"
+        file.write_text(f"from launch.substitutions import FileContent\n{text}")
+        _, [line] = nodes(root, "robots/x.launch.py")
+        assert line.endswith(told)
 
 
 CONTENT = """<robot name='fox "of" $5'>\n  <link name='tail'/>\n</robot>\n"""

@@ -11,7 +11,7 @@ from pathlib import Path
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
 from sitegen.launch import commandline, processes, python, xacro, xml, yaml
-from sitegen.launch.shares import on_page, shares
+from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
@@ -386,7 +386,7 @@ class _Launch:
         return found
 
     def _note(self, place: Place, key: str, message: str) -> None:
-        self._problems.add(place, key, message)
+        self._problems.add(place, key, by_package(message))
 
 
 def _joined(above: str, name: str) -> str:
