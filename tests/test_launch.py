@@ -454,6 +454,63 @@ def test_files_are_where_the_package_installs_them(root: Path) -> None:
     assert found[0].arguments == ("a fox", "/ros/share/robots/fox.txt")
     assert found[0].parameters["file"] == "'/ros/share/robots/fox.txt'"
     assert "/ros/" not in found[0].parameters["more"]
+    # What is not there is told by the package, not by where the launch file looked for it.
+    wrong_name = INSTALLED.replace("fox.txt", "wolf.txt")
+    content = INSTALLED.replace("opened.read()", "FileContent(file + 's')")
+    for text, told in [
+        (wrong_name, "No such file or directory: '$(find-pkg-share robots)/wolf.txt'"),
+        (content, "no file '$(find-pkg-share robots)/fox.txts'"),
+    ]:
+        file = package / "x.launch.py"
+        file.write_text(f"from launch.substitutions import FileContent\n{text}")
+        _, [line] = nodes(root, "robots/x.launch.py")
+        assert line.endswith(told)
+
+
+CONTENT = """<robot name='fox "of" $5'>\n  <link name='tail'/>\n</robot>\n"""
+WORDS = {
+    "py": """
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch.substitutions import FileContent, LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    robot = FileContent(PathJoinSubstitution([FindPackageShare("robots"), "fox.urdf"]))
+    mood = LaunchConfiguration("mood", default="it's fine")
+    none = LaunchConfiguration("none", default="")
+    return LaunchDescription([
+        Node(package="a", executable="fox", parameters=[{"robot": robot}],
+             arguments=[robot, mood, ["so ", mood], "a b", [none, "one"]]),
+        ExecuteProcess(cmd=["ros2", "run", "a", "ran", mood]),
+    ])
+""",
+    "xml": """<launch>
+  <arg name="mood" default="it's fine"/>
+  <arg name="none" default=""/>
+  <node pkg="a" exec="fox" args="$(file-content $(find-pkg-share robots)/fox.urdf) $(var mood)
+                                 'so $(var mood)' 'a b' $(var none)one">
+    <param name="robot" value="$(file-content $(find-pkg-share robots)/fox.urdf)"/>
+  </node>
+  <executable cmd="ros2 run a ran $(var mood)"/>
+</launch>""",
+}
+
+
+@pytest.mark.parametrize("kind", ["py", "xml"])
+def test_what_substitutions_stand_for_is_one_word(root: Path, kind: str) -> None:
+    """It is not read again, whatever quotes and spaces it has, as in the text of a robot."""
+    (root / "robots").mkdir()
+    (root / "robots/package.xml").write_text(PACKAGE.format("robots"))
+    (root / "robots/fox.urdf").write_text(CONTENT)
+    (root / f"x.launch.{kind}").write_text(WORDS[kind])
+    found, wrong = nodes(root, f"x.launch.{kind}")
+    assert wrong == []
+    assert found[0].arguments == (CONTENT, "it's fine", "so it's fine", "a b", "one")
+    assert CONTENT.partition("'")[0] in found[0].parameters["robot"]
+    assert found[1].arguments == ("it's fine",)
 
 
 def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:

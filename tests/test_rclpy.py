@@ -24,7 +24,8 @@ SEED = "20240607"
 PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
     *("actions", "lifecycle", "graph", "executors", "event_loops", "loops"),
-    *("introspection", "goals", "loggers", "overrides", "scheduling", "observers"),
+    *("introspection", "goals", "loggers", "overrides", "scheduling", "observers", "outlived"),
+    "ending",
 ]
 
 # Run a node to its end, and return its lines: a console would keep only the last.
@@ -97,6 +98,48 @@ def test_an_exception_is_told_as_python_tells_it(page: Page) -> None:
         '    raise ValueError("at the end")',
         "ValueError: at the end",
     ]
+
+
+def test_what_is_raised_below_rclpy_is_told_as_natively(page: Page) -> None:
+    """It is of the class that programs know, and nothing of what stands in for C++ is shown."""
+    state, lines = run(page, "ending")
+    assert state == "failed"
+    told = [line for line in printed(lines, "stderr") if set(line) - set(" ~^")]
+    assert [re.sub("0x[0-9a-f]+", "0x", line) for line in told] == [
+        "Traceback (most recent call last):",
+        '  File "/ros/python/tutorials/ending.py", line 27, in main',
+        '    raise LookupError("first")',
+        "LookupError: first",
+        "During handling of the above exception, another exception occurred:",
+        "Traceback (most recent call last):",
+        '  File "/ros/python/tutorials/ending.py", line 29, in main',
+        "    publisher.publish(String())",
+        '  File "/ros/python/rclpy/publisher.py", line 72, in publish',
+        "    self.__publisher.publish(msg)",
+        "rclpy._rclpy_pybind11.RCLError: Failed to publish: publisher's context is invalid",
+        "Exception ignored in atexit callback <function wrong at 0x>:",
+        "Traceback (most recent call last):",
+        '  File "/ros/python/tutorials/ending.py", line 11, in wrong',
+        '    raise ValueError("ignored")',
+        "ValueError: ignored",
+    ]
+
+
+def test_what_a_page_has_none_of_is_refused(page: Page) -> None:
+    state, lines = run(page, "outside")
+    sockets = "a page has no sockets; its nodes have topics, services and actions"
+    assert (state, [re.sub(r"\[Errno -?\d+\] ", "", line) for line in printed(lines)]) == (
+        "stopped",
+        [
+            "OSError a page cannot start other programs: 'ls'",
+            "OSError a page cannot start other programs: 'ls'",
+            f"gaierror {sockets}",
+            f"OSError {sockets}",
+            f"OSError {sockets}",
+            f"URLError <urlopen error {sockets}>",
+            *["ImportError a page cannot start processes; threads work"] * 2,
+        ],
+    )
 
 
 def test_programs_that_cmake_installs_run_as_python_runs_them(page: Page) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from sitegen.launch import commandline
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.xacro import printed
 
@@ -191,7 +192,7 @@ def node(
         inside.append(Described("remap", **{"from": old, "to": new}))
     words = {"args": arguments, "ros_args": ros_arguments}
     lines = {
-        key: " ".join(shlex.quote(text(w)) for w in given) for key, given in words.items() if given
+        key: commandline.join(text(word) for word in given) for key, given in words.items() if given
     }
     return Described(
         "node",

@@ -5,10 +5,10 @@ A page has no events: what these describe is left out of it, by its name in laun
 
 from __future__ import annotations
 
-import shlex
 from types import SimpleNamespace
 from typing import Any
 
+from sitegen.launch import commandline
 from sitegen.launch.describe_actions import Described, text
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
@@ -52,7 +52,7 @@ def process(
 ) -> Described:
     """Describe a process by its command line."""
     words = [text(word) for word in cmd]
-    line = " ".join(words) if shell else " ".join(shlex.quote(word) for word in words)
+    line = " ".join(words) if shell else commandline.join(words)
     return Described("executable", cmd=line, condition=condition)
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
-from sitegen.launch import processes, python, without, xacro, xml, yaml
-from sitegen.launch.shares import on_page, shares
+from sitegen.launch import commandline, processes, python, without, xacro, xml, yaml
+from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
@@ -227,8 +228,8 @@ class _Launch:
     def _process(self, action: Action, scope: Scope) -> None:
         """Start what is a program of the workspace; nothing around it holds for a process."""
         try:
-            found = processes.program(self._text(action, "cmd", scope), self._folders)
-        except SubstitutionError:
+            found = processes.program(self._words(action, "cmd", scope), self._folders)
+        except (SubstitutionError, ValueError):
             found = None
         if found is None:
             self._notes.add(action.place, action.kind, without.OF_SYSTEM)
@@ -239,8 +240,8 @@ class _Launch:
     def _started(self, action: Action, scope: Scope) -> Node:
         executable = self._needed(action, "exec", scope)
         own = self._text(action, "name", scope)
-        words = self._with_files(shlex.split(self._text(action, "args", scope)))
-        ros = self._with_files(shlex.split(self._text(action, "ros_args", scope)))
+        words = self._words(action, "args", scope)
+        ros = self._words(action, "ros_args", scope)
         words += ["--ros-args", *ros, "--"] if ros else []
         name = own or executable
         taken = {node.name for node in self.nodes}
@@ -343,10 +344,11 @@ class _Launch:
             raise ValueError(f"no file '{file}' below the folder of site.yaml")
         return parameterfiles.read(file)
 
-    def _with_files(self, words: list[str]) -> list[str]:
+    def _words(self, action: Action, name: str, scope: Scope) -> list[str]:
         """Return a command line with what files of parameters hold in their place."""
         found: list[str] = []
-        waiting = iter(words)
+        line = commandline.split(action.attributes.get(name, ""))
+        waiting = (self._expanded(word, scope) for word in line)
         for word in waiting:
             if word != parameterfiles.OPTION:
                 found.append(word)
@@ -361,12 +363,11 @@ class _Launch:
         return self._text(action, name, scope)
 
     def _text(self, action: Action, name: str, scope: Scope) -> str:
-        text = action.attributes.get(name, "")
-        return expand(text, scope.variables, scope.file, self._share, self._output)
+        return self._expanded(action.attributes.get(name, ""), scope)
 
-    def _output(self, line: str) -> str:
-        """Return what a command prints that launch files read descriptions of robots by."""
-        return xacro.printed(line, self._folders)
+    def _expanded(self, text: str, scope: Scope) -> str:
+        printed = partial(xacro.printed, folders=self._folders)
+        return expand(text, scope.variables, scope.file, self._share, printed)
 
     def _share(self, package: str) -> Path:
         found = self._folders.get(package)
@@ -376,7 +377,7 @@ class _Launch:
         return found
 
     def _note(self, place: Place, key: str, message: str) -> None:
-        self._problems.add(place, key, message)
+        self._problems.add(place, key, by_package(message))
 
 
 def _joined(above: str, name: str) -> str:

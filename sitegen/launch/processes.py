@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,15 +18,11 @@ class Program:
     words: list[str]
 
 
-def program(line: str, folders: Mapping[str, Path]) -> Program | None:
-    """Return what `line` runs, None if that is of no package; `folders` are those of packages.
+def program(words: list[str], folders: Mapping[str, Path]) -> Program | None:
+    """Return what a line of `words` runs, None if that is of no package of `folders`.
 
     It is run with `ros2 run`, or by the place where the package would install it.
     """
-    try:
-        words = shlex.split(line)
-    except ValueError:
-        return None
     if words[:2] == RUN and len(words) >= 4:
         return Program(words[2], words[3], words[4:])
     place = Path(words[0]) if words else Path()

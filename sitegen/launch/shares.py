@@ -12,12 +12,14 @@ from sitegen.model import Package
 
 # Where programs of a page find what packages install.
 PREFIX = "/ros"
+# What the names of the folders begin with that are made for the time of a launch file.
+MADE = "sitegen-"
 
 
 @contextmanager
 def shares(packages: Mapping[str, Package]) -> Iterator[dict[str, Path]]:
     """Yield the folders by package: its own, where installing leaves all files where they are."""
-    with tempfile.TemporaryDirectory(prefix="sitegen-") as temporary:
+    with tempfile.TemporaryDirectory(prefix=MADE) as temporary:
         folders = {}
         for name, package in packages.items():
             files = _files(package)
@@ -33,6 +35,12 @@ def on_page(text: str, folders: Mapping[str, Path]) -> str:
     for name, folder in folders.items():
         text = re.sub(rf"{re.escape(str(folder))}(?![\w.-])", f"{PREFIX}/share/{name}", text)
     return text
+
+
+def by_package(text: str) -> str:
+    """Return a text for an author, who knows packages, and not the folders that shares() makes."""
+    made = re.escape(f"{tempfile.gettempdir()}/{MADE}")
+    return re.sub(rf"{made}\w+/(\w+)", r"$(find-pkg-share \1)", text)
 
 
 def _files(package: Package) -> dict[str, Path]:

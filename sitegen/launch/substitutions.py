@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import shlex
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -72,6 +72,24 @@ def expand(
     return result
 
 
+def pieces(text: str) -> Iterator[tuple[str, bool]]:
+    """Yield the parts of `text` and whether each is a substitution, as it stands there."""
+    reader = _Reader(text, lambda _: "")
+    plain = ""
+    while reader.at < len(text):
+        begin = reader.at
+        if text.startswith("$(", begin):
+            if plain:
+                yield plain, False
+            plain = ""
+            reader.substitution()
+            yield text[begin : reader.at], True
+        else:
+            plain += reader.next()
+    if plain:
+        yield plain, False
+
+
 class _Reader:
     """Reads text with substitutions, which may stand inside of each other."""
 
@@ -84,16 +102,20 @@ class _Reader:
         """Return the text up to its end."""
         found = ""
         while self.at < len(self._text):
-            found += self._substitution() or self._next()
+            found += self._letters()
         return found
 
-    def _next(self) -> str:
+    def _letters(self) -> str:
+        """Return what a substitution stands for, which may be nothing, or the next letter."""
+        return self.substitution() if self._text.startswith("$(", self.at) else self.next()
+
+    def next(self) -> str:
+        """Return the next letter."""
         self.at += 1
         return self._text[self.at - 1]
 
-    def _substitution(self) -> str:
-        if not self._text.startswith("$(", self.at):
-            return ""
+    def substitution(self) -> str:
+        """Return what the substitution that begins here stands for."""
         self.at += 2
         words: list[str] = []
         while (word := self._word()) is not None:
@@ -118,7 +140,7 @@ class _Reader:
                 quote = "" if quote else letter
                 self.at += 1
             else:
-                found += self._substitution() or self._next()
+                found += self._letters()
         return found
 
 

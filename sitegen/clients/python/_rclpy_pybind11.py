@@ -152,4 +152,9 @@ from rclpy_backend.wait_set import (
     WaitSet,
 )
 
+# Programs print classes, and tracebacks name them.
+for _each in list(globals().values()):
+    if isinstance(_each, type) and _each.__module__.startswith("rclpy_backend."):
+        _each.__module__ = "rclpy._rclpy_pybind11"
+
 service_introspection = SimpleNamespace(ServiceIntrospectionState=ServiceIntrospectionState)

@@ -49,6 +49,11 @@ class Action(Destroyable):
             reason = str(error).rpartition(" is invalid: ")[2]
             invalid = f"due to invalid topic name '{name}' : {reason}"
             raise ValueError(f"Failed to create action {side} {invalid}") from None
+        try:
+            node.context.check(f"Failed to create action {side}")
+        except RCLError as error:
+            raise ValueError(str(error)) from None
+        self._node = node
         self._prefix = f"{name}/_action"
         self.waited: list[Endpoint | Timer] = []
         self._parts: list[Endpoint | Timer] = []

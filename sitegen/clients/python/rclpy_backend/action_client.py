@@ -52,6 +52,7 @@ class ActionClient(Action):
 
     def is_action_server_available(self) -> bool:
         """Return whether a server is there, with all that belongs to it."""
+        self._node.context.check("Failed to check if action server is available")
         return all(end.matched() for end in self._ends)
 
     def send_goal_request(self, request: Any) -> int:

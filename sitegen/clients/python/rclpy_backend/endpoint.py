@@ -24,8 +24,10 @@ class Endpoint(Destroyable):
         self, kind: str, node: Node, ros_type: type, name: str, profile: rmw_qos_profile_t
     ) -> None:
         super().__init__()
+        service = kind in ("service", "client")
+        # As rcl words it, of topics and of services.
+        node.context.check(f"{'failed' if service else 'Failed'} to create {kind}")
         try:
-            service = kind in ("service", "client")
             self._full_name = names.rclpy_resolve_name(node, name, False, service)
         except RCLError as error:
             raise ValueError(f"Failed to create {kind}: {error}") from None

@@ -24,6 +24,7 @@ from rclpy_backend.qos import (
 )
 
 if TYPE_CHECKING:
+    from rclpy_backend.handles import Context
     from rclpy_backend.node import Node
 
 NamesAndTypes = list[tuple[str, list[str]]]
@@ -97,8 +98,11 @@ def _split(node: str) -> tuple[str, str]:
     return name, namespace or "/"
 
 
-def _of_node(kinds: Iterable[str], what: str, name: str, namespace: str) -> list[_Entry]:
+def _of_node(
+    context: Context, kinds: Iterable[str], what: str, name: str, namespace: str
+) -> list[_Entry]:
     """Return those endpoints of a node; raises an RCLError that says `what` cannot be told."""
+    context.check(f"failed to get {what} names and types")
     # An empty namespace passes below the check and is then that of no node, as in rcl.
     for fault in (
         namespace and names.rclpy_get_validation_error_for_namespace(namespace),
@@ -115,7 +119,8 @@ def _of_node(kinds: Iterable[str], what: str, name: str, namespace: str) -> list
     return [entry for entry in own if entry.kind != "node"]
 
 
-def _count(kind: str, name: str, function: str, argument: str) -> int:
+def _count(context: Context, kind: str, name: str, function: str, argument: str) -> int:
+    context.check(f"Error in rcl_count_{function}")
     fault = names.rclpy_get_validation_error_for_full_topic_name(name)
     if fault:
         reason = f"{argument}_name argument is invalid: {fault[0]}"
@@ -133,59 +138,68 @@ def _actions(entries: Iterable[_Entry]) -> NamesAndTypes:
 
 
 class GraphQueries:
-    """The questions that a node's handle answers."""
+    """The questions that a node's handle answers, as long as its context has not ended."""
+
+    context: Context
 
     def get_count_publishers(self, topic_name: str) -> int:
         """Return how many publishers a topic has."""
-        return _count("publisher", topic_name, "publishers", "topic")
+        return _count(self.context, "publisher", topic_name, "publishers", "topic")
 
     def get_count_subscribers(self, topic_name: str) -> int:
         """Return how many subscriptions a topic has."""
-        return _count("subscription", topic_name, "subscribers", "topic")
+        return _count(self.context, "subscription", topic_name, "subscribers", "topic")
 
     def get_count_clients(self, service_name: str) -> int:
         """Return how many clients a service has."""
-        return _count("client", service_name, "clients", "service")
+        return _count(self.context, "client", service_name, "clients", "service")
 
     def get_count_services(self, service_name: str) -> int:
         """Return how many servers a service has."""
-        return _count("service", service_name, "services", "service")
+        return _count(self.context, "service", service_name, "services", "service")
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """Return all nodes."""
+        self.context.check("Failed to get node names")
         return [_split(entry.node) for entry in _entries("node")]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """Return all nodes; a page has one enclave."""
+        self.context.check("Failed to get node names")
         return [(*_split(entry.node), "/") for entry in _entries("node")]
 
     def get_action_client_names_and_types_by_node(
         self, remote_node_name: str, remote_node_namespace: str
     ) -> NamesAndTypes:
         """Return the actions that a node calls."""
-        return _actions(_of_action(remote_node_name, remote_node_namespace, "client"))
+        where = (remote_node_name, remote_node_namespace)
+        return _actions(_of_action(self.context, "client", *where))
 
     def get_action_server_names_and_types_by_node(
         self, remote_node_name: str, remote_node_namespace: str
     ) -> NamesAndTypes:
         """Return the actions that a node serves."""
-        return _actions(_of_action(remote_node_name, remote_node_namespace, "server"))
+        where = (remote_node_name, remote_node_namespace)
+        return _actions(_of_action(self.context, "server", *where))
 
     def get_action_names_and_types(self) -> NamesAndTypes:
         """Return all actions."""
+        self.context.check("Failed to get action names and type")
         return _actions(_entries("publisher", "subscription"))
 
 
-def _of_action(name: str, namespace: str, side: str) -> list[_Entry]:
+def _of_action(context: Context, side: str, name: str, namespace: str) -> list[_Entry]:
+    context.check(f"Failed to get action {side} names and type")
     kind = "subscription" if side == "client" else "publisher"
     try:
-        return _of_node([kind], "action", name, namespace)
+        return _of_node(context, [kind], "action", name, namespace)
     except NodeNameNonExistentError:
         raise RCLError(f"Failed to get action {side} names and type: error not set") from None
 
 
 def rclpy_get_topic_names_and_types(node: Node, no_demangle: bool) -> NamesAndTypes:
     """Return all topics; with `no_demangle` what DDS would have, services included."""
+    node.context.check("failed to get topic names and types")
     kinds = DDS if no_demangle else ENDPOINT_TYPES
     return _topics(_entries(*kinds), no_demangle=no_demangle)
 
@@ -194,7 +208,7 @@ def rclpy_get_publisher_names_and_types_by_node(
     node: Node, no_demangle: bool, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
     """Return the topics that a node publishes."""
-    entries = _of_node(["publisher"], "publisher", node_name, node_namespace)
+    entries = _of_node(node.context, ["publisher"], "publisher", node_name, node_namespace)
     return _topics(entries, no_demangle=no_demangle)
 
 
@@ -202,12 +216,13 @@ def rclpy_get_subscriber_names_and_types_by_node(
     node: Node, no_demangle: bool, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
     """Return the topics that a node hears."""
-    entries = _of_node(["subscription"], "subscriber", node_name, node_namespace)
+    entries = _of_node(node.context, ["subscription"], "subscriber", node_name, node_namespace)
     return _topics(entries, no_demangle=no_demangle)
 
 
 def rclpy_get_service_names_and_types(node: Node) -> NamesAndTypes:
     """Return all services."""
+    node.context.check("failed to get service names and types")
     return _names_and_types(_plain(_entries("service", "client")))
 
 
@@ -215,20 +230,25 @@ def rclpy_get_service_names_and_types_by_node(
     node: Node, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
     """Return the services that a node serves."""
-    return _names_and_types(_plain(_of_node(["service"], "service", node_name, node_namespace)))
+    return _names_and_types(
+        _plain(_of_node(node.context, ["service"], "service", node_name, node_namespace))
+    )
 
 
 def rclpy_get_client_names_and_types_by_node(
     node: Node, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
     """Return the services that a node calls."""
-    return _names_and_types(_plain(_of_node(["client"], "client", node_name, node_namespace)))
+    return _names_and_types(
+        _plain(_of_node(node.context, ["client"], "client", node_name, node_namespace))
+    )
 
 
 def rclpy_get_publishers_info_by_topic(
     node: Node, topic_name: str, no_mangle: bool
 ) -> list[dict[str, Any]]:
     """Describe the publishers of a topic; with `no_mangle` the name is that of DDS."""
+    node.context.check("Failed to get information by topic for publishers")
     return _describe("publisher", topic_name, no_mangle=no_mangle)
 
 
@@ -236,6 +256,7 @@ def rclpy_get_subscriptions_info_by_topic(
     node: Node, topic_name: str, no_mangle: bool
 ) -> list[dict[str, Any]]:
     """Describe the subscriptions of a topic; with `no_mangle` the name is that of DDS."""
+    node.context.check("Failed to get information by topic for subscriptions")
     return _describe("subscription", topic_name, no_mangle=no_mangle)
 
 

@@ -11,7 +11,7 @@ import ros_host
 
 from rclpy_backend.arguments import Arguments, parse
 from rclpy_backend.enums import RCL_DEFAULT_DOMAIN_ID
-from rclpy_backend.errors import InvalidHandle
+from rclpy_backend.errors import InvalidHandle, RCLError
 
 _addresses = itertools.count(16, 16)
 
@@ -65,11 +65,24 @@ class Context(Destroyable):
 
     def get_domain_id(self) -> int:
         """Return its domain; a page has one graph for all."""
+        if not self.ok():
+            raise RCLError("Failed to get domain id: error not set")
         return self._domain_id
 
     def ok(self) -> bool:
         """Return whether it was not shut down."""
         return self in living_contexts
+
+    def check(self, doing: str, whose: str = "rcl node") -> None:
+        """Raise the RCLError of `doing` something with what belongs to it, if it has ended."""
+        if not self.ok():
+            raise RCLError(f"{doing}: {whose}'s context is invalid")
+
+    def check_for_new(self, part: str) -> None:
+        """Raise the RCLError of making such a part, if it has ended."""
+        if not self.ok():
+            why = "either rcl_init() was not called or rcl_shutdown() was called."
+            raise RCLError(f"failed to create {part}: the given context is not valid, {why}")
 
     def invalidate(self) -> None:
         """End it, if it has not ended."""
@@ -90,6 +103,7 @@ class GuardCondition(Destroyable):
 
     def __init__(self, context: Context) -> None:
         super().__init__()
+        context.check_for_new("guard_condition")
         self._triggered = False
 
     def trigger_guard_condition(self) -> None:

@@ -7,7 +7,16 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import collecting, interrupts, keyboard, loops, threads, turns
+from rclpy_backend import (
+    collecting,
+    exits,
+    interrupts,
+    keyboard,
+    loops,
+    outside,
+    threads,
+    turns,
+)
 
 _begun = False
 
@@ -24,6 +33,8 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
         loops.install()
         interrupts.install()
         keyboard.install()
+        exits.install()
+        outside.install()
         # From here on they belong to programs.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if name not in turns.COMMON:

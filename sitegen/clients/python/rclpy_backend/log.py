@@ -10,6 +10,7 @@ import ros_host
 from rclpy_backend.arguments import severities
 from rclpy_backend.clock import system_time
 from rclpy_backend.enums import RCUTILS_LOG_SEVERITY
+from rclpy_backend.errors import RCLError
 from rclpy_backend.handles import Context
 from rclpy_backend.qos import rmw_qos_profile_t
 
@@ -55,7 +56,12 @@ class Rosout:
         message: Any = Log(level=severity, name=name, msg=text, file=file, function=function)
         message.stamp = Time(sec=seconds, nanosec=nanoseconds)
         message.line = line
-        self._publisher.publish(message)
+        try:
+            self._publisher.publish(message)
+        except RCLError as error:
+            # The console has the line all the same.
+            reason = str(error).removeprefix("Failed to publish: ")
+            print(f"Failed to publish log message to rosout: {reason}", file=sys.stderr)
 
 
 def rclpy_logging_rcutils_log(

@@ -8,7 +8,7 @@ import runpy
 import sys
 from collections.abc import Sequence
 
-from rclpy_backend import signals, threads, turns
+from rclpy_backend import exits, signals, threads, turns
 from rclpy_backend.tracebacks import traceback_of
 
 # Where the page unpacks what runs in it.
@@ -40,6 +40,7 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
         # A program that Stop ended has not failed, whatever it prints: many shut down once more.
         stopped = signals.received and type(error).__name__ in ENDS
         code = 0 if stopped else 1
+    exits.run()
     for stream in (sys.stdout, sys.stderr):
         stream.flush()
     return code

@@ -36,7 +36,12 @@ class Publisher(Endpoint):
 
     def get_subscription_count(self) -> int:
         """Return how many subscriptions it has found."""
+        self.check("failed to get subscription count")
         return self.matched()
+
+    def check(self, doing: str) -> None:
+        """Raise an RCLError if its context has ended: then it sends nothing more."""
+        self.node.context.check(doing, "publisher")
 
     def publish(self, message: Any) -> None:
         """Send a message; raises a TypeError if it is not of the publisher's type."""
@@ -44,6 +49,7 @@ class Publisher(Endpoint):
 
     def publish_raw(self, data: bytes) -> None:
         """Send the bytes of a message."""
+        self.check("Failed to publish")
         message = to_js(data)
         end = time.monotonic() + MAX_BLOCKING
         while not ros_host.publish(self.id, message):
@@ -55,6 +61,7 @@ class Publisher(Endpoint):
 
     def wait_for_all_acked(self, timeout: rcl_duration_t) -> bool:
         """Wait until reliable subscriptions have got all; returns whether they have."""
+        self.check("Failed to wait for all acknowledgements")
         limited = timeout.nanoseconds >= 0
         end = time.monotonic() + timeout.nanoseconds / 1e9
         while ros_host.behind(self.id):
@@ -67,4 +74,5 @@ class Publisher(Endpoint):
 
 def rclpy_assert_liveliness(publisher: Publisher) -> None:
     """Say that a publisher lives, though it has nothing to send."""
+    publisher.check("Failed to assert liveliness on the Publisher")
     ros_host.assertLiveliness(publisher.id)

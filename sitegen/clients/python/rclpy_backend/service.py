@@ -105,6 +105,7 @@ class Client(ServiceEndpoint):
 
     def service_server_is_available(self) -> bool:
         """Return whether a server is there."""
+        self.node.context.check("failed to check service availability")
         return self.matched() > 0
 
     def send_request(self, request: Any) -> int:

@@ -15,6 +15,7 @@ class Timer(Destroyable):
         self, clock: Clock, context: Context, period_nsec: int, autostart: bool = True
     ) -> None:
         super().__init__()
+        context.check_for_new("timer")
         self.clock = clock
         self._period = int(period_nsec)
         self._canceled = not autostart

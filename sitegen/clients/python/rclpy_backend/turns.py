@@ -12,7 +12,7 @@ import io
 import itertools
 import sys
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from types import ModuleType
 from typing import Any, Protocol
 
@@ -20,8 +20,8 @@ OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
 COMMON = {
     f"rclpy_backend.{name}"
     for name in (
-        *("arrays", "beside", "blocking", "collecting", "fixed_array", "interrupts"),
-        *("keyboard", "loops", "pool", "threads", "turns"),
+        *("arrays", "beside", "blocking", "collecting", "exits", "fixed_array", "interrupts"),
+        *("keyboard", "loops", "outside", "pool", "threads", "turns"),
     )
 }
 
@@ -82,6 +82,8 @@ class Program:
         self.over = False
         self.signals: Signals | None = None
         self.keyboard: Any = None
+        # What is called when it ends, each with its arguments.
+        self.exits: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._own = {*OWN, *own}
         self._modules: dict[str, ModuleType] = {
             "__main__": ModuleType("__main__"),

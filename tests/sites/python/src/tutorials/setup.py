@@ -38,6 +38,8 @@ setup(
             "observers = tutorials.observers:main",
             "scheduling = tutorials.scheduling:main",
             "overrides = tutorials.overrides:main",
+            "outlived = tutorials.outlived:main",
+            "ending = tutorials.ending:main",
             "spinning = tutorials.spinning:main",
             "entries = tutorials.entries:main",
         ],
