@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from browser import Serve
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 
 from sitegen.errors import Place, SiteError
@@ -387,6 +387,20 @@ def test_a_page_from_a_subfolder_of_a_server(
     tab.get_by_role("link", name="Previous").click()
     tab.wait_for_url(url)
     assert [url for url, status in answers.items() if status >= 400] == []
+
+
+def test_long_names_stay_where_they_belong(
+    author: Author, tab: Tab, serve: Serve, tmp_path: Path
+) -> None:
+    author.page("", "Text")
+    author.page("a/", "Text", title="all_that_this_robot_has_to_say_about_itself_cpp")
+    url = serve(write(render(author.site()), tmp_path / "dist"))
+    tab.goto(f"{url}a/")
+    current = tab.locator(".menu a[aria-current]")
+    expect(current).to_be_visible()
+    assert current.evaluate("(link) => link.scrollWidth <= link.clientWidth")
+    tab.set_viewport_size({"width": 320, "height": 640})
+    assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 
 def test_a_page_opened_as_a_file_says_what_to_do(

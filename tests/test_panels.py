@@ -21,8 +21,9 @@ NONE = "\u2013"
 def test_topics_come_and_go_with_their_types_and_numbers(stage: Tab) -> None:
     panel = show(stage, "topics")
     expect(panel.get_by_text("No topics now")).to_be_visible()
-    chatter(stage)
     add(stage, "publisher", "/talker", "/rosout", "rcl_interfaces/msg/Log")
+    expect(panel.get_by_text("Only hidden topics now.")).to_be_visible()
+    chatter(stage)
     add(stage, "publisher", "/talker", "/_hidden", "std_msgs/msg/String")
     add(stage, "subscription", "/_page", "/chatter", "std_msgs/msg/String")
     add(stage, "subscription", "/_page", "/only_asked_for", "std_msgs/msg/String")
@@ -173,9 +174,11 @@ def serve_sums(stage: Tab) -> None:
 
 
 def test_a_service_is_called_with_a_form(stage: Tab) -> None:
-    serve_sums(stage)
-    add(stage, "service", "/adder", "/adder/get_parameters", "rcl_interfaces/srv/GetParameters")
     panel = show(stage, "services")
+    expect(panel.get_by_text("No services now")).to_be_visible()
+    add(stage, "service", "/adder", "/adder/get_parameters", "rcl_interfaces/srv/GetParameters")
+    expect(panel.get_by_text("Only hidden services now.")).to_be_visible()
+    serve_sums(stage)
     assert panel.locator("li").all_inner_texts() == [
         "/add\ntutorial_interfaces/srv/AddTwoInts\nserved by /adder"
     ]

@@ -9,6 +9,8 @@ import { say } from "../words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
+const NONE = say("No services now. They come when nodes that serve start.");
+const ALL_HIDDEN = say("Only hidden services now.");
 // After this time (ms) a call is given up.
 const TIMEOUT = 5000;
 // Every node has these beside its own, for its parameters.
@@ -42,7 +44,7 @@ export function mount(element, ros, { show }) {
   });
   if (!show) bar.append(all);
   const body = create("ul", "ros-picks");
-  const hint = create("p", "ros-hint", say("No services now. They come when nodes that serve start."));
+  const hint = create("p", "ros-hint");
   const list = create("div", "ros-list", body, hint);
   const call = createCall(ros);
   element.replaceChildren(bar, create("div", "ros-split", list, call.element));
@@ -71,6 +73,7 @@ export function mount(element, ros, { show }) {
     }
     arrange(body, names.flatMap((name) => rows.get(name)?.element ?? []));
     hint.hidden = names.length > 0;
+    setText(hint, ros.graph.services().length ? ALL_HIDDEN : NONE);
     const service = ros.graph.services().find(({ name }) => name === chosen);
     call.show(chosen, service?.types[0] ?? "", service?.servers.length ?? 0);
   };

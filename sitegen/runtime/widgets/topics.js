@@ -25,6 +25,8 @@ const HEADINGS = /** @type {const} */ ([
 
 // More of those who do not hear each other than this are counted, not listed.
 const WARNINGS = 3;
+const NONE = say("No topics now. They come when nodes start.");
+const ALL_HIDDEN = say("Only hidden topics now.");
 const MISSED = say("Messages that came faster than subscriptions took them, so that newer ones replaced them");
 const compact = new Intl.NumberFormat("en", { notation: "compact" });
 
@@ -62,7 +64,7 @@ export function mount(element, ros, { show, echo: first }) {
     return heading;
   });
   const table = create("table", "ros-table", create("thead", "", create("tr", "", ...headings)), body);
-  const hint = create("p", "ros-hint", say("No topics now. They come when nodes start."));
+  const hint = create("p", "ros-hint");
   const list = create("div", "ros-list", table, hint);
   const echo = createEcho(ros);
   element.replaceChildren(bar, create("div", "ros-split", list, echo.element));
@@ -75,7 +77,8 @@ export function mount(element, ros, { show, echo: first }) {
   };
 
   const look = () => {
-    const topics = listed(ros.graph.topics(), show ?? null, hidden);
+    const there = ros.graph.topics();
+    const topics = listed(there, show ?? null, hidden);
     const names = topics.map(({ name }) => name);
     for (const [name, row] of rows) {
       if (names.includes(name)) continue;
@@ -94,6 +97,7 @@ export function mount(element, ros, { show, echo: first }) {
     arrange(body, names.flatMap((name) => rows.get(name)?.elements() ?? []));
     table.hidden = names.length === 0;
     hint.hidden = names.length > 0;
+    setText(hint, listed(there, null, true).length ? ALL_HIDDEN : NONE);
     echo.look();
   };
 

@@ -3,13 +3,16 @@ include(CMakeFindDependencyMacro)
 find_dependency(builtin_interfaces)
 find_dependency(rcl_interfaces)
 find_dependency(rosgraph_msgs)
+find_dependency(service_msgs)
+find_dependency(statistics_msgs)
+find_dependency(type_description_interfaces)
 
 add_library(rclcpp::rclcpp STATIC IMPORTED GLOBAL)
 set_target_properties(rclcpp::rclcpp PROPERTIES
   IMPORTED_LOCATION "${SITEGEN_RCLCPP}"
   INTERFACE_INCLUDE_DIRECTORIES "${SITEGEN_CPP}/include"
   INTERFACE_COMPILE_FEATURES cxx_std_17
-  INTERFACE_LINK_LIBRARIES "${builtin_interfaces_TARGETS};${rcl_interfaces_TARGETS};${rosgraph_msgs_TARGETS}")
+  INTERFACE_LINK_LIBRARIES "${builtin_interfaces_TARGETS};${rcl_interfaces_TARGETS};${rosgraph_msgs_TARGETS};${service_msgs_TARGETS};${statistics_msgs_TARGETS};${type_description_interfaces_TARGETS}")
 set(rclcpp_TARGETS rclcpp::rclcpp)
 set(rclcpp_LIBRARIES rclcpp::rclcpp)
 
@@ -22,3 +25,8 @@ function(sitegen_part_of_rclcpp package)
   set(${package}_TARGETS ${package}::${package} PARENT_SCOPE)
   set(${package}_LIBRARIES ${package}::${package} PARENT_SCOPE)
 endfunction()
+
+# Who finds rclcpp has these, too.
+foreach(package rcl rcpputils rcutils rmw)
+  find_dependency(${package})
+endforeach()

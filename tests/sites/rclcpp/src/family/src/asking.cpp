@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "example_interfaces/srv/add_two_ints.hpp"
-#include "rcl/service_introspection.h"
+#include "rcl/rcl.h"
 #include "rcl_interfaces/srv/set_logger_levels.hpp"
 #include "rclcpp/node_interfaces/node_interfaces.hpp"
 #include "rclcpp/rclcpp.hpp"
