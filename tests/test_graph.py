@@ -252,7 +252,7 @@ def test_each_client_gets_its_own_answers(play: Any) -> None:
 
 
 def test_a_request_comes_after_what_was_announced_before_it(play: Any) -> None:
-    """A service that publishes, as those of parameters do, knows of a subscription made just before the call."""
+    """A service that publishes, as those of parameters do, knows of a subscription made before."""
     assert play("""
       // The page is slower than the port between the two.
       let slow = () => new Promise((done) => setTimeout(done, 20));
