@@ -165,7 +165,7 @@ def test_the_programs_of_tf2_ros_tell_and_print_what_there_is(
     tab: Page, serve: Serve, built: Built
 ) -> None:
     tab.goto(f"{serve(built(SITE))}asking/")
-    asking, echo = Panel(tab, "asking"), Panel(tab, "echo")
+    asking, echo = Panel(tab, "asking"), Panel(tab, "told")
     asking.start()
     echo.start()
     Panel(tab, "answering").start()

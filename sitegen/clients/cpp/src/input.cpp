@@ -48,7 +48,7 @@ Came wait_for_keys(double milliseconds)
   const bool patient = milliseconds < 0;
   const double end = rclcpp::detail::now() + milliseconds;
   // Who looks again and again lets the page breathe.
-  double left = std::max(milliseconds, -1.0);
+  double left = milliseconds;
   if (patient) {std::fflush(stdout);}
   ros_reading(keyboard());
   while (ros_typed() < 0) {
