@@ -366,7 +366,8 @@ def generate_launch_description():
     <node pkg="a" exec="late" if="$(eval '$(var side) == 3 and &quot;x y&quot; != &quot;x&quot;')"/>
     <node pkg="a" exec="never" if="$(eval 'len(str($(var side))) > 1')"/>
   </timer>
-  <lifecycle_node pkg="a" exec="managed" name="managed" namespace="" autostart="true"/>
+  <lifecycle_node pkg="a" exec="managed" name="managed" namespace="" autostart="true"
+    on_exit="shutdown"/>
   <lifecycle_node pkg="a" exec="left" name="left" namespace="" autostart="false"/>
   <lifecycle_transition lifecycle_node_names="/left" transition_ids="1"/>
   <set_use_sim_time value="true"/>
@@ -375,7 +376,8 @@ def generate_launch_description():
     "yaml": """
 launch:
   - executable: {cmd: ros2 service call}
-  - lifecycle_node: {pkg: a, exec: first, name: first, namespace: "", autostart: "true"}
+  - lifecycle_node:
+      {pkg: a, exec: first, name: first, namespace: "", autostart: "true", on_exit: shutdown}
   - lifecycle_transition: {lifecycle_node_names: /first, transition_ids: "1"}
   - timer:
       period: 2.0
@@ -415,7 +417,8 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
     events = {"event", "event_handler"} if kind == "py" else set()
     managed = {"lifecycle_node", "lifecycle_transition"}
     assert kinds == {"executable", "timer", *managed, *events}
-    assert [line for line in notes.lines if "'autostart' is left out" in line]
+    for name in ("autostart", "on_exit"):
+        assert [line for line in notes.lines if f"'{name}' is left out" in line]
 
 
 INSTALLED = """

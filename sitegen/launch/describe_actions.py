@@ -183,6 +183,7 @@ def node(
     remappings: Iterable[tuple[Any, Any]] | None = None,
     arguments: Iterable[Any] | None = None,
     ros_arguments: Iterable[Any] | None = None,
+    on_exit: Any = None,
     condition: Any = None,
     **_others: Any,
 ) -> Described:
@@ -201,6 +202,7 @@ def node(
         exec=executable if executable is not None else node_executable,
         name=name if name is not None else node_name,
         namespace=namespace if namespace is not None else node_namespace,
+        on_exit="shutdown" if on_exit else None,
         condition=condition,
         **lines,
     )

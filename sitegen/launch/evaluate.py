@@ -214,6 +214,8 @@ class _Launch:
         if why := without.program(package, executable, self._packages):
             self._notes.add(action.place, action.kind, why)
             return
+        if "on_exit" in action.attributes:
+            self._notes.add(action.place, action.kind, without.ON_EXIT)
         start = self._container if package == containers.PACKAGE else self._started
         start(action, scope)
 

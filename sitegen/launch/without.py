@@ -13,6 +13,7 @@ LEFT_OUT = {
     "lifecycle_transition": f"{STATES}; this is left out",
     "shutdown": "a page ends when its reader leaves it; this is left out",
 }
+ON_EXIT = "programs of a page do not end with another one; 'on_exit' is left out"
 AUTOSTART = f"{STATES}; 'autostart' is left out"
 OF_SYSTEM = "a program of the system does not run in a page; this is left out"
 # Packages of programs that draw on a screen of their own.
