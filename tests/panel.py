@@ -13,6 +13,12 @@ from playwright.sync_api import Locator, Page, expect
 
 LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
 
+# A console draws with the next frame, of which a page that nobody sees has none.
+DRAWN = """() => new Promise((done) => {
+  requestAnimationFrame(() => requestAnimationFrame(done));
+  setTimeout(done, 200);
+})"""
+
 
 class Speaker(Protocol):
     """What has a console."""
@@ -43,6 +49,7 @@ class Panel:
         expect(self.panel.locator(".ros-state").first).to_have_text(state)
 
     def lines(self) -> list[str]:
+        self._page.evaluate(DRAWN)
         return [line for line in self.console.inner_text().split("\n") if line]
 
     def messages(self) -> list[str]:
