@@ -35,9 +35,9 @@ class Budget:
 
 # Somewhat more than they are; whoever needs more says why in the commit.
 BUDGETS = [
-    Budget("demo01/", 150 * KB, 340 * KB),
-    Budget("demo02/", 150 * KB, 340 * KB),
-    Budget("demo03/", 150 * KB, 340 * KB),
+    Budget("demo01/", 153 * KB, 340 * KB),
+    Budget("demo02/", 153 * KB, 340 * KB),
+    Budget("demo03/", 153 * KB, 340 * KB),
     Budget("demo04/", 255 * KB, 490 * KB),
     Budget("demo05/", 340 * KB, 570 * KB),
     Budget("demo06/", 1650 * KB, 17500 * KB),
