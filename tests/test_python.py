@@ -213,18 +213,15 @@ def test_a_site_of_python_nodes_needs_no_compiler(
 def test_a_cmake_package_may_have_programs_and_modules_of_python() -> None:
     packages = workspace.scan(HERE / "sites" / "python" / "src")
     package = packages["mixed"]
-    assert package.executables == ("greeter.py", "plain", "sorting.py", "packing.py", "keys.py")
+    programs = ("greeter.py", "plain", "sorting.py", "packing.py", "keys.py", "outside.py")
+    assert package.executables == programs
     assert package.sources["greeter.py"] == ("scripts/greeter.py",)
     assert package.setup
     files = {p: f.relative_to(package.path).as_posix() for p, f in package.setup.files.items()}
     assert files == {
         "python/mixed/__init__.py": "mixed/__init__.py",
         "python/mixed/words.py": "mixed/words.py",
-        "lib/mixed/greeter.py": "scripts/greeter.py",
-        "lib/mixed/plain": "scripts/plain",
-        "lib/mixed/sorting.py": "scripts/sorting.py",
-        "lib/mixed/packing.py": "scripts/packing.py",
-        "lib/mixed/keys.py": "scripts/keys.py",
+        **{f"lib/mixed/{name}": f"scripts/{name}" for name in programs},
         "lib/mixed/helper": "scripts/helper.sh",
         "share/mixed/config/name.txt": "config/name.txt",
         "share/mixed/copy/package.xml": "package.xml",
