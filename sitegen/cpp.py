@@ -174,22 +174,29 @@ class Compiler:
         return package.path.relative_to(self._root).as_posix() if below else package.name
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
-        """Compile all `jobs`; raise a SiteError with all that failed."""
+        """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
         use(self._work)
         with alone(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             self._write_ros()
             # Every program needs what the packages it needs have for others, and then the library.
-            # What CMake misses is known in seconds; the library takes minutes, the first time.
             wanted = [[job for job, one in jobs if one == engine] for engine in engines]
             failed = dict(zip(engines, pool.map(self._prepare, engines, wanted), strict=True))
-            self._each(pool, partial(self._configure_job, failed), jobs)
-            list(pool.map(self._compile_library, engines))
-            self._each(pool, self._compile_job, jobs)
+            told = self._told(pool, partial(self._configure_job, failed), jobs)
+            # What CMake misses is known in seconds; the library takes minutes, the first time.
+            ready = [at for at, lines in enumerate(told) if not lines]
+            if ready:
+                list(pool.map(self._compile_library, engines))
+                made = self._told(pool, self._compile_job, [jobs[at] for at in ready])
+                for at, lines in zip(ready, made, strict=True):
+                    told[at] = lines
+        problems = list(dict.fromkeys(line for lines in told for line in lines))
+        if problems:
+            raise SiteError(problems)
 
-    def _each(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> None:
-        """Take a step for all `jobs`, some at a time; raise one SiteError with all that failed."""
+    def _told(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
+        """Take a step for all `jobs`, some at a time; return what is wrong with each."""
 
         def attempt(job: Job, engine: str) -> list[str]:
             try:
@@ -198,10 +205,7 @@ class Compiler:
                 return error.lines
             return []
 
-        results = list(pool.map(attempt, *zip(*jobs, strict=True)))
-        problems = list(dict.fromkeys(line for lines in results for line in lines))
-        if problems:
-            raise SiteError(problems)
+        return list(pool.map(attempt, *zip(*jobs, strict=True)))
 
     def _cmake(self, engine: str) -> CMake:
         return CMake(self._tools, self._work, engine, self._debug, self._draft)
