@@ -1,5 +1,22 @@
 """Messages of geometry_msgs, brought to another frame."""
 
+# As with upstream's, the messages can be had from here, too.
+from geometry_msgs.msg import (
+    Point,
+    PointStamped,
+    PolygonStamped,
+    Pose,
+    PoseStamped,
+    PoseWithCovariance,
+    PoseWithCovarianceStamped,
+    Quaternion,
+    TransformStamped,
+    Vector3,
+    Vector3Stamped,
+    Wrench,
+    WrenchStamped,
+)
+
 from tf2_geometry_msgs.transforms import (
     do_transform_point,
     do_transform_polygon_stamped,
@@ -15,6 +32,19 @@ from tf2_geometry_msgs.transforms import (
 )
 
 __all__ = [
+    "Point",
+    "PointStamped",
+    "PolygonStamped",
+    "Pose",
+    "PoseStamped",
+    "PoseWithCovariance",
+    "PoseWithCovarianceStamped",
+    "Quaternion",
+    "TransformStamped",
+    "Vector3",
+    "Vector3Stamped",
+    "Wrench",
+    "WrenchStamped",
     "do_transform_point",
     "do_transform_polygon_stamped",
     "do_transform_pose",

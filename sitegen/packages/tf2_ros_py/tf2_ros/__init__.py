@@ -1,5 +1,14 @@
 """Transforms over the topics /tf and /tf_static."""
 
+# What upstream's modules import can be had from here, too, and programs take it: the tutorial about
+# robot_state_publisher in Python begins with TransformStamped.
+from geometry_msgs.msg import TransformStamped
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from rclpy.time import Time
+from tf2_msgs.msg import TFMessage
+from tf2_msgs.srv import FrameGraph
 from tf2_py import (
     BufferCore,
     ConnectivityException,
@@ -31,18 +40,27 @@ __all__ = [
     "BufferInterface",
     "ConnectivityException",
     "ConvertRegistration",
+    "DurabilityPolicy",
+    "Duration",
     "ExtrapolationException",
+    "FrameGraph",
+    "HistoryPolicy",
     "InvalidArgumentException",
     "LookupException",
+    "Node",
     "NotImplementedException",
+    "QoSProfile",
     "Stamped",
     "StaticTransformBroadcaster",
     "StaticTransformListener",
+    "TFMessage",
+    "Time",
     "TimeoutException",
     "TransformBroadcaster",
     "TransformException",
     "TransformListener",
     "TransformRegistration",
+    "TransformStamped",
     "TypeException",
     "convert",
 ]

@@ -1,14 +1,15 @@
 """Waits for a transform that another node tells of, in a callback and in a coroutine."""
 
 import rclpy
-from geometry_msgs.msg import PointStamped, TransformStamped
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.node import Node
 from rclpy.time import Time
-from tf2_geometry_msgs import do_transform_point
-from tf2_ros import TransformBroadcaster
+
+# Messages can be had from these, too, as official programs have them.
+from tf2_geometry_msgs import PointStamped, do_transform_point
+from tf2_ros import TransformBroadcaster, TransformStamped
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
