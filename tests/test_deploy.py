@@ -249,8 +249,6 @@ def test_an_end_in_between_leaves_nothing(site: Path, remote: Path) -> None:
                 time.sleep(0.01)
             os.killpg(0, signal.SIGINT)
 
-        # Whoever runs the tests in the background may have it ignored.
-        signal.signal(signal.SIGINT, signal.default_int_handler)
         threading.Thread(target=interrupt, daemon=True).start()
         sys.exit(main(["deploy", sys.argv[1]]))
         """
