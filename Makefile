@@ -22,7 +22,7 @@ test: .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile
 
 # Everything in Firefox, but what only Chromium has.
-test-firefox: .venv/ready .venv/emscripten .venv/headless .venv/firefox .venv/webkit
+test-firefox: .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --firefox
 
 lint: .venv/ready node_modules/.package-lock.json

@@ -27,6 +27,7 @@ def restoring(browser: Browser) -> Iterator[Page]:
     kept.close()
 
 
+@pytest.mark.chromium
 def test_a_page_that_was_left_goes_on_where_it_was(
     restoring: Page, serve: Serve, built: Built
 ) -> None:

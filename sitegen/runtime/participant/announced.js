@@ -21,18 +21,14 @@ export class Announced {
     this.#news = true;
   }
 
-  /**
-   * Send a message when others know of all that was announced: at once, if they do.
-   * @param {Uint8Array} message @param {(message: Uint8Array) => void} send
-   */
-  before(message, send) {
-    if (!this.#news && this.#asked === 0) {
-      send(message);
-      return;
-    }
-    // The program goes on, and may use the memory of its message again.
-    const copy = message.slice();
-    this.#held.push(() => send(copy));
+  /** Whether others know of all that was announced. */
+  get known() {
+    return !this.#news && this.#asked === 0;
+  }
+
+  /** Send something when they do. @param {() => void} send */
+  hold(send) {
+    this.#held.push(send);
     if (!this.#news) return;
     this.#news = false;
     this.#asked += 1;

@@ -350,10 +350,13 @@ export class Participant {
    * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
    */
   #ask(id, remote, sample) {
-    /** @param {Uint8Array} message */
-    const send = (message) => this.#send(id, remote, { ...sample, message });
-    if (remote.peer === this.#id) send(sample.message);
-    else this.#announced.before(sample.message, send);
+    if (remote.peer === this.#id || this.#announced.known) {
+      this.#send(id, remote, sample);
+      return;
+    }
+    // The program goes on, and may use the memory of its message again.
+    const copy = { ...sample, message: sample.message.slice() };
+    this.#announced.hold(() => this.#send(id, remote, copy));
   }
 
   /**

@@ -57,7 +57,8 @@ export function mount(element, ros, { show }) {
   };
 
   const look = () => {
-    const services = listed(ros, show ?? null, hidden);
+    const there = ros.graph.services();
+    const services = listed(there, show ?? null, hidden);
     const names = services.map(({ name }) => name);
     for (const name of rows.keys()) if (!names.includes(name)) rows.delete(name);
     for (const { name, types, servers } of services) {
@@ -73,8 +74,8 @@ export function mount(element, ros, { show }) {
     }
     arrange(body, names.flatMap((name) => rows.get(name)?.element ?? []));
     hint.hidden = names.length > 0;
-    setText(hint, ros.graph.services().length ? ALL_HIDDEN : NONE);
-    const service = ros.graph.services().find(({ name }) => name === chosen);
+    setText(hint, there.length ? ALL_HIDDEN : NONE);
+    const service = there.find(({ name }) => name === chosen);
     call.show(chosen, service?.types[0] ?? "", service?.servers.length ?? 0);
   };
 
@@ -97,9 +98,8 @@ export function mount(element, ros, { show }) {
   };
 }
 
-/** @param {Ros} ros @param {string[] | null} show @param {boolean} hidden @returns {Service[]} */
-function listed(ros, show, hidden) {
-  const services = ros.graph.services();
+/** @param {Service[]} services @param {string[] | null} show @param {boolean} hidden @returns {Service[]} */
+function listed(services, show, hidden) {
   if (show) {
     return show.map((name) => services.find((s) => s.name === name) ?? { name, types: [], servers: [] });
   }

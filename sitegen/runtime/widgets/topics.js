@@ -97,7 +97,7 @@ export function mount(element, ros, { show, echo: first }) {
     arrange(body, names.flatMap((name) => rows.get(name)?.elements() ?? []));
     table.hidden = names.length === 0;
     hint.hidden = names.length > 0;
-    setText(hint, listed(there, null, true).length ? ALL_HIDDEN : NONE);
+    if (!hint.hidden) setText(hint, listed(there, null, true).length ? ALL_HIDDEN : NONE);
     echo.look();
   };
 
