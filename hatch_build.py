@@ -82,7 +82,7 @@ class VendorBuildHook(BuildHookInterface[Any]):
     def _compile(self) -> None:
         # A part of sitegen that imports nothing but Python's own modules.
         sys.path.insert(0, str(ROOT))
-        from sitegen import bytecode
+        from sitegen.nodes.python import bytecode
 
         modules = {place: text for place, text in bytecode.brought() if place.endswith(".py")}
         names = {bytecode.key(place, text): place for place, text in modules.items()}

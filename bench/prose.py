@@ -12,7 +12,7 @@ from statistics import median
 from bench.browser import Progress
 from bench.building import run, seconds
 from bench.figure import Figure, Target
-from sitegen.serve.live import LiveSite
+from sitegen.commands.serve.live import LiveSite
 
 FOLDERS, PAGES = 20, 50
 REPEATS = 3

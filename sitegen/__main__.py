@@ -54,8 +54,8 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> None:
-    from sitegen import unchanged
-    from sitegen.cache import cache_folder
+    from sitegen.cache import unchanged
+    from sitegen.cache.folder import cache_folder
     from sitegen.report import Report
 
     if arguments.single_file:
@@ -76,14 +76,14 @@ def _build(arguments: argparse.Namespace) -> None:
 
 
 def _new(arguments: argparse.Namespace) -> None:
-    from sitegen.new import new
+    from sitegen.commands.new import new
 
     print(*(f"  {file}" for file in new(arguments.name)), sep="\n")
     print(f"wrote {arguments.name}; now: cd {arguments.name} && sitegen serve")
 
 
 def _init(arguments: argparse.Namespace) -> None:
-    from sitegen.init import init
+    from sitegen.commands.init import init
     from sitegen.report import Report
 
     init(arguments.folder, Report(sys.stdout), github=arguments.github)
@@ -91,7 +91,7 @@ def _init(arguments: argparse.Namespace) -> None:
 
 def _check(arguments: argparse.Namespace) -> None:
     from sitegen.build import count
-    from sitegen.check import check
+    from sitegen.commands.check import check
     from sitegen.report import Report
 
     site, warnings = check(arguments.folder, Report(sys.stderr), strict=arguments.strict)
@@ -101,7 +101,7 @@ def _check(arguments: argparse.Namespace) -> None:
 
 
 def _compile(arguments: argparse.Namespace) -> None:
-    from sitegen.compile import compile_to
+    from sitegen.commands.compile import compile_to
     from sitegen.report import Report
 
     report = Report(sys.stdout)
@@ -109,15 +109,15 @@ def _compile(arguments: argparse.Namespace) -> None:
 
 
 def _deploy(arguments: argparse.Namespace) -> None:
-    from sitegen.deploy import deploy
+    from sitegen.commands.deploy import deploy
     from sitegen.report import Report
 
     deploy(arguments.folder, Report(sys.stdout), dry_run=arguments.dry_run)
 
 
 def _serve(arguments: argparse.Namespace) -> None:
+    from sitegen.commands.serve import serve
     from sitegen.report import Report
-    from sitegen.serve import serve
 
     serve(arguments.folder, port=arguments.port, report=Report(), debug=arguments.debug)
 
@@ -131,7 +131,7 @@ def _schema(arguments: argparse.Namespace) -> None:
 
 
 def _copy_theme(arguments: argparse.Namespace) -> None:
-    from sitegen import theme
+    from sitegen.commands import theme
 
     target = arguments.target or Path("themes") / arguments.name
     theme.copy(arguments.name, target)

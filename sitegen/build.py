@@ -11,24 +11,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import (
-    assets,
-    compiled,
-    config,
-    containers,
-    cpp,
-    offline,
-    pages,
-    python,
-    ros2wasm,
-    single,
-    unchanged,
-    workspace,
-)
-from sitegen.cache import cache_folder
+from sitegen import config, workspace
+from sitegen.cache import unchanged
+from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Artifact, Node, Page, Site
+from sitegen.nodes.cpp import compiler
+from sitegen.nodes.prebuilt import resolve, ros2wasm
+from sitegen.nodes.python import archives as python
 from sitegen.report import Report, size
+from sitegen.site import assets, offline, pages, single
+from sitegen.workspace import containers
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
@@ -42,7 +35,7 @@ class Made:
     """What a folder with a site.yaml becomes: its site, its programs, the files of dist/."""
 
     site: Site
-    builds: cpp.Builds
+    builds: compiler.Builds
     bundles: python.Bundles
     programs: pages.Programs
     renderer: pages.Renderer
@@ -151,14 +144,14 @@ def make(
     foreign = ros2wasm.types_of(site, cache=cache_folder())
 
     # Nodes that were compiled elsewhere are fetched.
-    site, given = compiled.resolve(site, cache=cache_folder(), report=report)
+    site, given = resolve.resolve(site, cache=cache_folder(), report=report)
 
     # Python nodes become archives; what is wrong there is told before anything takes minutes.
     bundles = python.bundle(site, nodes_of(site), cache=cache_folder(), say=report.say)
 
     # C++ nodes become WebAssembly.
     engines = ["jspi", "asyncify"] if site.asyncify else ["jspi"]
-    own = cpp.compile_nodes(
+    own = compiler.compile_nodes(
         jobs_of(site, nodes_of(site)) if compiling else [],
         engines,
         root=site.root,
@@ -218,7 +211,7 @@ def nodes_of(site: Site) -> list[Node]:
     return list(found.values())
 
 
-def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
+def jobs_of(site: Site, nodes: Sequence[Node]) -> list[compiler.Job]:
     """Return what to compile, a job for each package."""
     executables: dict[str, list[str]] = {}
     jobs = []
@@ -227,19 +220,19 @@ def jobs_of(site: Site, nodes: Sequence[Node]) -> list[cpp.Job]:
             made = containers.package(node, site.packages, cache_folder())
             needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
             needs = {package.name: package for each in needed for package in each}
-            jobs.append(cpp.Job(made, (node.executable,), tuple(needs.values())))
+            jobs.append(compiler.Job(made, (node.executable,), tuple(needs.values())))
         elif not node.ros2wasm and not node.compiled and not site.setup_of(node):
             executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
         *before, package = workspace.with_plugins(site.packages, name)
-        jobs.append(cpp.Job(package, tuple(wanted), tuple(before)))
+        jobs.append(compiler.Job(package, tuple(wanted), tuple(before)))
     return jobs
 
 
 def types_of(
     site: Site,
     page: Page,
-    builds: cpp.Builds,
+    builds: compiler.Builds,
     bundles: python.Bundles,
     foreign: ros2wasm.Types,
 ) -> dict[str, object]:

@@ -16,8 +16,8 @@ from stage import set_up
 from webkit import Window, webkit
 
 from sitegen.build import make, write
+from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
-from sitegen.toolchain import Toolchain
 
 TESTS = Path(__file__).parent
 ROOT = TESTS.parent

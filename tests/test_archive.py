@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from sitegen import archive
-from sitegen.archive import ArchiveError, members, pack, unpack
 from sitegen.model import Build
+from sitegen.nodes.prebuilt import archive
+from sitegen.nodes.prebuilt.archive import ArchiveError, members, pack, unpack
 
 MANIFEST: dict[str, Any] = {
     "format": 1,

@@ -9,10 +9,10 @@ import pytest
 from PIL import Image
 
 from sitegen.__main__ import main
-from sitegen.check import check
+from sitegen.commands.check import check
 from sitegen.errors import SiteError
+from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
-from sitegen.toolchain import Toolchain
 
 ROOT = Path(__file__).parent.parent
 SITES = ["demos/demo03", "demos/demo04", "demos/demo05", "demos/demo06"]

@@ -12,7 +12,7 @@ from browser import Serve
 from playwright.sync_api import Page, expect
 
 from sitegen.__main__ import main
-from sitegen.toolchain import Toolchain
+from sitegen.nodes.cpp.toolchain import Toolchain
 
 ROOT = Path(__file__).parent.parent
 SITE = """\

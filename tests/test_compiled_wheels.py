@@ -14,11 +14,11 @@ from browser import Serve
 from playwright.sync_api import Browser
 from test_rclpy import printed, run
 
-from sitegen import wheels
 from sitegen.build import build
 from sitegen.errors import SiteError
+from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.nodes.python import wheels
 from sitegen.report import Report
-from sitegen.toolchain import Toolchain
 
 CONTOURPY = "fa1b787362a3856e63dd2b89449f6c384d55ee1beb8f94f4bcc871b40f02462c"
 TAG = "cp314-cp314-pyemscripten_2026_0_wasm32"

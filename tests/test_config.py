@@ -6,8 +6,7 @@ from textwrap import dedent
 
 import pytest
 
-from sitegen import theme
-from sitegen.config import load
+from sitegen.config import load, themes
 from sitegen.errors import Place, SiteError
 from sitegen.model import Markdown, Site, Widget
 
@@ -45,7 +44,7 @@ pages:
 
 @pytest.fixture(autouse=True)
 def no_packaged_themes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(theme, "THEMES", tmp_path / "no/package/themes")
+    monkeypatch.setattr(themes, "THEMES", tmp_path / "no/package/themes")
 
 
 def write(folder: Path, site: str | bytes, files: dict[str, str] | None = None) -> Path:
@@ -300,7 +299,7 @@ def test_a_theme_of_the_site_goes_before_one_of_sitegen(
     for name in ("default", "plain"):
         (brought / name).mkdir(parents=True)
         (brought / name / "page.html").touch()
-    monkeypatch.setattr(theme, "THEMES", brought)
+    monkeypatch.setattr(themes, "THEMES", brought)
     pages = "pages: [{path: /, title: Home, content: []}]\n"
     folder = tmp_path / "site"
     assert load_text(folder, f"site: {{title: A}}\n{pages}").theme == folder / "themes/default"

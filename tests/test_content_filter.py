@@ -6,8 +6,8 @@ from typing import Any
 
 from playwright.sync_api import Page as Tab
 
-from sitegen import messages, typesupport
-from sitegen.interfaces import ROS
+from sitegen.interfaces import messages, typesupport
+from sitegen.shipped import ROS
 
 STATE = "sensor_msgs/msg/JointState"
 MESSAGE: dict[str, Any] = {

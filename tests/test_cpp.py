@@ -17,12 +17,12 @@ from panel import Panel
 from playwright.sync_api import Page
 
 from sitegen.build import build, make
-from sitegen.cache import cache_folder
-from sitegen.diagnosis import Diagnosis
+from sitegen.cache.folder import cache_folder
 from sitegen.errors import SiteError
 from sitegen.model import Package
+from sitegen.nodes.cpp.diagnosis import Diagnosis
+from sitegen.nodes.cpp.toolchain import alone
 from sitegen.report import Report
-from sitegen.toolchain import alone
 
 SHAPES = Path(__file__).parent / "sites" / "shapes"
 

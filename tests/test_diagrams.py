@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.prose.diagrams import DiagramError, drawn
+from sitegen.site.prose.diagrams import DiagramError, drawn
 
 
 def boxes(svg: str) -> list[tuple[float, float, float, float]]:

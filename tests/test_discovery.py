@@ -14,7 +14,7 @@ from PIL import Image
 
 from sitegen.config import load
 from sitegen.model import Artifact
-from sitegen.pages import preview, render
+from sitegen.site.pages import preview, render
 
 URL = "https://example.org/robots/"
 ATOM = "{http://www.w3.org/2005/Atom}"

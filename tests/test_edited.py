@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from sitegen.build import make
+from sitegen.commands.serve.edited import edited
+from sitegen.commands.serve.live import LiveSite
 from sitegen.report import Report
-from sitegen.serve.edited import edited
-from sitegen.serve.live import LiveSite
 
 SITE = """\
 site: {title: T, languages: [de]}

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.fetch import FetchError, Patience, allowed, fetch
+from sitegen.cache.fetch import FetchError, Patience, allowed, fetch
 
 DATA = b"an archive of nodes" * 1000
 HASH = hashlib.sha256(DATA).hexdigest()

@@ -18,9 +18,9 @@ from test_rclpy import SITE, printed, run
 from webkit import Window, WindowPanel
 
 from sitegen.build import build
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
 from sitegen.report import Report
-from sitegen.serve.live import LiveSite
-from sitegen.serve.server import Server
 
 WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;\n"
 PROMPT = """

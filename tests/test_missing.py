@@ -11,9 +11,9 @@ from browser import Serve
 from playwright.sync_api import Browser, expect
 
 from sitegen.build import build
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
 from sitegen.report import Report
-from sitegen.serve.live import LiveSite
-from sitegen.serve.server import Server
 
 SITE = """\
 site:

@@ -9,7 +9,7 @@ import pytest
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.model import Page, Site
-from sitegen.pages.nav import Link, Navigation
+from sitegen.site.pages.nav import Link, Navigation
 
 
 def write(folder: Path, pages: str, *files: str, more: str = "") -> Path:

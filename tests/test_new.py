@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 
 from sitegen import config, workspace
 from sitegen.__main__ import main
-from sitegen.new import TEMPLATE
+from sitegen.commands.new import TEMPLATE
 
 
 def test_its_nodes_hear_each_other(

@@ -18,10 +18,10 @@ from PIL import Image
 from playwright.sync_api import Browser, Error, Page, expect
 
 from sitegen.build import build
-from sitegen.offline import worker
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
 from sitegen.report import Report
-from sitegen.serve.live import LiveSite
-from sitegen.serve.server import Server
+from sitegen.site.offline import worker
 
 ROOT = Path(__file__).parent.parent
 PREFIX = "/my-robot/"

@@ -15,7 +15,7 @@ from playwright.sync_api import Page as Tab
 
 from sitegen.errors import Place, SiteError
 from sitegen.model import Artifact, Markdown, Node, Page, Site, Widget
-from sitegen.pages import Programs, render
+from sitegen.site.pages import Programs, render
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
 THEME = Path(__file__).parent.parent / "themes/default"

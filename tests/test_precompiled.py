@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import interfaces, precompiled
-from sitegen.precompiled import HEADER, INTERFACES, LIBRARY, Command, Reader
-from sitegen.toolchain import Toolchain
+from sitegen.interfaces import generator
+from sitegen.nodes.cpp import precompiled
+from sitegen.nodes.cpp.precompiled import HEADER, INTERFACES, LIBRARY, Command, Reader
+from sitegen.nodes.cpp.toolchain import Toolchain
 
 NODE = """\
 #include <memory>
@@ -74,8 +75,8 @@ class Compiler:
 def ros(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The headers of interfaces, where a build has them."""
     prefix = tmp_path_factory.mktemp("work") / "ros"
-    interfaces.write_ros(prefix)
-    interfaces.write_own(prefix)
+    generator.write_ros(prefix)
+    generator.write_shipped(prefix)
     return prefix / "include"
 
 

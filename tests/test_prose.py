@@ -12,8 +12,8 @@ from playwright.sync_api import Page as Tab
 from sitegen.build import build
 from sitegen.config import load
 from sitegen.errors import SiteError
-from sitegen.pages import render
 from sitegen.report import Report
+from sitegen.site.pages import render
 
 
 def written(folder: Path, text: str, **files: str) -> Path:

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import config, python, setupfiles, workspace
+from sitegen import config, workspace
 from sitegen.build import build, nodes_of
 from sitegen.errors import SiteError
+from sitegen.nodes.python import archives
 from sitegen.report import Report
+from sitegen.workspace import setupfiles
 
 HERE = Path(__file__).parent
 PACKAGE = """<package format="3"><name>{name}</name><version>1.0.0</version>
@@ -180,7 +182,7 @@ def names(data: bytes) -> set[str]:
 def test_archives_hold_what_a_package_uses(package: Path, tmp_path: Path) -> None:
     (package / "setup.py").write_text(SETUP_PY)
     site = config.load(package.parents[1] / "site.yaml")
-    bundles = python.bundle(site, nodes_of(site), cache=tmp_path / "cache")
+    bundles = archives.bundle(site, nodes_of(site), cache=tmp_path / "cache")
     common = names(bundles.archives["nodes/ros.zip"])
     assert {"python/rclpy/_rclpy_pybind11.py", "python/rclpy/action/client.py"} <= common
     # Imported though package.xml does not name it, with what it nests; nothing else.

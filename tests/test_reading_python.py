@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from sitegen import bytecode
+from sitegen.nodes.python import bytecode
 
 # Of these types there is everything: texts, bounds, nested and fixed arrays, sequences of each.
 TYPES = [

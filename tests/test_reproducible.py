@@ -14,8 +14,8 @@ import pytest
 from sitegen.build import build
 from sitegen.config import load
 from sitegen.model import Artifact
-from sitegen.pages import Programs, Renderer, render
 from sitegen.report import Report
+from sitegen.site.pages import Programs, Renderer, render
 
 EVERYTHING = Path(__file__).parent / "sites/prose"
 

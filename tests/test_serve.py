@@ -20,10 +20,10 @@ import pytest
 from panel import Panel
 from playwright.sync_api import Browser, Page, expect
 
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
+from sitegen.commands.serve.watcher import changes
 from sitegen.report import Report
-from sitegen.serve.live import LiveSite
-from sitegen.serve.server import Server
-from sitegen.serve.watcher import changes
 
 ROOT = Path(__file__).parent.parent
 SITE = """\

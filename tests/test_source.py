@@ -13,7 +13,7 @@ from playwright.sync_api import Page as Tab
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.model import Source
-from sitegen.pages import render
+from sitegen.site.pages import render
 
 ROOT = Path(__file__).parent.parent
 TALKER = """\

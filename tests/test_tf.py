@@ -237,7 +237,7 @@ def test_launch_files_give_the_description_as_a_text(name: str) -> None:
 
 def test_launch_files_may_include_those_of_urdf_launch() -> None:
     problems = Problems(SITE)
-    packages = {**workspace.given(), **workspace.scan(SITE)}
+    packages = {**workspace.shipped_packages(), **workspace.scan(SITE)}
     file = SITE / "src/arm/launch/shown.launch.py"
     found = launched(file, {"gui": "false"}, packages, problems)
     assert problems.lines == []
@@ -290,17 +290,17 @@ def test_packages_of_ros_are_given_to_who_needs_them(tmp_path: Path) -> None:
         "<package format='3'><name>mine</name><depend>rclcpp</depend></package>"
     )
     (package / "CMakeLists.txt").write_text("project(mine)\nfind_package(tf2_geometry_msgs)\n")
-    packages = workspace.with_given(workspace.scan(tmp_path))
+    packages = workspace.with_shipped(workspace.scan(tmp_path))
     order = [one.name for one in workspace.with_dependencies(packages, "mine")]
     assert {"tf2", "tf2_ros", "tf2_geometry_msgs", "message_filters"} < set(order)
     assert order[-1] == "mine"
     assert "robot_state_publisher" not in packages
-    assert "robot_state_publisher" in workspace.with_given({}, ["robot_state_publisher"])
+    assert "robot_state_publisher" in workspace.with_shipped({}, ["robot_state_publisher"])
 
 
 def test_a_workspace_may_have_them_itself(tmp_path: Path) -> None:
     package = tmp_path / "tf2_ros"
     package.mkdir()
     (package / "package.xml").write_text("<package format='3'><name>tf2_ros</name></package>")
-    packages = workspace.with_given(workspace.scan(tmp_path), ["tf2_ros"])
+    packages = workspace.with_shipped(workspace.scan(tmp_path), ["tf2_ros"])
     assert packages["tf2_ros"].path == package

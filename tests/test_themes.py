@@ -16,10 +16,10 @@ from sitegen.__main__ import main
 from sitegen.build import build
 from sitegen.config import load
 from sitegen.errors import SiteError
-from sitegen.pages import render
-from sitegen.pages.colours import contrast, shades
-from sitegen.pages.theme import Theme
 from sitegen.report import Report
+from sitegen.site.pages import render
+from sitegen.site.pages.colours import contrast, shades
+from sitegen.site.pages.theme import Theme
 
 ROOT = Path(__file__).parent.parent
 EVERYTHING = ROOT / "tests/sites/prose"

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from sitegen.commands.serve.live import LiveSite
 from sitegen.report import Report
-from sitegen.serve.live import LiveSite
 
 SITE = """\
 site: {title: My robot}
@@ -104,7 +104,7 @@ def test_an_edit_renders_that_page_alone(site: Path, monkeypatch: pytest.MonkeyP
     live = LiveSite(site, Report(said))
     live.rebuild()
     rendered: list[str] = []
-    from sitegen.pages import Renderer
+    from sitegen.site.pages import Renderer
 
     page = Renderer.page
 

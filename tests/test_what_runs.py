@@ -38,7 +38,7 @@ def test_each_package_that_cmake_finds_is_on_the_page() -> None:
 
 
 def test_each_package_and_module_that_comes_along_is_on_the_page() -> None:
-    for name, package in workspace.given().items():
+    for name, package in workspace.shipped_packages().items():
         names = {name, *(package.executables or ())}
         if package.build_type == workspace.PYTHON:
             files = package.setup.files if package.setup else {}

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import imports, python, wheels
 from sitegen.build import nodes_of
 from sitegen.config import load
 from sitegen.errors import SiteError
+from sitegen.nodes.python import archives, imports, wheels
 
 SHA256 = "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0"
 REQUIREMENT = f"sortedcontainers==2.4.0 --hash=sha256:{SHA256}\n"
@@ -54,7 +54,7 @@ def write(site: Path, files: dict[str, str]) -> None:
 def problems(site: Path, tmp_path: Path) -> list[str]:
     loaded = load(site / "site.yaml")
     with pytest.raises(SiteError) as caught:
-        python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+        archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
     return caught.value.lines
 
 
@@ -109,7 +109,7 @@ def test_what_only_some_runs_import_is_left_out_with_a_note(site: Path, tmp_path
     write(site, {"run.py": text})
     loaded = load(site / "site.yaml")
     said: list[str] = []
-    python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
+    archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
     assert said == [
         "src/mine/run.py:3: import matplotlib: 'matplotlib' has to be compiled for the page; "
         "say where the Pyodide distribution is, in 'pyodide: {packages: …}'; "
@@ -154,7 +154,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     write(site, {"run.py": "import sortedcontainers\n"})
     (site / "site.yaml").write_text(SITE + "pyodide: {packages: shelf}\n")
     loaded = load(site / "site.yaml")
-    bundles = python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+    bundles = archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
     path = f"nodes/wheels/{wheel.name}.zip"
     assert bundles.needed["mine", "run.py"] == (
         "nodes/ros.zip",
@@ -163,7 +163,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     )
     # Of another content it is not taken, and what was taken before needs it no more.
     wheel.write_bytes(b"something else")
-    assert python.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+    assert archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
     shutil.rmtree(tmp_path / "cache")
     [line] = problems(site, tmp_path)
     assert "import sortedcontainers: " in line

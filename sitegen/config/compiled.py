@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from sitegen.cache.fetch import allowed
 from sitegen.config.location import locate
 from sitegen.config.section import Section
 from sitegen.errors import Problems
-from sitegen.fetch import allowed
 from sitegen.model import Compiled
 
 

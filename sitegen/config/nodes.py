@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from sitegen import containers
 from sitegen.config import compiled, parameters, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Place, Problems, nearest
 from sitegen.model import Node, Package
+from sitegen.workspace import containers
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
 TOKEN = r"[A-Za-z_][A-Za-z0-9_]*"

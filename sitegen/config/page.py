@@ -205,7 +205,7 @@ class PageReader:
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
-        packages = {**workspace.given(), **self.packages()}
+        packages = {**workspace.shipped_packages(), **self.packages()}
         found = launched(file, arguments, packages, self.problems, self.notes)
         for node in found:
             if node.name in taken:

@@ -6,10 +6,10 @@ import re
 
 import yaml
 
-from sitegen import parameterfiles
 from sitegen.config.document import Value
 from sitegen.config.location import locate
 from sitegen.errors import Problems
+from sitegen.workspace import parameterfiles
 
 NUMBER = re.compile(r"[-+]?(\d+|\d+\.\d*|\.\d+|\d+(\.\d*)?[eE][-+]?\d+|\.inf|\.nan)", re.IGNORECASE)
 # Those of `qos_overrides` have names of topics in them.

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from sitegen.cache.fetch import allowed
 from sitegen.config.document import Value
 from sitegen.config.schema import PYODIDE
 from sitegen.config.section import check
 from sitegen.errors import Problems
-from sitegen.fetch import allowed
 from sitegen.model import Pyodide
 
 

@@ -149,11 +149,11 @@ def _packages(
 ) -> Mapping[str, Package]:
     if not declared:
         return {}
-    packages: Mapping[str, Package] = workspace.with_given(
+    packages: Mapping[str, Package] = workspace.with_shipped(
         scanned(), (node.package for node, _ in declared)
     )
-    if any(node.package == workspace.OWN for node, _ in declared):
-        packages = {**packages, workspace.OWN: workspace.own(packages)}
+    if any(node.package == workspace.SITEGEN for node, _ in declared):
+        packages = {**packages, workspace.SITEGEN: workspace.sitegen_package(packages)}
     for each in declared:
         check_package(each, packages, problems)
     return packages

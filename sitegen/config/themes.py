@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen import theme
 from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest
+from sitegen.shipped import THEMES
 
 OWN = "themes"
 
@@ -24,7 +24,7 @@ class Themes:
         """Return the themes that a site in `root` can name: folders, but hidden ones."""
         folders = (
             folder
-            for place in (theme.THEMES, root / OWN)
+            for place in (THEMES, root / OWN)
             if place.is_dir()
             for folder in sorted(place.iterdir())
             if folder.is_dir() and not folder.name.startswith(".")

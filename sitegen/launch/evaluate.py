@@ -8,13 +8,13 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from sitegen import containers, parameterfiles
 from sitegen.errors import Place, Problems, nearest
 from sitegen.launch import commandline, processes, python, without, xacro, xml, yaml
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.model import Component, Node, Package
+from sitegen.workspace import containers, parameterfiles
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
 DEEPEST = 20

@@ -1,4 +1,4 @@
-# rosidl_generate_interfaces: a package's own messages, by the real generator (sitegen.interfaces).
+# rosidl_generate_interfaces: a package's own messages, by the real generator (sitegen.interfaces.generator).
 include_guard(GLOBAL)
 
 function(rosidl_generate_interfaces target)
@@ -12,7 +12,7 @@ function(rosidl_generate_interfaces target)
       CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${file}")
   endforeach()
   execute_process(
-    COMMAND "${SITEGEN_PYTHON}" -m sitegen.interfaces "${SITEGEN_PREFIX}" "${CMAKE_PREFIX_PATH}"
+    COMMAND "${SITEGEN_PYTHON}" -m sitegen.interfaces.generator "${SITEGEN_PREFIX}" "${CMAKE_PREFIX_PATH}"
       "${PROJECT_NAME}" "${CMAKE_CURRENT_SOURCE_DIR}" ${files}
     OUTPUT_QUIET
     RESULT_VARIABLE failed)

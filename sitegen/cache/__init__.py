@@ -1,0 +1,1 @@
+"""Keep what need not be made, downloaded or checked again."""

@@ -1,0 +1,106 @@
+"""Know that a build would only repeat the one before: by the files that it read and wrote."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+from sitegen.shipped import PACKAGE, THEMES
+
+# Folders that no site is made of, wherever they are.
+IGNORED = {".git", ".mypy_cache", ".pytest_cache", ".ruff_cache", "__pycache__", "node_modules"}
+OWN = (PACKAGE, THEMES)
+
+
+def recall(folder: Path, output: Path, cache: Path, *, debug: bool) -> list[str] | None:
+    """Return what the last build of `folder` to `output` said, if nothing has changed since."""
+    try:
+        record = json.loads(_file(output, cache).read_text(encoding="utf-8"))
+        roots = [Path(root) for root in record["roots"]]
+        same = record["debug"] == debug and record["read"] == _read(folder, roots, output)
+        if same and record["wrote"] == _digest([output]):
+            return [str(line) for line in record["said"]]
+    except (OSError, ValueError, KeyError, TypeError):
+        pass  # no record, or one that another version wrote
+    return None
+
+
+def note(
+    folder: Path,
+    roots: Iterable[Path],
+    output: Path,
+    cache: Path,
+    said: Sequence[str],
+    *,
+    debug: bool,
+) -> None:
+    """Keep for the next time that `output` was built, of `folder` and the other folders `roots`."""
+    roots = sorted(set(roots))
+    record = {
+        "debug": debug,
+        "roots": [str(root) for root in roots],
+        "read": _read(folder, roots, output),
+        "wrote": _digest([output]),
+        "said": list(said),
+    }
+    file = _file(output, cache)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    fresh = file.with_suffix(f".{os.getpid()}")
+    fresh.write_text(json.dumps(record), encoding="utf-8")
+    fresh.replace(file)
+
+
+def _file(output: Path, cache: Path) -> Path:
+    name = hashlib.sha256(str(output.resolve()).encode()).hexdigest()[:20]
+    return cache / "built" / f"{name}.json"
+
+
+def _read(folder: Path, roots: Sequence[Path], output: Path) -> str:
+    """Return a digest of all that a build reads: the site, sitegen, the compiler, the history."""
+    tools = [Path(tool) for tool in (shutil.which("em++"), shutil.which("git")) if tool]
+    folder = folder.resolve()
+    above = next((at for at in (folder, *folder.parents) if (at / ".git").exists()), folder)
+    history = _repository(above / ".git") / "logs/HEAD"
+    return _digest([folder, *roots, *OWN, *tools, history], without=output.resolve())
+
+
+def _repository(git: Path) -> Path:
+    """Return the folder that git keeps a working tree's history in: of some, a file names it."""
+    if not git.is_file():
+        return git
+    name = git.read_text(encoding="utf-8", errors="surrogateescape").removeprefix("gitdir:")
+    return git.parent / name.strip()
+
+
+def _digest(roots: Sequence[Path], without: Path | None = None) -> str:
+    """Return a digest of the names, sizes and times of all files in `roots`."""
+    found = hashlib.sha256()
+    for root in dict.fromkeys(root.resolve() for root in roots):
+        for path, about in sorted(_files(root, without)):
+            line = f"{path}\0{about.st_size}\0{about.st_mtime_ns}\0{about.st_ino}\n"
+            found.update(line.encode("utf-8", "surrogateescape"))
+    return found.hexdigest()
+
+
+def _files(root: Path, without: Path | None) -> Iterator[tuple[str, os.stat_result]]:
+    if not root.is_dir():
+        if root.exists():
+            yield str(root), root.stat()
+        return
+    left_out = str(without)
+    waiting = [str(root)]
+    while waiting:
+        with os.scandir(waiting.pop()) as entries:
+            here = list(entries)
+        if any(entry.name == "pyvenv.cfg" for entry in here):
+            continue
+        for entry in here:
+            if entry.is_dir():
+                if entry.name not in IGNORED and entry.path != left_out:
+                    waiting.append(entry.path)
+            elif entry.is_file():
+                yield entry.path, entry.stat()

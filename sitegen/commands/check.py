@@ -1,0 +1,52 @@
+"""Say what is wrong with a site, and what could be better, without compiling anything."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sitegen.build import jobs_of, make, nodes_of
+from sitegen.cache.folder import cache_folder
+from sitegen.commands import wiring
+from sitegen.errors import Problems, SiteError
+from sitegen.interfaces.descriptions import described
+from sitegen.model import Markdown, Site
+from sitegen.report import Report
+from sitegen.site.prose import without_text
+
+
+def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, list[str]]:
+    """Return the site of `folder` with its warnings, a finished line each.
+
+    What a build would refuse is a SiteError here too; so are warnings where `strict`.
+    """
+    site = make(folder, report, compiling=False).site
+    warnings = [*site.notes, *_definitions(site), *_images(site), *wiring.warnings(site)]
+    warnings = list(dict.fromkeys(warnings))
+    if strict and warnings:
+        raise SiteError(warnings)
+    return site, warnings
+
+
+def _definitions(site: Site) -> list[str]:
+    """Say what is wrong with the interfaces that C++ nodes may use: CMake, which would, is not run.
+
+    It may be that no program needs them, so this stops no build.
+    """
+    jobs = jobs_of(site, nodes_of(site))
+    names = [job.package.name for job in jobs if job.package.name in site.packages]
+    try:
+        described(site, names, cache=cache_folder())
+    except SiteError as error:
+        return error.lines
+    return []
+
+
+def _images(site: Site) -> list[str]:
+    problems = Problems(site.root)
+    texts = [part for page in site.pages for part in page.content if isinstance(part, Markdown)]
+    texts += [site.look.footer] if site.look.footer else []
+    for text in texts:
+        for url, place in without_text(text):
+            message = f"'{url}' has no text for those who cannot see it; write ![what it shows](…)"
+            problems.add(place, "image", message)
+    return problems.lines

@@ -1,0 +1,91 @@
+"""Compile nodes into an archive, for those who make a site and have no compiler."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.build import count
+from sitegen.cache.folder import cache_folder
+from sitegen.errors import Problems, SiteError, nearest
+from sitegen.model import Package
+from sitegen.nodes.cpp import compiler
+from sitegen.nodes.prebuilt import archive
+from sitegen.report import Report, size
+
+
+def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report) -> None:
+    """Compile the packages `names` (or package/executable) of a workspace into one archive.
+
+    Raises a SiteError with all names that cannot be compiled, or with what the compiler says.
+    """
+    root = folder.resolve()
+    problems = Problems(root)
+    packages = workspace.scan(root, problems=problems)
+    problems.raise_if_any()
+    packages = workspace.with_shipped(packages, (name.partition("/")[0] for name in names))
+    wanted = _wanted(names, packages)
+    jobs = []
+    for name, executables in wanted.items():
+        *needs, package = workspace.with_plugins(packages, name)
+        jobs.append(compiler.Job(package, tuple(executables), tuple(needs)))
+    engines = archive.ENGINES
+    builds = compiler.compile_nodes(jobs, engines, root=root, cache=cache_folder(), report=report)
+    archive.pack(builds, output)
+    data = output.read_bytes()
+    report.say(f"wrote {output}: {count(len(builds), 'node')}, {size(len(data))}; in site.yaml:")
+    digest = hashlib.sha256(data).hexdigest()
+    report.say("nodes:")
+    for package_name, executable in builds:
+        report.say(f"  {executable}:")
+        report.say(f"    compiled: {output.name}")
+        report.say(f"    sha256: {digest}")
+        if len(builds) > 1:
+            report.say(f"    package: {package_name}")
+            report.say(f"    executable: {executable}")
+
+
+def _wanted(names: Sequence[str], packages: Mapping[str, Package]) -> dict[str, list[str]]:
+    """Return the executables to compile, by package."""
+    wanted: dict[str, list[str]] = {}
+    problems = []
+    for name in names:
+        package_name, _, executable = name.partition("/")
+        package = packages.get(package_name)
+        fault = _fault(package_name, executable, package, packages)
+        if fault:
+            problems.append(fault)
+        elif package:
+            chosen = [executable] if executable else _programs(package)
+            known = wanted.setdefault(package_name, [])
+            known += (one for one in chosen if one not in known)
+    if problems:
+        raise SiteError(problems)
+    return wanted
+
+
+def _fault(
+    name: str, executable: str, package: Package | None, packages: Mapping[str, Package]
+) -> str:
+    if package is None:
+        return f"no package '{name}' in the workspace; {nearest(name, packages)}"
+    if package.setup and (not _programs(package) or executable in package.setup.scripts):
+        what = f"'{name}/{executable}'" if executable else f"package '{name}'"
+        return f"{what} is in Python, which is not compiled; add the package to the workspace"
+    if package.build_type != "ament_cmake":
+        return f"package '{name}' is of build type '{package.build_type}'; only ament_cmake is C++"
+    if package.executables is None:
+        told = f"only CMake can tell the executables of '{name}'; name one: {name}/…"
+        return "" if executable else told
+    if executable and executable not in package.executables:
+        hint = nearest(executable, package.executables)
+        return f"package '{name}' has no executable '{executable}'; {hint}"
+    return "" if package.executables else f"package '{name}' has no executables"
+
+
+def _programs(package: Package) -> list[str]:
+    """Return the executables of a package that are compiled."""
+    scripts = package.setup.scripts if package.setup else {}
+    return [name for name in package.executables or () if name not in scripts]

@@ -1,0 +1,27 @@
+"""Serve a site while its author edits it: every change is built, and open pages follow."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
+from sitegen.commands.serve.watcher import changes
+from sitegen.report import Report
+
+__all__ = ["serve"]
+
+
+def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> None:
+    """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it.
+
+    With `debug`, its C++ nodes tell where they failed.
+    """
+    live = LiveSite(folder, report, debug=debug)
+    live.rebuild()
+    with Server(live, port) as server:
+        if server.port != port:
+            report.say(f"port {port} is in use")
+        report.say(f"{server.url} (Ctrl-C ends it)")
+        for changed in changes(folder):
+            live.rebuild(changed)

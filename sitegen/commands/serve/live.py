@@ -1,0 +1,114 @@
+"""The site as it is now: the files of its last good build, and what is wrong since then."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fnmatch import fnmatch
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from sitegen.build import Made, count, make
+from sitegen.commands.serve.edited import edited
+from sitegen.errors import SiteError
+from sitegen.model import Artifact
+from sitegen.report import Report
+from sitegen.site.pages import search
+
+# An idle connection says something this often (s), so that one that broke is noticed.
+BEAT = 15
+
+
+class LiveSite:
+    """Built again and again; threads may ask for files and wait for news meanwhile."""
+
+    def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
+        self._folder = folder
+        self._report = report
+        self._debug = debug
+        self._made: Made | None = None
+        # Where its 404.html takes it to live.
+        self.base = "/"
+        # Whether its pages are to be isolated.
+        self.isolated = False
+        self._files: Mapping[str, Artifact] = {}
+        self._index: Callable[[], Sequence[Artifact]] = list
+        self._digests: Mapping[str, str] = {}
+        self._news: list[tuple[str, object]] = []
+        self._changed = threading.Condition()
+
+    def rebuild(self, changed: Sequence[Path] = ()) -> None:
+        """Build the site; if anything is wrong it stays as it is, and its pages say so."""
+        begun = time.monotonic()
+        try:
+            made = edited(self._made, changed) if self._made else None
+            made = made or self._make()
+        except SiteError as error:
+            for line in error.lines:
+                self._report.say(line)
+            self._report.say(f"{count(len(error.lines), 'problem')}; the pages stay as they were")
+            self._tell("wrong", error.lines)
+            self._made = None
+            return
+        self._made = made
+        files = {artifact.path: artifact for artifact in made.artifacts}
+        digests = {path: _digest(artifact) for path, artifact in files.items()}
+        different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
+        self._files, self._digests = files, digests
+        # It takes all pages, and a search is rare while one writes.
+        self._index = functools.cache(lambda: made.renderer.index(made.rendered))
+        self.base = urlsplit(made.site.url).path or "/"
+        self.isolated = bool(made.site.isolate)
+        names = ", ".join(file.name for file in changed[:3]) + (", …" if len(changed) > 3 else "")
+        cause = f"{names}: " if names else ""
+        seconds = time.monotonic() - begun
+        self._report.say(f"{cause}built in {seconds:.1f} s, {count(len(different), 'file')} new")
+        self._tell("built", sorted(different))
+
+    def _make(self) -> Made:
+        return make(self._folder, self._report, edited=True, draft=True, debug=self._debug)
+
+    def file(self, path: str) -> Artifact | None:
+        """Return the file at `path` of the site."""
+        if fnmatch(path, search.path("*")):
+            return next((index for index in self._index() if index.path == path), None)
+        return self._files.get(path)
+
+    def news(self) -> Iterator[str]:
+        """Yield what happens from now on, as server-sent events; first what is wrong, if it is."""
+        with self._changed:
+            seen = len(self._news)
+            if self._news and self._news[-1][0] == "wrong":
+                seen -= 1
+        yield "retry: 500\n\n"
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: len(self._news) > seen, timeout=BEAT)  # noqa: B023
+                news, seen = self._news[seen:], len(self._news)
+            yield (
+                "".join(f"event: {kind}\ndata: {json.dumps(what)}\n\n" for kind, what in news)
+                or ":\n\n"
+            )
+
+    def _tell(self, kind: str, what: object) -> None:
+        with self._changed:
+            self._news.append((kind, what))
+            self._changed.notify_all()
+
+
+def _digest(artifact: Artifact) -> str:
+    source = artifact.source
+    if isinstance(source, bytes):
+        return hashlib.sha256(source).hexdigest()
+    about = source.stat()
+    return _digest_of_file(source, about.st_mtime_ns, about.st_size)
+
+
+@functools.lru_cache(maxsize=10_000)
+def _digest_of_file(file: Path, time: int, size: int) -> str:
+    """Return the digest of a file, which is another one when it has another time or size."""
+    return hashlib.sha256(file.read_bytes()).hexdigest()

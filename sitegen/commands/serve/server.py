@@ -1,0 +1,155 @@
+"""A web server for one author: the files of a LiveSite, and the news of it."""
+
+from __future__ import annotations
+
+import errno
+import threading
+from functools import partial
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Self
+from urllib.parse import quote, unquote, urlsplit
+
+from sitegen.commands.serve.live import LiveSite
+from sitegen.errors import SiteError
+from sitegen.model import Artifact
+from sitegen.site import offline
+
+# What is ours beside the site's files.
+OWN = "_sitegen/"
+HERE = Path(__file__).parent
+NEWS = f"{OWN}news"
+FOLLOW = f'<script type="module" src="/{OWN}follow.js"></script>\n</head>'
+WORKER = "sw.js"
+# How many ports are tried after the one that was wanted.
+TRIES = 20
+TYPES = {
+    ".css": "text/css; charset=utf-8",
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".json": "application/json",
+    ".png": "image/png",
+    ".svg": "image/svg+xml",
+    ".wasm": "application/wasm",
+    ".woff2": "font/woff2",
+    ".xml": "application/xml",
+}
+# Shown before the first good build, with what is wrong; the site takes its place.
+NOTHING_YET = '<!doctype html><html lang="en" data-nothing-yet><head><title>sitegen</title></head>'
+NOTHING_YET += "<body></body></html>"
+
+
+class Server:
+    """Runs in threads of its own, on this computer only, from entering it to leaving it."""
+
+    def __init__(self, live: LiveSite, port: int) -> None:
+        self._http = _listen(partial(_Handler, live), port)
+        self.port = self._http.server_port
+        self.url = f"http://localhost:{self.port}/"
+
+    def __enter__(self) -> Self:
+        threading.Thread(target=self._http.serve_forever, args=(0.05,), daemon=True).start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._http.shutdown()
+        self._http.server_close()
+
+
+class _Http(ThreadingHTTPServer):
+    # A page asks for more files at once than the five that may wait by default.
+    request_queue_size = 128
+    # Pages that listen for news do not hold the program up.
+    daemon_threads = True
+    # A second server on the same port would hide this one, or be hidden.
+    allow_reuse_port = False
+
+
+def _listen(handler: partial[_Handler], wanted: int) -> _Http:
+    for port in range(wanted, wanted + TRIES):
+        try:
+            return _Http(("127.0.0.1", port), handler)
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                raise
+    last = wanted + TRIES - 1
+    raise SiteError([f"ports {wanted} to {last} are all in use; choose another with --port"])
+
+
+class _Handler(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+
+    def __init__(self, live: LiveSite, *args: object) -> None:
+        self._live = live
+        super().__init__(*args)  # type: ignore[arg-type]
+
+    def do_GET(self) -> None:
+        path = unquote(urlsplit(self.path).path)
+        if self._live.base != "/" and path.startswith(self._live.base):
+            self._redirect("/" + path.removeprefix(self._live.base))
+            return
+        path = path.removeprefix("/")
+        if path == NEWS:
+            self._send_news()
+        elif path.startswith(OWN) and path.removeprefix(OWN) in ("follow.js", "follow.css"):
+            self._send(path, (HERE / path.removeprefix(OWN)).read_bytes())
+        else:
+            self._send_file(path)
+
+    def _send_file(self, path: str) -> None:
+        if path.endswith("/") or not path:
+            path += "index.html"
+        file = self._live.file(path)
+        if file:
+            self._send(path, _bytes(file))
+        elif path == WORKER:
+            # Of a site that this port showed before: it would go on showing that.
+            self._send(path, offline.RETIRED)
+        elif self._live.file(f"{path}/index.html"):
+            self._redirect(f"/{path}/")
+        else:
+            missing = self._live.file("404.html")
+            content = _bytes(missing) if missing else NOTHING_YET.encode()
+            self._send("404.html", content, HTTPStatus.NOT_FOUND)
+
+    def _redirect(self, path: str) -> None:
+        self.send_response(HTTPStatus.FOUND)
+        self.send_header("Location", quote(f"/{path.lstrip('/')}"))
+        self.send_header("Content-Length", "0")
+        self.end_headers()
+
+    def _send(self, path: str, content: bytes, status: HTTPStatus = HTTPStatus.OK) -> None:
+        suffix = Path(path).suffix
+        if suffix == ".html":
+            content = content.replace(b"</head>", FOLLOW.encode(), 1)
+        self.send_response(status)
+        self.send_header("Content-Type", TYPES.get(suffix, "application/octet-stream"))
+        self.send_header("Content-Length", str(len(content)))
+        self.send_header("Cache-Control", "no-store")
+        if self._live.isolated:
+            self.send_header("Cross-Origin-Opener-Policy", "same-origin")
+            self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
+        self.end_headers()
+        self.wfile.write(content)
+
+    def _send_news(self) -> None:
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", "text/event-stream")
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Connection", "close")
+        self.end_headers()
+        self.close_connection = True
+        try:
+            for event in self._live.news():
+                self.wfile.write(event.encode())
+        except OSError:
+            pass  # the page was closed
+
+    def log_message(self, format: str, *args: object) -> None:
+        pass
+
+
+def _bytes(artifact: Artifact) -> bytes:
+    source = artifact.source
+    return source if isinstance(source, bytes) else source.read_bytes()

@@ -1,0 +1,145 @@
+"""Turn the sources of a C++ program into what they tell about its endpoints."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from sitegen.commands.wiring.cpptext import Text, literal
+from sitegen.commands.wiring.endpoint import Endpoint, Program
+from sitegen.errors import Place
+from sitegen.model import Package
+
+_CREATE = re.compile(
+    r"(?P<scope>\brclcpp(?:_action)?\s*::\s*)?"
+    r"\bcreate_(?P<generic>generic_)?(?P<kind>publisher|subscription|service|client)\b"
+)
+# How nodes begin: `: Node("talker")`, `Node::make_shared("talker")`, `make_shared<Node>("talker")`.
+_NODE = re.compile(r"\bNode\b\s*(?:::\s*make_shared\b|>)?\s*(?:\w+\s*)?(?=\(|\{\s*\")")
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]+)[">]', re.MULTILINE)
+_GUARD = re.compile(r"\A\s*#\s*ifndef\s+(\w+)\s*\n\s*#\s*define\s+\1\b")
+_CONDITION = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else)\b", re.MULTILINE)
+# With these, names may mean others than those that the source leads to.
+_RENAMES = re.compile(
+    r"\bcreate_sub_node\b|\.\s*arguments\s*\(|\buse_global_arguments\b|--ros-args"
+)
+_INTERFACE = re.compile(r"(\w+)::(msg|srv)::(\w+)")
+_ALIAS = re.compile(
+    r"\busing\s+(?P<new>\w+)\s*=\s*(?P<old>[\w:]+)\s*;"
+    r"|\btypedef\s+(?P<old2>[\w:]+)\s+(?P<new2>\w+)\s*;"
+    r"|\bnamespace\s+(?P<new3>\w+)\s*=\s*(?P<old3>[\w:]+)\s*;"
+    r"|\busing\s+(?P<old4>[\w:]+::(?P<new4>\w+))\s*;"
+)
+# What may be included without bringing endpoints: others' libraries may make some of their own.
+_HARMLESS = re.compile(
+    r"(rclcpp|rclcpp_action|rclcpp_components|rcutils|rcpputils|rmw|rcl|ament_index_cpp|Eigen|tf2"
+    r"|sys)/.+|\w+_msgs/.+|\w+/(msg|srv|action)/.+|[\w.]+"
+)
+_SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".c")
+
+
+def read(package: Package, executable: str) -> Program:
+    """Return what the sources of `executable` tell, with the headers and libraries beside them."""
+    program = Program()
+    names = package.sources.get(executable, ())
+    others = [name for one, used in package.sources.items() if one != executable for name in used]
+    program.open = not names
+    seen: set[Path] = set()
+    for name in names:
+        # What several programs are made of, one of them may have no use for.
+        _take(package.path / name, package, program, seen, sure=name not in others)
+    told = {package.path / name for used in package.sources.values() for name in used}
+    for file in sorted(package.path.rglob("*")):
+        # It may be in a library that the program is linked to.
+        if file.suffix in _SOURCES and file not in told and not _is_test(file, package):
+            _take(file, package, program, seen, sure=False)
+    return program
+
+
+def _is_test(file: Path, package: Package) -> bool:
+    return bool({"test", "tests"} & set(file.relative_to(package.path).parts))
+
+
+def _take(file: Path, package: Package, program: Program, seen: set[Path], *, sure: bool) -> None:
+    if file in seen:
+        return
+    seen.add(file)
+    try:
+        text = Text.of(file.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        program.open = True
+        return
+    guarded = _GUARD.match(text.bare)
+    conditions = len(_CONDITION.findall(text.bare)) - bool(guarded)
+    found = _program(text, file)
+    if conditions or not sure:
+        # The preprocessor, or somebody who uses the header, decides.
+        found.endpoints = [replace(endpoint, sure=False) for endpoint in found.endpoints]
+    program.take(found)
+    for mark, name in _INCLUDE.findall(text.code):
+        own = [file.parent / name, package.path / "include" / name, package.path / "src" / name]
+        header = next((path for path in own if path.is_file()), None)
+        if header:
+            _take(header.resolve(), package, program, seen, sure=False)
+        elif not _HARMLESS.fullmatch(name) or (mark == '"' and "/" not in name):
+            program.open = True
+
+
+def _program(text: Text, file: Path) -> Program:
+    program = Program(renames=bool(_RENAMES.search(text.code)))
+    aliases = _aliases(text)
+    for found in _CREATE.finditer(text.bare):
+        scope = (found["scope"] or "").replace("::", "").strip()
+        if scope == "rclcpp_action":
+            # The topics of an action are hidden, and no concern of others.
+            continue
+        types, end = text.template(found.end())
+        arguments = text.arguments(end) or []
+        # The function of that name is given the node first.
+        arguments = arguments[1:] if scope else arguments
+        name = literal(arguments[0]) if arguments else None
+        if name is None:
+            program.open = True
+            continue
+        if found["generic"]:
+            type = literal(arguments[1]) or "" if len(arguments) > 1 else ""
+        else:
+            type = _type(types[0], aliases) if types else ""
+        place = Place(file, text.line(found.start("kind")))
+        program.endpoints.append(Endpoint(found["kind"], name, type, place))
+    for name, namespace in _nodes(text):
+        program.names.add(name)
+        program.namespaces.add(namespace)
+    return program
+
+
+def _nodes(text: Text) -> Iterator[tuple[str | None, str | None]]:
+    """Yield name and namespace of each node that is begun; None for what is not written out."""
+    for found in _NODE.finditer(text.bare):
+        name, *rest = text.arguments(found.end()) or [""]
+        if not rest or "option" in rest[0].lower():
+            yield literal(name), ""
+        else:
+            yield literal(name), literal(rest[0])
+
+
+def _aliases(text: Text) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for match in _ALIAS.finditer(text.bare):
+        new = match["new"] or match["new2"] or match["new3"] or match["new4"]
+        old = match["old"] or match["old2"] or match["old3"] or match["old4"]
+        # One name for two types is for those who know scopes.
+        found[new] = old.removeprefix("::") if found.get(new, old) == old else ""
+    return found
+
+
+def _type(written: str, aliases: dict[str, str]) -> str:
+    """Return a type as ROS writes it, or nothing where its name does not tell."""
+    name = re.sub(r"\s+", "", written).removeprefix("::")
+    for _ in range(3):
+        first, mark, rest = name.partition("::")
+        name = f"{aliases[first]}{mark}{rest}" if first in aliases else name
+    found = _INTERFACE.fullmatch(name)
+    return "/".join(found.groups()) if found else ""

@@ -1,0 +1,126 @@
+"""Look at each page for endpoints that nobody is at the other side of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from sitegen.commands.wiring import cpp, python, widgets
+from sitegen.commands.wiring.endpoint import (
+    CLIENT,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIPTION,
+    Endpoint,
+    Program,
+)
+from sitegen.commands.wiring.names import resolved
+from sitegen.errors import Problems, nearest
+from sitegen.model import Node, Page, Site, Widget
+
+# Every node and the tools of ROS have these.
+_TOPICS = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
+_SERVICES = {
+    *("describe_parameters", "get_parameter_types", "get_parameters", "get_type_description"),
+    *("list_parameters", "set_parameters", "set_parameters_atomically"),
+}
+_OTHER = {SUBSCRIPTION: PUBLISHER, PUBLISHER: SUBSCRIPTION, CLIENT: SERVICE}
+
+
+class _Side(NamedTuple):
+    """An endpoint, and what the author calls it that has it."""
+
+    who: str
+    endpoint: Endpoint
+
+
+def warnings(site: Site) -> list[str]:
+    """Return what will not work between the nodes and widgets of each page, a line each.
+
+    Nothing is said where only running the programs would tell.
+    """
+    problems = Problems(site.root)
+    programs: dict[tuple[str, str], Program] = {}
+    for page in site.pages:
+        # A translation has the nodes of its original.
+        if page.original in (None, page.path):
+            _look_at(page, site, programs, problems)
+    return problems.lines
+
+
+def _look_at(
+    page: Page, site: Site, programs: dict[tuple[str, str], Program], problems: Problems
+) -> None:
+    own, some_unknown = widgets.endpoints(w for w in page.content if isinstance(w, Widget))
+    sides = [_Side("this widget", endpoint) for endpoint in own]
+    heard = False
+    for name, node in page.nodes.items():
+        key = (node.package, node.executable)
+        if key not in programs:
+            programs[key] = _program(site, node)
+        program = resolved(programs[key], node)
+        some_unknown = some_unknown or program.open
+        sides += (_Side(f"'{name}'", endpoint) for endpoint in program.endpoints)
+        heard = heard or any(each.kind == SUBSCRIPTION for each in program.endpoints)
+    for side in sides:
+        kind = side.endpoint.kind
+        # A page with nothing but talkers means it.
+        if side.endpoint.sure and not some_unknown and (kind != PUBLISHER or heard):
+            _check_other_side(page, side, sides, problems)
+    _check_types(sides, problems)
+
+
+def _program(site: Site, node: Node) -> Program:
+    package = site.packages.get(node.package)
+    if node.ros2wasm or node.compiled or package is None:
+        return Program(open=True)
+    setup = site.setup_of(node)
+    if setup:
+        return python.read(setup, node.executable)
+    return cpp.read(package, node.executable)
+
+
+def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems: Problems) -> None:
+    endpoint = side.endpoint
+    wanted = _OTHER.get(endpoint.kind)
+    others = {each.endpoint.name for each in sides if each.endpoint.kind == wanted}
+    if wanted is None or {endpoint.name, widgets.ANY} & others or _is_common(endpoint.name):
+        return
+    does, lacks, way = {
+        SUBSCRIPTION: ("subscribes to", "where nobody publishes it", "a node or a publish widget"),
+        PUBLISHER: ("publishes", "where nobody subscribes to it", "a node or a topics widget"),
+        CLIENT: ("calls", "where nobody serves it", "a node that does"),
+    }[endpoint.kind]
+    known = sorted(name for name in others if not _is_common(name))
+    close = nearest(endpoint.name, known)
+    advice = close if close.startswith("did") else f"give the page {way}, or remap the name"
+    where = f"on page /{page.path}, {lacks}"
+    key = "service" if endpoint.kind == CLIENT else "topic"
+    problems.add(endpoint.place, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
+
+
+def _is_common(name: str) -> bool:
+    hidden = any(part.startswith("_") for part in name.split("/"))
+    return hidden or name in _TOPICS or name.rpartition("/")[2] in _SERVICES
+
+
+def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
+    sure = [side for side in sides if side.endpoint.sure and side.endpoint.type]
+    for one, other in _pairs(sure):
+        if one.endpoint.type != other.endpoint.type:
+            key = "service" if one.endpoint.kind == SERVICE else "topic"
+            name, there = other.endpoint.name, problems.where(one.endpoint.place)
+            message = (
+                f"'{name}' is {other.endpoint.type} for {other.who}, "
+                f"but {one.endpoint.type} for {one.who} ({there}); give both the same type"
+            )
+            problems.add(other.endpoint.place, key, message)
+
+
+def _pairs(sides: list[_Side]) -> Iterator[tuple[_Side, _Side]]:
+    """Yield who publishes or serves, with each who subscribes or calls by the same name."""
+    for one in sides:
+        if one.endpoint.kind in (PUBLISHER, SERVICE):
+            asks = CLIENT if one.endpoint.kind == SERVICE else SUBSCRIPTION
+            wanted = (asks, one.endpoint.name)
+            yield from ((one, o) for o in sides if (o.endpoint.kind, o.endpoint.name) == wanted)

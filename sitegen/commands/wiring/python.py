@@ -1,0 +1,220 @@
+"""Turn the sources of a Python program into what they tell about its endpoints."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen.commands.wiring.endpoint import KINDS, Endpoint, Program
+from sitegen.errors import Place
+from sitegen.model import Setup
+
+_CREATE = {f"create_{kind}": kind for kind in KINDS}
+_INTERFACE = re.compile(r"(\w+)\.(msg|srv)\.(\w+)")
+# What may be imported without bringing endpoints: others' modules may make some of their own.
+_HARMLESS = {"ament_index_python", "numpy", "rclpy", "typing_extensions", "yaml"}
+_HARMLESS |= sys.stdlib_module_names - {"importlib"}
+_UNCLEAR = {"exec", "eval", "__import__"}
+
+_Definition = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
+
+
+@dataclass(frozen=True)
+class _Module:
+    """A source: `imports` has the full dotted name of each name that it imports."""
+
+    file: Path
+    tree: ast.Module
+    imports: dict[str, str]
+    texts: dict[str, str]
+
+
+def read(setup: Setup, executable: str) -> Program:
+    """Return what the module of an entry point, or a program, and those that it imports tell."""
+    program = Program()
+    target = setup.scripts[executable]
+    name, _, attribute = (target, "", "") if target in setup.files else target.partition(":")
+    modules = _modules(name, setup, program)
+    used = _used(modules, name, attribute)
+    for module in modules.values():
+        for statement in module.tree.body:
+            sure = not isinstance(statement, _Definition) or statement.name in used
+            _read(statement, module, program, sure=sure)
+    return program
+
+
+def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
+    """Return the modules of the package that `first` needs; others may leave the program open."""
+    found: dict[str, _Module] = {}
+    waiting = [first]
+    while waiting:
+        name = waiting.pop()
+        stem = f"python/{name.replace('.', '/')}"
+        places = (name, f"{stem}.py", f"{stem}/__init__.py")
+        file = next((setup.files[place] for place in places if place in setup.files), None)
+        if name in found or file is None:
+            program.open |= name == first and file is None
+            continue
+        try:
+            tree = ast.parse(file.read_text(encoding="utf-8"))
+        except (OSError, SyntaxError, ValueError):
+            program.open = True
+            continue
+        package = name if file.name == "__init__.py" else name.rpartition(".")[0]
+        imports = dict(_imports(tree, package))
+        found[name] = _Module(file, tree, imports, dict(_texts(tree)))
+        for full in imports.values():
+            parts = full.split(".")
+            own = [".".join(parts[:size]) for size in range(1, len(parts) + 1)]
+            own = [one for one in own if f"python/{one.replace('.', '/')}" in _stems(setup)]
+            waiting += own
+            harmless = parts[0] in _HARMLESS or bool({"msg", "srv", "action"} & set(parts[1:2]))
+            if (not own and not harmless) or full.startswith("rclpy.lifecycle"):
+                program.open = True
+    return found
+
+
+def _stems(setup: Setup) -> set[str]:
+    return {place.removesuffix(".py").removesuffix("/__init__") for place in setup.files}
+
+
+def _imports(tree: ast.Module, package: str) -> Iterator[tuple[str, str]]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.asname or alias.name, alias.name
+        elif isinstance(node, ast.ImportFrom):
+            above = package.split(".")
+            base = ".".join(above[: len(above) - node.level + 1]) if node.level else ""
+            origin = ".".join(filter(None, (base, node.module)))
+            for alias in node.names:
+                yield alias.asname or alias.name, f"{origin}.{alias.name}"
+
+
+def _texts(tree: ast.Module) -> Iterator[tuple[str, str]]:
+    """Yield the constants: names that are given a text once, at the top of the module."""
+    stored = Counter(
+        node.id
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+    )
+    for statement in tree.body:
+        value = getattr(statement, "value", None)
+        if isinstance(statement, ast.Assign) and isinstance(value, ast.Constant):
+            names = [target.id for target in statement.targets if isinstance(target, ast.Name)]
+            if isinstance(value.value, str):
+                yield from ((name, value.value) for name in names if stored[name] == 1)
+
+
+def _used(modules: dict[str, _Module], first: str, entry: str) -> set[str]:
+    """Return the definitions that the program may come to, by their names in any module.
+
+    It begins with the function `entry` of the module `first`, or as that module, if that is empty.
+    """
+    definitions: dict[str, list[_Definition]] = {}
+    used: set[str] = set()
+    waiting = {entry.partition(".")[0]}
+    for name, module in modules.items():
+        runs = name == first and not entry
+        for statement in module.tree.body:
+            if isinstance(statement, _Definition):
+                definitions.setdefault(statement.name, []).append(statement)
+            elif runs or "__name__" not in _mentioned([statement]):
+                waiting |= _mentioned([statement])
+    while waiting:
+        name = waiting.pop()
+        if name in definitions and name not in used:
+            used.add(name)
+            waiting |= _mentioned(definitions[name])
+    return used
+
+
+def _mentioned(statements: Iterable[ast.stmt]) -> set[str]:
+    nodes = [node for statement in statements for node in ast.walk(statement)]
+    names = {node.id for node in nodes if isinstance(node, ast.Name)}
+    return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+
+
+def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool) -> None:
+    calls = [node for node in ast.walk(statement) if isinstance(node, ast.Call)]
+    called = {id(call.func) for call in calls}
+    for node in ast.walk(statement):
+        name = getattr(node, "attr", None) or getattr(node, "id", None)
+        named = isinstance(node, ast.FunctionDef) and node.name in _CREATE
+        hidden = isinstance(node, ast.Constant) and node.value in _CREATE
+        if named or hidden or (name in _CREATE and id(node) not in called) or name in _UNCLEAR:
+            program.open = True
+    for call in calls:
+        name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
+        if name in _CREATE:
+            _create(call, _CREATE[name], module, program, sure=sure)
+        elif name == "init" and _has_list(call):
+            program.renames = True
+    for call, keywords in _nodes(statement, calls):
+        given = call.args[0] if call.args else keywords.get("node_name")
+        program.names.add(_text(given, module))
+        namespace = keywords.get("namespace")
+        none = isinstance(namespace, ast.Constant) and namespace.value is None
+        program.namespaces.add("" if not namespace or none else _text(namespace, module))
+        if {"cli_args", "use_global_arguments", ""} & keywords.keys():
+            program.renames = True
+
+
+def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sure: bool) -> None:
+    keywords = {keyword.arg: keyword.value for keyword in call.keywords}
+    of_type, of_name = (
+        ("srv_type", "srv_name") if kind in ("service", "client") else ("msg_type", "topic")
+    )
+    type = call.args[0] if call.args else keywords.get(of_type)
+    given = call.args[1] if len(call.args) > 1 else keywords.get(of_name)
+    name = _text(given, module)
+    if name is None:
+        program.open = True
+        return
+    place = Place(module.file, call.lineno)
+    program.endpoints.append(Endpoint(kind, name, _type(type, module), place, sure))
+
+
+def _nodes(
+    statement: ast.stmt, calls: Iterable[ast.Call]
+) -> Iterator[tuple[ast.Call, dict[str, ast.expr]]]:
+    """Yield the calls that begin a node, with their keywords; "" for those that are unpacked."""
+    is_node = isinstance(statement, ast.ClassDef) and any(
+        _mentions_node(base) for base in statement.bases
+    )
+    for call in calls:
+        function = ast.unparse(call.func)
+        if function in ("Node", "rclpy.node.Node", "rclpy.create_node", "create_node") or (
+            is_node and function in ("super().__init__", "Node.__init__")
+        ):
+            yield call, {keyword.arg or "": keyword.value for keyword in call.keywords}
+
+
+def _has_list(call: ast.Call) -> bool:
+    """Return whether arguments are made up here, instead of those that the program was given."""
+    given = [*call.args, *(keyword.value for keyword in call.keywords)]
+    return any(isinstance(value, ast.List | ast.BinOp) for value in given)
+
+
+def _mentions_node(base: ast.expr) -> bool:
+    return ast.unparse(base).rpartition(".")[2].endswith("Node")
+
+
+def _text(given: ast.expr | None, module: _Module) -> str | None:
+    if isinstance(given, ast.Constant) and isinstance(given.value, str):
+        return given.value
+    return module.texts.get(given.id) if isinstance(given, ast.Name) else None
+
+
+def _type(given: ast.expr | None, module: _Module) -> str:
+    """Return a type as ROS writes it, or nothing where its name does not tell."""
+    if given is None:
+        return ""
+    first, mark, rest = ast.unparse(given).partition(".")
+    found = _INTERFACE.fullmatch(f"{module.imports.get(first, first)}{mark}{rest}")
+    return "/".join(found.groups()) if found else ""

@@ -1,0 +1,76 @@
+"""Say what the widgets of a page publish, subscribe to, serve and call."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from sitegen.commands.wiring.endpoint import CLIENT, PUBLISHER, SUBSCRIPTION, Endpoint
+from sitegen.model import Widget
+
+# For a widget whose topic or service the visitor chooses.
+ANY = "*"
+# These start nodes or look at who is there, and are no side of anything.
+_LOOK_ON = {"buttons", "console", "graph", "log", "nodes"}
+_TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
+_WINDOW = "turtlesim_window/msg/Window"
+_SENSORS = {
+    "distance": "std_msgs/msg/Float32",
+    "tilt": "geometry_msgs/msg/Vector3",
+    "button": "std_msgs/msg/Bool",
+}
+
+
+def endpoints(widgets: Iterable[Widget]) -> tuple[list[Endpoint], bool]:
+    """Return the endpoints of `widgets`, and whether there may be others."""
+    found: list[Endpoint] = []
+    known = True
+    for widget in widgets:
+        if widget.kind in _READ:
+            found += _READ[widget.kind](widget)
+        else:
+            known = known and widget.kind in _LOOK_ON
+    return found, not known
+
+
+def _topics(widget: Widget) -> Iterator[Endpoint]:
+    echo = widget.options.get("echo")
+    if echo:
+        yield Endpoint(SUBSCRIPTION, str(echo), "", widget.place)
+    shown = widget.options.get("show")
+    for name in shown if isinstance(shown, list) else [ANY]:
+        yield Endpoint(SUBSCRIPTION, name, "", widget.place, sure=False)
+
+
+def _services(widget: Widget) -> Iterator[Endpoint]:
+    yield Endpoint(CLIENT, ANY, "", widget.place, sure=False)
+
+
+def _publish(widget: Widget) -> Iterator[Endpoint]:
+    topic, type = widget.options.get("topic"), widget.options.get("type")
+    if topic:
+        yield Endpoint(PUBLISHER, str(topic), str(type or ""), widget.place)
+    else:
+        yield Endpoint(PUBLISHER, ANY, "", widget.place, sure=False)
+
+
+def _robot(widget: Widget) -> Iterator[Endpoint]:
+    given: Mapping[str, object] = widget.options
+    if given["kind"] == "turtlesim":
+        yield Endpoint(SUBSCRIPTION, str(given["window"]), _WINDOW, widget.place)
+        return
+    if given.get("odometry"):
+        yield Endpoint(SUBSCRIPTION, str(given["odometry"]), _ODOMETRY, widget.place)
+    else:
+        # It has the topics of its default whether somebody uses them or not.
+        own = given["twist"] != "/cmd_vel"
+        yield Endpoint(SUBSCRIPTION, str(given["twist"]), _TWIST, widget.place, sure=own)
+    if given["kind"] == "vernie":
+        own = given["color"] != "/color"
+        text = "std_msgs/msg/String"
+        yield Endpoint(SUBSCRIPTION, str(given["color"]), text, widget.place, sure=own)
+        for name, type in _SENSORS.items():
+            sensor = f"{given['sensors']}/{name}"
+            yield Endpoint(PUBLISHER, sensor, type, widget.place, sure=False)
+
+
+_READ = {"topics": _topics, "services": _services, "publish": _publish, "robot": _robot}

@@ -1,0 +1,1 @@
+"""Turn interface definitions into C++ and Python types."""

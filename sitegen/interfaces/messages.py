@@ -1,0 +1,107 @@
+"""Turn the types that a program uses into what a page needs to read and write their messages."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from sitegen.interfaces import typesupport
+from sitegen.interfaces.generator import rosidl, shares
+from sitegen.shipped import ROS
+
+# A type's name as it stands in a program: the end of the text that names a type support.
+NAMED = re.compile(rb"([a-z][a-z0-9_]*/(?:msg|srv|action)/[A-Z][A-Za-z0-9_]*)\0")
+
+# type_description_interfaces/msg/FieldType, by number; what a page cannot show has no name here.
+TYPES = {
+    **{2: "int8", 3: "uint8", 4: "int16", 5: "uint16", 6: "int32", 7: "uint32"},
+    **{8: "int64", 9: "uint64", 10: "float32", 11: "float64", 13: "uint8", 15: "bool", 16: "uint8"},
+    **{17: "string", 18: "wstring", 21: "string", 22: "wstring"},
+}
+BOUNDED = (21, 22)
+# What kind of array a type is, by its number divided by 48.
+ARRAYS = ("", "[{}]", "[<={}]", "[]")
+# IDL has no empty messages: rosidl gives them this field, and the page's reader expects it so.
+FILLER = "structure_needs_at_least_one_member"
+
+MessageType = dict[str, Any]
+
+
+def types_of(program: Path, prefixes: Iterable[Path]) -> dict[str, MessageType]:
+    """Return the message types that `program` names, with all that they nest, by name."""
+    return types({name.decode() for name in NAMED.findall(program.read_bytes())}, prefixes)
+
+
+def types(names: Iterable[str], prefixes: Iterable[Path]) -> dict[str, MessageType]:
+    """Return the message types of `names`, with all that they nest, by name.
+
+    Their type descriptions are in ROS or in one of `prefixes`. See MessageType in protocol.js.
+    """
+    packages = {share.name: share for share in shares([ROS, *prefixes])}
+    found: dict[str, MessageType] = {}
+    for named in sorted(names):
+        interface = typesupport.interface_of(named)
+        package, kind, name = interface.split("/")
+        file = packages.get(package, Path()) / kind / f"{name}.json"
+        if file.is_file():
+            _describe(named, file, packages, found)
+    return found
+
+
+def _describe(
+    name: str, file: Path, packages: Mapping[str, Path], found: dict[str, MessageType]
+) -> None:
+    data = json.loads(file.read_text())["type_description_msg"]
+    parts = [data["type_description"], *data["referenced_type_descriptions"]]
+    described = {part["type_name"]: part["fields"] for part in parts}
+    missing = [name]
+    while missing:
+        one = missing.pop()
+        if one in found or one not in described:
+            continue
+        fields = [field for field in described[one] if field["name"] != FILLER]
+        source = _source(one, packages)
+        defaults = {f.name: f.default_value for f in source.fields} if source else {}
+        constants = source.constants if source else []
+        found[one] = {
+            "fields": [_field(field, defaults) for field in fields],
+            "constants": [{"name": c.name, "type": c.type, "value": c.value} for c in constants],
+        }
+        missing += [field["type"]["nested_type_name"] for field in fields]
+
+
+def _field(field: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
+    entry = {"name": field["name"], "type": _type(field["type"])}
+    default = defaults.get(field["name"])
+    if default is not None:
+        entry["default"] = default
+    return entry
+
+
+def _type(kind: Mapping[str, Any]) -> str:
+    """Write a field's type as in a .msg file."""
+    array, number = divmod(kind["type_id"], typesupport.SCALARS)
+    name = kind["nested_type_name"] if number == typesupport.NESTED else TYPES.get(number, "?")
+    if number in BOUNDED:
+        name += f"<={kind['string_capacity']}"
+    return str(name + ARRAYS[array].format(kind["capacity"]))
+
+
+def _source(name: str, packages: Mapping[str, Path]) -> Any:
+    """Return the parsed definition of a message as its author wrote it, None for IDL files.
+
+    Constants and defaults are there; type descriptions leave them out.
+    """
+    package, kind, interface = typesupport.interface_of(name).split("/")
+    file = packages.get(package, Path()) / kind / f"{interface}.{kind}"
+    if not file.is_file():
+        return None
+    part = name.split("/")[2].partition("_")[2]
+    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8"), flags=re.M)
+    index = {"": 0, "Request": 0, "Goal": 0, "Response": 1, "Result": 1, "Feedback": 2}.get(part)
+    if index is None or index >= len(texts):
+        return None
+    return rosidl("rosidl_adapter.parser").parse_message_string(package, interface, texts[index])

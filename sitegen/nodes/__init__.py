@@ -1,0 +1,1 @@
+"""Turn the executables of packages into what a page can run."""

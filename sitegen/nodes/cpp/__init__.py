@@ -1,0 +1,1 @@
+"""Compile C++ executables to WebAssembly."""

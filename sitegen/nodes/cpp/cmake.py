@@ -1,0 +1,140 @@
+"""Configure and build the CMake projects of ROS packages, for one engine of the page."""
+
+from __future__ import annotations
+
+import hashlib
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from sitegen.model import Package
+from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.shipped import CLIENTS
+
+HERE = Path(__file__).parent
+CLIENT = CLIENTS / "cpp"
+# In programs that are to tell where they are, little is moved about.
+OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
+SETTINGS = [
+    "-DCMAKE_BUILD_TYPE=Release",
+    # Emscripten's own file lets CMake find packages in its system root only.
+    "-DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH",
+    # A program of the page cannot be run to try the compiler out, and need not be.
+    "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+    # Advice for the authors of CMake files would hide what stopped it.
+    *("-Wno-dev", "-Wno-deprecated"),
+    # Packages are looked for anew: they may have moved.
+    *("-U", "*_DIR"),
+]
+
+UNDEFINED = "error: undefined symbol: "
+
+Done = subprocess.CompletedProcess[str]
+
+
+@dataclass(frozen=True)
+class CMake:
+    """What CMake makes of packages for `engine`, all of it below `work`.
+
+    With `debug`, programs can tell where they are. The library is the same, for it is not theirs.
+    A `draft` is not optimized as a whole: it is linked in a fifth of the time, and twice as large.
+    """
+
+    tools: Toolchain
+    work: Path
+    engine: str
+    debug: bool = False
+    draft: bool = False
+
+    @property
+    def ros(self) -> Path:
+        """The prefix of the interface packages of ROS, which suits all engines."""
+        return self.work / "ros"
+
+    @property
+    def library(self) -> Path:
+        """The rclcpp library of this engine."""
+        return self.work / self.engine / "rclcpp" / "librclcpp.a"
+
+    def tree(self, package: Package) -> Path:
+        """The build folder of `package`: by its place, so that a change compiles what changed."""
+        what = "\n".join([str(package.path), *package.linked])
+        place = hashlib.sha256(what.encode()).hexdigest()[:12]
+        kind = f"{self.engine}-debug" if self.debug else self.engine
+        return self.work / kind / "packages" / f"{package.name}-{place}"
+
+    def prefix(self, package: Package) -> Path:
+        """Where `package` puts what other packages use of it."""
+        return self.tree(package) / "prefix"
+
+    def program(self, package: Package, executable: str) -> Path:
+        """Where the build leaves `executable`, less its suffix."""
+        return self.tree(package) / "bin" / executable
+
+    @property
+    def _launcher(self) -> list[str | Path]:
+        """What CMake runs in front of the compiler: see precompiled.py."""
+        store = self.work / self.engine / "precompiled"
+        script = HERE / "precompiled.py"
+        return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
+
+    def make_library(self) -> Done:
+        """Compile the rclcpp library."""
+        tree = self.library.parent
+        done = replace(self, debug=False)._configure(CLIENT, tree, [], "rclcpp")
+        return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
+
+    def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
+        """Configure `package`, with what the packages `needs` have for others.
+
+        Its programs call its folder `shown`.
+        """
+        prefixes = list(map(self.prefix, needs))
+        tree = self.tree(package)
+        return self._configure(package.path, tree, prefixes, shown, package.linked)
+
+    def make(self, package: Package, *targets: str) -> Done:
+        """Build targets of a configured package; with several, what fails stops none but itself."""
+        command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
+        if len(targets) > 1:
+            command += ["-k", "0"]
+        done = self.tools.run(*command)
+        if UNDEFINED in done.stdout:
+            # The linker knows who wants the symbol, but to let it look takes time at every link.
+            done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
+        return done
+
+    def _configure(
+        self,
+        source: Path,
+        tree: Path,
+        prefixes: Sequence[Path],
+        shown: str,
+        linked: Sequence[str] = (),
+    ) -> Done:
+        optimize = OPTIMIZE_DEBUG if self.debug else OPTIMIZE
+        defines = {
+            "CMAKE_TOOLCHAIN_FILE": self.tools.platform_file,
+            "CMAKE_MAKE_PROGRAM": self.tools.ninja,
+            "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
+            "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
+            "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
+            "CMAKE_C_FLAGS_RELEASE": optimize,
+            "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
+            "CMAKE_CXX_FLAGS_RELEASE": optimize,
+            "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
+            "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
+            "SITEGEN_ENGINE": self.engine,
+            "SITEGEN_LINKED": ";".join(linked),
+            "SITEGEN_PREFIX": tree / "prefix",
+            "SITEGEN_PYTHON": sys.executable,
+            "SITEGEN_RCLCPP": self.library,
+            "SITEGEN_SHOWN": shown,
+        }
+        if self.tools.eigen:
+            defines["Eigen3_DIR"] = self.tools.eigen
+        words = [f"-D{name}={value}" for name, value in defines.items()]
+        command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
+        return self.tools.run(*command, *SETTINGS, *words)

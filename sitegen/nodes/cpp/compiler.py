@@ -1,0 +1,336 @@
+"""Turn the C++ executables of ROS packages into WebAssembly."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from sitegen.cache.digest import digest_of
+from sitegen.cache.folder import forget_old, use
+from sitegen.errors import SiteError
+from sitegen.interfaces import generator, messages
+from sitegen.model import Build, Package
+from sitegen.nodes.cpp import sourcemap
+from sitegen.nodes.cpp.cmake import CLIENT, CMake
+from sitegen.nodes.cpp.diagnosis import Diagnosis
+from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError, alone
+from sitegen.report import Report
+from sitegen.shipped import INTERFACES, PACKAGE, ROS
+
+# What a program depends on besides its sources, the library and the compiler.
+GENERATOR = (
+    "interfaces/definitions.py",
+    "interfaces/generator.py",
+    "interfaces/messages.py",
+    "interfaces/typesupport.py",
+    "nodes/cpp/cmake.py",
+    "nodes/cpp/precompiled.py",
+    "nodes/cpp/sourcemap.py",
+)
+
+
+@dataclass(frozen=True)
+class Job:
+    """What to compile: executables of one package, with the packages it needs built first."""
+
+    package: Package
+    executables: tuple[str, ...]
+    needs: tuple[Package, ...]
+
+
+Builds = Mapping[tuple[str, str], Sequence[Build]]
+
+
+def compile_nodes(
+    jobs: Sequence[Job],
+    engines: Sequence[str],
+    *,
+    root: Path,
+    cache: Path,
+    report: Report,
+    debug: bool = False,
+    draft: bool = False,
+) -> Builds:
+    """Compile each executable for each engine, or take it from the cache.
+
+    With `debug`, the programs can tell where they are in their sources; a `draft` is made sooner
+    and is larger. Returns the builds by package and executable. Raises a SiteError that quotes the
+    compiler.
+    """
+    if not jobs:
+        return {}
+    try:
+        tools = Toolchain.find()
+    except ToolMissingError as error:
+        names = ", ".join(f"'{job.package.name}'" for job in jobs)
+        raise SiteError([f"{error}: needed for the C++ nodes of {names}"]) from None
+    compiler = Compiler(tools, root, cache, report, debug=debug, draft=draft)
+    missing = [
+        (job, engine)
+        for job in jobs
+        for engine in engines
+        if not all(b.wasm.exists() for b in compiler.builds(job, [engine]))
+    ]
+    if missing:
+        compiler.compile(missing)
+        forget_old(cache)
+    builds = {
+        (job.package.name, executable): [compiler.build(job, executable, e) for e in engines]
+        for job in jobs
+        for executable in job.executables
+    }
+    for folder in {build.wasm.parent for each in builds.values() for build in each}:
+        use(folder)
+    return builds
+
+
+# What is wrong with packages that others need, by their names.
+Problems = Mapping[str, list[str]]
+# What is done for a job and an engine.
+Step = Callable[[Job, str], None]
+
+
+def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
+    """Return those of `packages`, each after what it depends on, that `package` depends on."""
+    names = set(package.depends)
+    for one in reversed(list(packages.values())):
+        names |= set(one.depends) if one.name in names else set()
+    return [one for name, one in packages.items() if name in names]
+
+
+class Compiler:
+    """Compiles with one toolchain into one cache.
+
+    In the cache, `nodes/<digest>/` holds finished programs by a digest of all that went into them;
+    those that are drafts in `nodes/<digest>-draft/`; `work/<digest>/` holds what CMake makes on the
+    way, for one state of tools and library in one place.
+    """
+
+    def __init__(
+        self,
+        tools: Toolchain,
+        root: Path,
+        cache: Path,
+        report: Report,
+        *,
+        debug: bool,
+        draft: bool,
+    ) -> None:
+        self._tools = tools
+        self._root = root
+        self._report = report
+        self._debug = debug
+        self._draft = draft
+        paths = [
+            CLIENT,
+            *(PACKAGE / name for name in GENERATOR),
+            ROS / ".digest",
+            INTERFACES,
+        ]
+        self._base = digest_of(paths, tools.identity)
+        self._nodes = cache / "nodes"
+        # What CMake makes names the files of this installation, and breaks where they are not.
+        self._work = cache / "work" / digest_of([], self._base, str(PACKAGE))
+        self._digests: dict[Path, str] = {}
+        self._folders: dict[tuple[Path, str], Path] = {}
+
+    def builds(self, job: Job, engines: Iterable[str]) -> list[Build]:
+        """Where the programs of `job` are, or will be."""
+        return [self.build(job, name, engine) for engine in engines for name in job.executables]
+
+    def build(self, job: Job, executable: str, engine: str) -> Build:
+        """Where one program is, or will be."""
+        folder = self._folder(job, engine)
+        stem = f"{executable}.{engine}"
+        suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
+        return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
+
+    def _folder(self, job: Job, engine: str) -> Path:
+        # What is there as it is published needs no draft. Asked once: by then, it may be there.
+        key = (job.package.path, engine)
+        if key not in self._folders:
+            folder = self._nodes / self._digest(job.package, job.needs)
+            wanted = [folder / f"{name}.{engine}.wasm" for name in job.executables]
+            drafted = self._draft and not all(wasm.exists() for wasm in wanted)
+            self._folders[key] = folder.with_name(f"{folder.name}-draft") if drafted else folder
+        return self._folders[key]
+
+    def _digest(self, package: Package, needs: Sequence[Package]) -> str:
+        all_of_them = [*sorted(needs, key=lambda need: need.name), package]
+        for one in all_of_them:
+            if one.path not in self._digests:
+                self._digests[one.path] = digest_of([one.path])
+        places = ["debug", *map(self._shown, all_of_them)] if self._debug else []
+        return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them), *places)
+
+    def _shown(self, package: Package) -> str:
+        """What programs call the folder of a package; only those that tell lines know its place."""
+        below = self._debug and package.path.is_relative_to(self._root)
+        return package.path.relative_to(self._root).as_posix() if below else package.name
+
+    def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
+        """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
+        engines = sorted({engine for _, engine in jobs})
+        self._work.mkdir(parents=True, exist_ok=True)
+        use(self._work)
+        with alone(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            self._write_ros()
+            # Every program needs what the packages it needs have for others, and then the library.
+            wanted = [[job for job, one in jobs if one == engine] for engine in engines]
+            failed = dict(zip(engines, pool.map(self._prepare, engines, wanted), strict=True))
+            told = self._told(pool, partial(self._configure_job, failed), jobs)
+            # What CMake misses is known in seconds; the library takes minutes, the first time.
+            ready = [at for at, lines in enumerate(told) if not lines]
+            if ready:
+                list(pool.map(self._compile_library, engines))
+                made = self._told(pool, self._compile_job, [jobs[at] for at in ready])
+                for at, lines in zip(ready, made, strict=True):
+                    told[at] = lines
+        problems = list(dict.fromkeys(line for lines in told for line in lines))
+        if problems:
+            raise SiteError(problems)
+
+    def _told(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
+        """Take a step for all `jobs`, some at a time; return what is wrong with each."""
+
+        def attempt(job: Job, engine: str) -> list[str]:
+            try:
+                step(job, engine)
+            except SiteError as error:
+                return error.lines
+            return []
+
+        return list(pool.map(attempt, *zip(*jobs, strict=True)))
+
+    def _cmake(self, engine: str) -> CMake:
+        return CMake(self._tools, self._work, engine, self._debug, self._draft)
+
+    def _write_ros(self) -> None:
+        complete = self._work / "ros.complete"
+        if not complete.exists():
+            generator.write_ros(self._cmake("").ros)
+            generator.write_shipped(self._cmake("").ros)
+            complete.touch()
+
+    def _compile_library(self, engine: str) -> None:
+        cmake = self._cmake(engine)
+        if cmake.library.exists():
+            return
+        name = f"rclcpp ({engine})"
+        self._report.doing(name, "compiling the library, once for all nodes")
+        done = cmake.make_library()
+        self._report.done(name)
+        if done.returncode:
+            raise RuntimeError(f"the rclcpp library could not be compiled:\n{done.stdout}")
+
+    def _prepare(self, engine: str, jobs: Sequence[Job]) -> Problems:
+        """Make the interfaces and libraries of the packages that others need.
+
+        Returns the problems by package. Whether they matter is seen when a job ends for the lack of
+        that package: many are needed for nothing but to be there when the robot starts.
+        """
+        failed: dict[str, list[str]] = {}
+        needs = {need.name: need for job in jobs for need in job.needs}
+        for need in needs.values():
+            if (need.path / "CMakeLists.txt").exists():
+                try:
+                    self._prepare_package(engine, need, closure(need, needs), failed)
+                except SiteError as error:
+                    failed[need.name] = error.lines
+        return failed
+
+    def _prepare_package(
+        self, engine: str, package: Package, needs: Sequence[Package], failed: Problems
+    ) -> None:
+        cmake = self._cmake(engine)
+        if self._is_prepared(cmake, package, needs):
+            return
+        self._report.doing(f"{package.name} ({engine})", "compiling what other packages use of it")
+        try:
+            self._configure(cmake, package, needs, failed)
+            made = cmake.make(package, "sitegen_libraries")
+            if made.returncode:
+                diagnosis = Diagnosis(self._root, package)
+                tree = cmake.tree(package)
+                raise SiteError(diagnosis.of_build("libraries", made.stdout, tree))
+        except SiteError:
+            shutil.rmtree(cmake.prefix(package), ignore_errors=True)
+            raise
+        finally:
+            self._report.done(f"{package.name} ({engine})")
+        self._stamp(cmake, package).write_text(self._state(package, needs))
+
+    def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
+        stamp = self._stamp(cmake, package)
+        return stamp.exists() and stamp.read_text() == self._state(package, needs)
+
+    def _state(self, package: Package, needs: Sequence[Package]) -> str:
+        return f"{self._digest(package, needs)}{'-draft' if self._draft else ''}"
+
+    def _stamp(self, cmake: CMake, package: Package) -> Path:
+        return cmake.tree(package) / "prepared"
+
+    def _configure(
+        self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Problems
+    ) -> None:
+        # Drafts are made in the same tree: what it was prepared as may not be what it is now.
+        self._stamp(cmake, package).unlink(missing_ok=True)
+        done = cmake.configure(package, needs, self._shown(package))
+        if done.returncode:
+            diagnosis = Diagnosis(self._root, package)
+            missing = failed.get(diagnosis.missing(done.stdout))
+            raise SiteError(missing or diagnosis.of_cmake(done.stdout))
+
+    def _configure_job(self, failed: Mapping[str, Problems], job: Job, engine: str) -> None:
+        cmake = self._cmake(engine)
+        if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
+            self._configure(cmake, job.package, job.needs, failed[engine])
+
+    def _compile_job(self, job: Job, engine: str) -> None:
+        cmake = self._cmake(engine)
+        package = job.package
+        names = {name: f"{package.name}/{name} ({engine})" for name in job.executables}
+        for name in names.values():
+            self._report.doing(name, "compiling")
+        problems = []
+        done = cmake.make(package, *job.executables)
+        # If anything fails, each is asked for by itself, to know what is said of which.
+        again = bool(done.returncode) and len(job.executables) > 1
+        for executable, name in names.items():
+            if again:
+                done = cmake.make(package, executable)
+            if done.returncode:
+                diagnosis = Diagnosis(self._root, package)
+                problems += diagnosis.of_build(executable, done.stdout, cmake.tree(package))
+            else:
+                program = cmake.program(package, executable)
+                prefixes = [cmake.ros, *map(cmake.prefix, (*job.needs, package))]
+                theirs = [
+                    one for one in (*job.needs, package) if not one.path.is_relative_to(PACKAGE)
+                ]
+                shown = list(map(self._shown, theirs))
+                self._keep(program, prefixes, shown, self.build(job, executable, engine))
+            self._report.done(name)
+        if problems:
+            raise SiteError(problems)
+
+    def _keep(
+        self, program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: Build
+    ) -> None:
+        build.wasm.parent.mkdir(parents=True, exist_ok=True)
+        types = messages.types_of(program.with_suffix(".wasm"), prefixes)
+        build.types.write_text(json.dumps(types))
+        if build.lines:
+            lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
+            build.lines.write_text(json.dumps(lines, separators=(",", ":")))
+        shutil.copyfile(program.with_suffix(".js"), build.script)
+        # Last, and in one step: its presence says that the program is complete.
+        draft = build.wasm.with_suffix(".draft")
+        shutil.copyfile(program.with_suffix(".wasm"), draft)
+        draft.replace(build.wasm)

@@ -1,0 +1,91 @@
+"""Turn what CMake, Ninja and the compiler print into problems of the site."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen.errors import relative
+from sitegen.interfaces.generator import PROBLEM
+from sitegen.model import Package
+
+NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
+# The command lines of a build, and what Ninja and em++ say about them.
+COMMANDS = re.compile(
+    r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
+    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|\S.* -I -S \S.*/precompiled\.py|em(\+\+|cc): error: '"
+    r"|Call Stack \(most recent call first\):$|See also \""
+)
+# In CMake's cache, a package that was looked for in vain.
+ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
+# Packages that are headers only, which authors install, and how.
+INSTALLED = {"Eigen3": "pip install 'sitegen[eigen]', or apt-get install libeigen3-dev"}
+# Headers of packages that CMake finds and that have nothing in them (clients/cpp/share).
+HOLLOW = re.compile(r"fatal error: '(opencv2)/")
+HOLLOW_NAMES = {"opencv2": "OpenCV"}
+NO_BUILD = "has no build for the page"
+FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """Says what is wrong with `package`; files are shown as one types them from `root`."""
+
+    root: Path
+    package: Package
+
+    def missing(self, output: str) -> str:
+        """Return the package that CMake did not find, empty if it failed by something else."""
+        found = NOT_FOUND.search(output)
+        return found[1] if found else ""
+
+    def of_cmake(self, output: str) -> list[str]:
+        """Say why CMake could not configure the package."""
+        own = re.findall(rf"^{PROBLEM}(.+)$", output, re.M)
+        if own:
+            return [line.replace(f"{self.root}/", "") for line in own]
+        missing = self.missing(output)
+        if missing:
+            how = INSTALLED.get(missing)
+            return [self._needs(missing, f"is not installed here ({how})" if how else NO_BUILD)]
+        return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
+
+    def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
+        """Say why `executable` could not be compiled in the build folder `tree`."""
+        if f"unknown target '{executable}'" in output:
+            what = f"has no executable '{executable}'"
+            if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
+                what += f" without {names}, which the page does not have"
+            return [f"{self._cmake}: package '{self.package.name}' {what}"]
+        if hollow := HOLLOW.search(output):
+            return [self._needs(HOLLOW_NAMES[hollow[1]], NO_BUILD)]
+        source = FAILED_SOURCE.search(output)
+        file = self._cmake
+        if source:
+            file = self._show(self.package.path / (source[1] or "") / source[2])
+        what = "em++ failed" if source else f"em++ could not link '{executable}'"
+        return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
+
+    def _needs(self, missing: str, why: str) -> str:
+        return f"{self._cmake}: '{self.package.name}' needs '{missing}', which {why}"
+
+    @property
+    def _cmake(self) -> str:
+        return self._show(self.package.path / "CMakeLists.txt")
+
+    def _show(self, file: Path) -> str:
+        return relative(file, self.root)
+
+    def _quote(self, output: str) -> str:
+        """Return a tool's own words, without the command lines around them."""
+        shown = [line.rstrip() for line in output.splitlines() if not COMMANDS.match(line)]
+        shown = [line for line in shown if not line.startswith("-- ")]
+        text = re.sub(r"\n{3,}", "\n\n", "\n".join(shown)).strip()
+        return text.replace(f"{self.root}/", "")
+
+
+def _not_found(tree: Path) -> list[str]:
+    """Return the packages that CMake looked for and could do without."""
+    cache = tree / "CMakeCache.txt"
+    return ABSENT.findall(cache.read_text(encoding="utf-8")) if cache.exists() else []

@@ -1,0 +1,235 @@
+"""Run the compiler of C++, with rclcpp.hpp compiled beforehand where that changes nothing.
+
+CMake runs this in front of each command of em++, as a program of its own:
+`python precompiled.py STORE ROS em++ ...`. To read rclcpp.hpp is most of what compiling a node
+takes, so it is done once for the same flags and kept in the folder STORE. A source gets it only if
+it includes rclcpp.hpp before anything of its author's could make a difference to it. Whenever the
+compiler has anything to say, it is asked again without, so it always speaks of the author's files.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import re
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+# Run as a program, without sitegen on its path: this repeats a little of shipped.py.
+PACKAGE = Path(__file__).absolute().parents[2]
+LIBRARY = PACKAGE / "clients" / "cpp" / "include"
+HEADER = LIBRARY / "rclcpp" / "rclcpp.hpp"
+# Interfaces that come with sitegen, a folder each. What is generated from them is in ROS.
+INTERFACES = PACKAGE / "ros" / "include"
+# Nothing in these depends on what was included before it.
+OURS = (PACKAGE / "clients" / "cpp", PACKAGE / "packages", INTERFACES)
+
+FOLDERS = ("-I", "-isystem")
+# Options with another word behind them that are of one file.
+OF_ONE_FILE = ("-o", "-MT", "-MF", "-MQ")
+# Those that change nothing of rclcpp.hpp: the compiler does not warn of headers that are not the
+# author's.
+NO_MATTER = re.compile(r"-(c|MM?D|W(?!system-headers)[^,]*|f\w+-prefix-map=.*)$")
+# Those that do something else, or change what is read.
+UNUSUAL = re.compile(
+    r"@|-(E|S|M|MM|[xX].*|fmodules.*|include-pch|i(dirafter|macros|prefix|quote|with).*)$"
+)
+
+# What a backslash goes on with in the next line is left to the compiler.
+COMMENT = re.compile(r"//(?:[^\\\n]|\\(?!\s*$))*|/\*.*?\*/", re.DOTALL | re.MULTILINE)
+INCLUDE = re.compile(r'#\s*include\s*(?:"([^"]+)"|<([^>]+)>)$')
+GUARD = re.compile(r"#\s*ifndef\s+([A-Za-z]\w*)\s*\n\s*#\s*define\s+(\w+)\s*$")
+GENERATED = re.compile(r"\w+/(msg|srv|action)/\w+\.hpp")
+
+
+@dataclass
+class Command:
+    """What a command of the compiler says."""
+
+    source: Path = Path()
+    # Where headers are looked for, in this order.
+    folders: list[Path] = field(default_factory=list)
+    # What makes one translation differ from another, besides its files.
+    flags: list[str] = field(default_factory=list)
+
+    @staticmethod
+    def read(words: Sequence[str]) -> Command | None:
+        """Read the words after the compiler; None if they ask for anything unusual."""
+        command, sources = Command(), list[Path]()
+        near, far = list[Path](), list[Path]()
+        rest = iter(words)
+        for word in rest:
+            option = next((one for one in FOLDERS if word.startswith(one)), "")
+            if option:
+                folder = Path(word.removeprefix(option) or next(rest)).absolute()
+                (far if option == "-isystem" else near).append(folder)
+            elif word in OF_ONE_FILE:
+                next(rest)
+            elif word == "-include":
+                forced = next(rest)
+                if not _is_in(Path(forced), OURS):
+                    return None
+                command.flags += [word, forced]
+            elif UNUSUAL.match(word):
+                return None
+            elif not word.startswith("-"):
+                sources.append(Path(word).absolute())
+            elif not NO_MATTER.match(word):
+                command.flags.append(word)
+        if "-c" not in words or len(sources) != 1:
+            return None
+        if _is_in(LIBRARY, near):  # what there is to say of its headers would be said each time
+            return None
+        command.source, command.folders = sources[0], near + far
+        return command
+
+
+@dataclass
+class Reader:
+    """Reads the beginning of a source as the preprocessor would."""
+
+    folders: Sequence[Path]
+    ros: Path
+    _read: set[Path] = field(default_factory=set)
+
+    def finds(self, source: Path) -> bool:
+        """Tell whether `source` includes rclcpp.hpp before all that could make a difference.
+
+        For sources of ours, nothing does: it is enough that they include anything of rclcpp.
+        """
+        if self._reads(source):
+            return True
+        parts = list(LIBRARY.glob("rclcpp*"))
+        return _is_in(source, OURS) and any(_is_in(file, parts) for file in self._read)
+
+    def _reads(self, file: Path) -> bool | None:
+        """Tell what comes first: rclcpp.hpp (True), something else (False), or the end (None)."""
+        self._read.add(file)
+        text = COMMENT.sub(" ", file.read_text(encoding="utf-8", errors="replace"))
+        lines = [line.strip() for line in text.splitlines() if line.strip()]
+        guard = GUARD.match("\n".join(lines[:2]))
+        if guard and guard[1] == guard[2]:
+            del lines[:2]
+        for line in lines:
+            include = INCLUDE.match(line)
+            if include:
+                found = self._follows(include[1], include[2], file.parent)
+                if found is not None:
+                    return found
+            elif not re.match(r"#\s*pragma\s+once$", line):
+                return False
+        return None
+
+    def _follows(self, quoted: str, angled: str, beside: Path) -> bool | None:
+        name = quoted or angled
+        places = (folder / name for folder in ([beside] if quoted else []) + [*self.folders])
+        file = next((place for place in places if place.is_file()), None)
+        if file == HEADER:
+            return True
+        if file is None or file in self._read:  # the compiler's own, or read already
+            return None
+        if _is_in(file, (self.ros, *OURS)):
+            return self._reads(file) or None
+        if GENERATED.fullmatch(name) and _is_in(file, [self.ros.parent.parent]):
+            return None
+        return self._reads(file)
+
+
+def _is_in(file: Path, folders: Sequence[Path]) -> bool:
+    return any(file.is_relative_to(folder) for folder in folders)
+
+
+@dataclass(frozen=True)
+class Store:
+    """Keeps what was compiled of rclcpp.hpp in `folder`, one for each set of flags."""
+
+    folder: Path
+    ros: Path
+
+    def find(self, compiler: str, command: Command) -> Path | None:
+        """Return what suits `command`, made if need be; None if there is no such thing."""
+        key = hashlib.sha256("\0".join(command.flags).encode()).hexdigest()[:16]
+        made = self.folder / f"{key}.pch"
+        names = made.with_suffix(".names")
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with _alone(self.folder / f"{key}.lock"):
+            if not names.exists():
+                names.write_text("\n".join(self._make(compiler, command.flags, made)))
+        taken = set(names.read_text().split("\n"))
+        others = set(command.folders) - set(self._folders)
+        # A header of the same name in a folder of the author's would be read instead.
+        there = {entry.name for folder in others if folder.is_dir() for entry in folder.iterdir()}
+        return made if made.exists() and taken.isdisjoint(there) else None
+
+    @property
+    def _folders(self) -> list[Path]:
+        return [LIBRARY, *sorted(self.ros.iterdir()), *sorted(INTERFACES.iterdir())]
+
+    def _make(self, compiler: str, flags: Sequence[str], made: Path) -> set[str]:
+        """Compile rclcpp.hpp; return the first parts of the names of all headers in it."""
+        draft, listed = made.with_suffix(".draft"), made.with_suffix(".d")
+        work = self.ros.parent.parent
+        maps = [f"-ffile-prefix-map={LIBRARY.parent}=rclcpp", f"-ffile-prefix-map={work}=build"]
+        folders = [word for folder in self._folders for word in ("-isystem", str(folder))]
+        how = ["-x", "c++-header", "-Xclang", "-fpch-instantiate-templates", str(HEADER)]
+        kept = ["-MD", "-MF", str(listed), "-o", str(draft)]
+        done = _run([compiler, *folders, *flags, *maps, *how, *kept])
+        if done.returncode or done.stdout:
+            draft.unlink(missing_ok=True)
+            made.unlink(missing_ok=True)
+            return set()
+        headers = listed.read_text().replace("\\\n", " ").split()[1:]
+        listed.unlink()
+        names = {part for header in headers for part in self._first(Path(header))}
+        draft.replace(made)
+        return names
+
+    def _first(self, header: Path) -> Iterator[str]:
+        folder = next((one for one in self._folders if header.is_relative_to(one)), None)
+        if folder:
+            yield header.relative_to(folder).parts[0]
+        else:  # one of the compiler's: <name> or <folder/name>
+            yield from (header.name, header.parent.name)
+
+
+@contextlib.contextmanager
+def _alone(lock: Path) -> Iterator[None]:
+    try:
+        import fcntl
+    except ImportError:  # Windows: what two make at once is the same
+        yield
+        return
+    with lock.open("w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def _run(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
+    return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+
+def main(store: str, ros: str, compiler: str, *words: str) -> int:
+    """Run the compiler; return its exit code."""
+    made = None
+    command = Command.read(words)
+    # A compiler that fails here would only say so in other words than it is used to.
+    with contextlib.suppress(OSError, ValueError):
+        if command and Reader(command.folders, Path(ros)).finds(command.source):
+            made = Store(Path(store), Path(ros)).find(compiler, command)
+    if made:
+        done = _run([compiler, *words, "-include-pch", str(made)])
+        if not done.returncode and not done.stdout:
+            return 0
+    again = _run([compiler, *words])
+    sys.stdout.buffer.write(again.stdout)
+    if made and not again.returncode and not again.stdout:
+        # The compiler's own headers were installed again, and it wants to read them again.
+        made.with_suffix(".names").unlink(missing_ok=True)
+    return again.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

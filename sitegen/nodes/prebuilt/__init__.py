@@ -1,0 +1,1 @@
+"""Take in programs that were compiled elsewhere."""

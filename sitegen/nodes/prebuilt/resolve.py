@@ -1,0 +1,116 @@
+"""Turn archives of nodes that were compiled elsewhere into builds like those of this computer."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from sitegen.cache.fetch import FetchError, fetch, mismatch
+from sitegen.errors import Problems
+from sitegen.model import Build, Compiled, Node, Site
+from sitegen.nodes.prebuilt.archive import LARGEST, ArchiveError, Member, described, members, unpack
+from sitegen.report import Report
+
+Builds = Mapping[tuple[str, str], Sequence[Build]]
+
+
+def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
+    """Return the site with what archives say about its nodes, and the builds of those.
+
+    Raises one SiteError with all archives that cannot be had or are not as they should be.
+    """
+    problems = Problems(site.root)
+    all_of_them = [node for page in site.pages for node in page.nodes.values()]
+    own = {(node.package, node.executable) for node in all_of_them if not node.compiled}
+    builds: dict[tuple[str, str], Sequence[Build]] = {}
+    found: dict[Compiled, Node] = {}
+    folders: dict[tuple[str | Path, str], Path | None] = {}
+    for node in all_of_them:
+        given = node.compiled
+        if not given or given in found:
+            continue
+        origin = (given.source, given.sha256)
+        if origin not in folders:
+            folders[origin] = _unpacked(given, site.root, cache / "compiled", problems, report)
+        folder = folders[origin]
+        member = _chosen(given, members(folder), site, problems) if folder else None
+        if member is None:
+            continue
+        name = (member.package, member.executable)
+        if name in own or builds.get(name, member.builds) != member.builds:
+            message = f"another '{'/'.join(name)}' is on the site already; use one of the two"
+            problems.add(given.place, given.key, message)
+        builds[name] = member.builds
+        found[given] = replace(node, package=member.package, executable=member.executable)
+    problems.raise_if_any()
+    if not found:
+        return site, {}
+    pages = tuple(
+        replace(page, nodes={name: _named(node, found) for name, node in page.nodes.items()})
+        for page in site.pages
+    )
+    return replace(site, pages=pages), builds
+
+
+def _named(node: Node, found: Mapping[Compiled, Node]) -> Node:
+    if node.compiled is None:
+        return node
+    same = found[node.compiled]
+    return replace(node, package=same.package, executable=same.executable)
+
+
+def _unpacked(
+    given: Compiled, root: Path, cache: Path, problems: Problems, report: Report
+) -> Path | None:
+    """Return where the archive is unpacked; its hash is that of the author, or its own."""
+    try:
+        if isinstance(given.source, Path):
+            name, file = given.source.relative_to(root).as_posix(), given.source
+            digest = hashlib.sha256(file.read_bytes()).hexdigest()
+            if given.sha256 and given.sha256 != digest:
+                raise FetchError(mismatch(f"'{name}'", digest))
+            if not (cache / digest).exists():
+                unpack(file, cache / digest)
+            return cache / digest
+        name, folder = given.source, cache / given.sha256
+        if folder.exists():
+            return folder
+        cache.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=cache) as temporary:
+            file = Path(temporary) / "archive.zip"
+            report.doing(name, "fetching")
+            try:
+                fetch(name, given.sha256, file, largest=LARGEST)
+            finally:
+                report.done(name)
+            unpack(file, folder)
+        return folder
+    except FetchError as error:
+        problems.add(given.place, given.key, str(error))
+    except ArchiveError as error:
+        problems.add(given.place, given.key, f"{name} cannot be used: {error}")
+    return None
+
+
+def _chosen(
+    given: Compiled, nodes: Sequence[Member], site: Site, problems: Problems
+) -> Member | None:
+    """Return the one node of an archive that the author means."""
+    fitting = [
+        node
+        for node in nodes
+        if given.package in ("", node.package) and given.executable in ("", node.executable)
+    ]
+    if len(fitting) != 1:
+        which = "no such node" if not fitting else "more than one node"
+        advice = f"name its 'package' and 'executable', of {described(fitting or nodes)}"
+        problems.add(given.place, given.key, f"the archive has {which}; {advice}")
+        return None
+    [node] = fitting
+    if site.asyncify and len(node.builds) < 2:
+        message = "was compiled for browsers with JSPI only; write 'asyncify: false' below 'site'"
+        problems.add(given.place, given.key, f"'{described([node])}' {message}")
+    return node

@@ -1,0 +1,1 @@
+"""Pack Python programs, and what they import, into archives."""

@@ -1,0 +1,266 @@
+"""Turn Python nodes into archives that their pages unpack: rclpy for all, and each package."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.interfaces import generator, messages
+from sitegen.interfaces.descriptions import described
+from sitegen.interfaces.messages import MessageType
+from sitegen.model import Node, Package, Site
+from sitegen.nodes.python import bytecode, imports, wheels
+from sitegen.nodes.python.wheel import archived
+from sitegen.shipped import INTERFACES, ROS
+
+KINDS = ("msg", "srv", "action")
+# What is most likely to be typed at a prompt.
+TYPED = (
+    "import example_interfaces.msg, example_interfaces.srv, geometry_msgs.msg, std_msgs.msg, "
+    "std_srvs.srv"
+)
+# What every node of rclpy has in the graph, beside what its program makes.
+SERVICES = (
+    *("DescribeParameters", "GetParameterTypes", "GetParameters", "ListParameters"),
+    *("SetParameters", "SetParametersAtomically"),
+)
+OF_RCLPY = {
+    *("rcl_interfaces/msg/Log", "rcl_interfaces/msg/ParameterEvent"),
+    *(f"rcl_interfaces/srv/{name}" for name in SERVICES),
+    "type_description_interfaces/srv/GetTypeDescription",
+}
+COMMON = "nodes/ros.zip"
+# Our arrays by the name of numpy, for programs that need no more of it.
+NUMPY = "nodes/numpy.zip"
+ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
+NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.fixed_array import *\n"}
+# What Pyodide brings beside Python itself.
+IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
+IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
+
+
+@dataclass(frozen=True)
+class Bundles:
+    """The archives of a site's Python nodes, by their path.
+
+    `needed` has the paths of those that a program needs, by package and executable, `own` names the
+    modules of the workspace among them; `types` has the message types of each package's nodes.
+    """
+
+    archives: Mapping[str, bytes] = field(default_factory=dict)
+    needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
+    types: Mapping[str, dict[str, MessageType]] = field(default_factory=dict)
+
+    def sizes(self) -> dict[str, int]:
+        """Return how large each archive is (bytes)."""
+        return {path: len(data) for path, data in self.archives.items()}
+
+
+def bundle(
+    site: Site, nodes: Iterable[Node], *, cache: Path, say: Callable[[str], None] = lambda _: None
+) -> Bundles:
+    """Return the archives for those of `nodes` that are Python's.
+
+    Raises a SiteError that says what is wrong with the definitions of the workspace, or which
+    modules are missing.
+    """
+    programs = {(node.package, node.executable) for node in nodes if site.setup_of(node)}
+    if not programs:
+        return Bundles()
+    names = sorted({package for package, _ in programs})
+    needs = {name: workspace.with_dependencies(site.packages, name) for name in names}
+    parts = {one.name: one for packages in needs.values() for one in packages}
+    prefix = described(site, parts, cache=cache)
+    wanted = {*_named(parts.values()), *_named_by_rclpy()}
+    if workspace.SITEGEN in names:  # nobody knows what will be typed
+        wanted |= set(_shares(prefix))
+    common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
+    lacks = _wanted(programs, needs, common)
+    small = set() if site.pyodide.packages else _content_with_ours(lacks, needs)
+    for program in small:
+        del lacks[program]["numpy"]
+    collected = wheels.collect(site, lacks, cache=cache, say=say)
+    archives = {COMMON: archived(bytecode.added(common))}
+    archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
+    for package, executable in sorted(small):
+        say(f"{package}/{executable}: without numpy; its arrays are ours and do no arithmetic")
+    archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
+    needed, own = {}, {}
+    for package, executable in sorted(programs):
+        others = {
+            f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
+        }
+        archives |= {path: wheel.data for path, wheel in others.items()}
+        ours = [NUMPY] if (package, executable) in small else []
+        needed[package, executable] = (COMMON, *ours, *others, _own(package))
+        places = [place.split("/") for place, _ in _installed(needs[package])]
+        own[package, executable] = sorted(
+            {p[1].removesuffix(".py") for p in places if p[0] == "python"}
+        )
+    types = {name: _types(needs[name], prefix) for name in names}
+    return Bundles(archives, needed, own, types)
+
+
+def _own(package: str) -> str:
+    return f"nodes/{package}/python.zip"
+
+
+def lacking(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
+    """Return the modules that a node imports in every run, and that no page has by itself.
+
+    `packages` are those of the workspace and those that come with sitegen.
+    """
+    needs = {node.package: workspace.with_dependencies(packages, node.package)}
+    described = [one.name for one in packages.values() if one.interfaces]
+    own = [folder.name for folder in INTERFACES.iterdir()]
+    common = [f"python/{name}" for name in (*bytecode.modules(), *own, *described)]
+    wanted = _wanted([(node.package, node.executable)], needs, common)
+    small = _content_with_ours(wanted, needs)
+    [modules] = wanted.values()
+    return {
+        name: one for name, one in modules.items() if one.sure and not (small and name == "numpy")
+    }
+
+
+def _wanted(
+    programs: Iterable[tuple[str, str]],
+    needs: Mapping[str, Sequence[Package]],
+    common: Iterable[str],
+) -> dict[tuple[str, str], dict[str, imports.Import]]:
+    """Return the modules that each program imports and that are not on every page."""
+    there = {place.split("/")[1].removesuffix(".py") for place in common}
+    there |= sys.stdlib_module_names | IN_THE_PAGE
+    found = {}
+    for package, executable in programs:
+        modules = imports.outside(*_program(needs[package], executable))
+        found[package, executable] = {
+            name: place for name, place in modules.items() if name not in there
+        }
+    return found
+
+
+def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:
+    """Return the files that a program of the last of `packages` has, and where it begins."""
+    setups = [each.setup for each in packages if each.setup]
+    files = {place: file for setup in setups for place, file in setup.files.items()}
+    return files, setups[-1].scripts[executable]
+
+
+def _content_with_ours(
+    wanted: Mapping[tuple[str, str], Iterable[str]], needs: Mapping[str, Sequence[Package]]
+) -> set[tuple[str, str]]:
+    """Return those programs that use no more of numpy than our arrays have."""
+    return {
+        (package, executable)
+        for (package, executable), modules in wanted.items()
+        if "numpy" in modules
+        and imports.names_of("numpy", *_program(needs[package], executable)) <= ARRAYS
+    }
+
+
+def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
+    """Yield the files of a package and of those that it needs, by their place."""
+    for package in packages:
+        for place, file in (package.setup.files if package.setup else {}).items():
+            yield place, file.read_bytes()
+
+
+def _rclpy() -> dict[str, bytes]:
+    """Return rclpy with all that it imports but message classes, by place."""
+    given = {share.name for share in generator.shares([ROS])}
+    return {
+        place: content for place, content in bytecode.brought() if place.split("/")[1] not in given
+    }
+
+
+def _shares(prefix: Path) -> dict[str, Path]:
+    return {share.name: share for share in generator.shares([ROS, prefix])}
+
+
+def _classes(packages: Iterable[str], prefix: Path) -> Iterator[tuple[str, bytes]]:
+    """Yield the message classes of `packages`, by place."""
+    for package in packages:
+        for root in (prefix / "python", bytecode.PAGE):
+            files = sorted((root / package).rglob("*.py"))
+            for file in files:
+                text = bytecode.with_our_numpy(file.read_bytes())
+                yield f"python/{file.relative_to(root).as_posix()}", text
+            if files:
+                break
+
+
+def _named(packages: Iterable[Package]) -> Iterator[str]:
+    """Yield the packages whose messages `packages` may use: declared, or imported all the same."""
+    for package in packages:
+        yield package.name
+        yield from package.depends
+        for text in _sources(package):
+            yield from (match[1] for match in IMPORTED.finditer(text))
+
+
+def _named_by_rclpy() -> Iterator[str]:
+    for file in (bytecode.PAGE / "rclpy").rglob("*.py"):
+        yield from (match[1] for match in IMPORTED.finditer(file.read_text(encoding="utf-8")))
+
+
+def _sources(package: Package) -> Iterator[str]:
+    scripts = package.setup.scripts.values() if package.setup else ()
+    for place, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or place in scripts:
+            yield file.read_text(encoding="utf-8", errors="replace")
+
+
+def _with_nested(names: Iterable[str], prefix: Path) -> list[str]:
+    """Return those of `names` that define interfaces, and all whose messages they nest."""
+    shares = _shares(prefix)
+    found: set[str] = set()
+    waiting = list(names)
+    while waiting:
+        name = waiting.pop()
+        if name in found or name not in shares:
+            continue
+        found.add(name)
+        for kind in KINDS:
+            for file in (shares[name] / kind).glob("*.json"):
+                nested = re.findall(r'"nested_type_name": *"(\w+)/', file.read_text())
+                waiting += dict.fromkeys(nested)
+    return sorted(found)
+
+
+def _types(packages: Iterable[Package], prefix: Path) -> dict[str, MessageType]:
+    """Return the message types that the modules of `packages` import, with all that they nest."""
+    shares = _shares(prefix)
+    names = set(OF_RCLPY)
+    for package in packages:
+        if package.name == workspace.SITEGEN:
+            names |= set(_imported(TYPED, shares))
+        for text in _sources(package):
+            names |= set(_imported(text, shares))
+    parts = {"srv": ("_Request", "_Response"), "msg": ("",)}
+    every = (name + part for name in names for part in parts.get(name.split("/")[1], ()))
+    return messages.types(every, [prefix])
+
+
+def _imported(text: str, shares: Mapping[str, Path]) -> Iterator[str]:
+    """Yield the interfaces that a module imports; all of a package that it imports as a whole."""
+    try:
+        tree = ast.parse(text)
+    except SyntaxError:
+        return  # Python will say so, in the console
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            package, _, kind = node.module.partition(".")
+            if package in shares and kind in KINDS:
+                yield from (f"{package}/{kind}/{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                package, _, kind = alias.name.partition(".")
+                if package in shares and kind in KINDS:
+                    files = (shares[package] / kind).glob("*.json")
+                    yield from (f"{package}/{kind}/{file.stem}" for file in files)

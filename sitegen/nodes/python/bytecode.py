@@ -1,0 +1,85 @@
+"""Bring the bytecode of the Python modules that pages load, which was made with sitegen itself.
+
+It belongs to the Python of pages, which hatch_build.py runs in Node.js. Builds run with any Python.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import re
+import zipfile
+from collections.abc import Iterator, Mapping
+
+from sitegen.shipped import CLIENTS, ROS
+
+CLIENT = CLIENTS / "python"
+PAGE = ROS / "page"
+# By digests of the module and its place, so that a module that has changed has none.
+STORE = ROS / "bytecode.zip"
+# What pages need of what generators need too: of the parser only the types of slots.
+SHARED = (
+    *("rosidl_parser/__init__.py", "rosidl_parser/definition.py", "rpyutils/__init__.py"),
+    *("rpyutils/add_dll_directories.py", "rpyutils/import_c_library.py"),
+)
+# As Python calls such files: that of pages is 3.14.
+TAG = "cpython-314"
+# Generated classes have fixed arrays of numbers in numpy's.
+NUMPY = re.compile(rb"^import numpy\b", re.MULTILINE)
+OUR_NUMPY = b"from rclpy_backend.arrays import numpy"
+GENERATED = re.compile(r"python/(?!rclpy/)\w+/(msg|srv|action)/\w+\.py")
+
+
+def brought() -> Iterator[tuple[str, bytes]]:
+    """Yield what sitegen has for pages of Python, message classes and all, by its place."""
+    for file in sorted(PAGE.rglob("*")):
+        if file.is_file():
+            yield f"python/{file.relative_to(PAGE).as_posix()}", with_our_numpy(file.read_bytes())
+    for name in SHARED:
+        yield f"python/{name}", (ROS / "python" / name).read_bytes()
+    for file in sorted(CLIENT.rglob("*.py")):
+        name = file.relative_to(CLIENT).as_posix()
+        name = f"rclpy/{name}" if name == "_rclpy_pybind11.py" else name
+        yield f"python/{name}", file.read_bytes()
+
+
+def modules() -> list[str]:
+    """Return the names of these modules, without what is below them."""
+    return [file.name for folder in (PAGE, CLIENT) for file in folder.iterdir()] + [
+        name.split("/")[0] for name in SHARED
+    ]
+
+
+def with_our_numpy(module: bytes) -> bytes:
+    """Let a generated module import numpy only where the site has it."""
+    return NUMPY.sub(OUR_NUMPY, module)
+
+
+def key(place: str, module: bytes) -> str:
+    """Return the name of a module's bytecode in STORE."""
+    return hashlib.sha256(place.encode() + b"\0" + module).hexdigest()[:32]
+
+
+def added(files: Mapping[str, bytes]) -> dict[str, bytes]:
+    """Return `files`, with bytecode beside those modules that have some.
+
+    It replaces generated classes, whose lines nobody looks for in a traceback.
+    """
+    found = {}
+    known = _known()
+    for place, content in files.items():
+        code = known.get(key(place, content)) if place.endswith(".py") else None
+        if code is None or not GENERATED.fullmatch(place):
+            found[place] = content
+        if code is not None and GENERATED.fullmatch(place):
+            found[f"{place}c"] = code
+        elif code is not None:
+            folder, _, name = place.rpartition("/")
+            found[f"{folder}/__pycache__/{name.removesuffix('py')}{TAG}.pyc"] = code
+    return found
+
+
+@functools.cache
+def _known() -> dict[str, bytes]:
+    with zipfile.ZipFile(STORE) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}

@@ -1,0 +1,60 @@
+"""Fetch the wheels that an author pinned, by pip: of pure Python, or compiled for the page."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from sitegen.cache.digest import digest_of
+from sitegen.errors import SiteError
+from sitegen.nodes.python.wheel import Wheel, opened
+from sitegen.shipped import VENDOR
+
+# What the Python of pages says of itself.
+LOCK = VENDOR / "pyodide" / "pyodide-lock.json"
+PIP = [
+    *(sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input"),
+    *("download", "--quiet", "--no-deps", "--only-binary=:all:", "--require-hashes"),
+]
+NONE = re.compile(r"No matching distribution found for (\S+)")
+
+
+def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
+    """Return the wheels that `file` names; raises a SiteError with pip's words."""
+    version, platform = _page()
+    python = f"cp{version.replace('.', '')}"
+    words = [f"--python-version={version}", f"--platform={platform}"]
+    words += ["--implementation=cp", f"--abi={python}"]
+    folder = cache / digest_of([file], *words)
+    if not folder.exists():
+        cache.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=cache) as temporary:
+            fresh = Path(temporary) / "wheels"
+            command = [*PIP, *words, f"--dest={fresh}", f"--requirement={file}"]
+            done = subprocess.run(command, text=True, capture_output=True)
+            if done.returncode:
+                tag = f"{python}-{python}-{platform}"
+                raise SiteError(_said_by_pip(file.relative_to(root), done.stderr, tag))
+            fresh.rename(folder)
+    return [opened(wheel.name, wheel) for wheel in sorted(folder.glob("*.whl"))]
+
+
+def _page() -> tuple[str, str]:
+    """Return the version of Python in pages, like 3.14, and the platform that wheels name."""
+    info = json.loads(LOCK.read_text())["info"]
+    version = info["python"].rpartition(".")[0]
+    return version, f"pyemscripten_{info['abi_version']}_{info['arch']}"
+
+
+def _said_by_pip(file: Path, text: str, tag: str) -> list[str]:
+    errors = [line[7:] for line in text.splitlines() if line.startswith("ERROR: ")]
+    line = errors[-1] if errors else text.strip()
+    if found := NONE.search(line):
+        lack = f"it needs one of pure Python, or one that is compiled for the page ({tag})"
+        return [f"{file.as_posix()}: {found[1]}: no wheel of it can be had; {lack}"]
+    advice = "write each as 'name==1.2.3 --hash=sha256:…'"
+    return [f"{file.as_posix()}: pip: {line}; {advice}"]

@@ -1,0 +1,161 @@
+"""Collect what Python programs need beside ROS: wheels of PyPI, and of the Pyodide distribution."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import tempfile
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from sitegen.cache.fetch import FetchError, fetch, mismatch
+from sitegen.errors import Place, Problems
+from sitegen.model import Site
+from sitegen.nodes.python import requirements
+from sitegen.nodes.python.imports import Import
+from sitegen.nodes.python.wheel import Wheel, canonical, opened
+from sitegen.shipped import VENDOR
+
+# What the Pyodide distribution has, with its hashes: of the release that pages run.
+DISTRIBUTION = VENDOR / "pyodide-packages.json"
+PURE = "-none-any.whl"
+LARGEST = 100_000_000
+# Of what comes to each page with rclpy.
+THERE = {"pyyaml", "typing-extensions"}
+# How PyPI names the packages of ROS: those come with rclpy and the messages.
+OF_ROS = "ros-"
+ADVICE = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
+POINT = "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
+
+
+# Package and executable.
+Program = tuple[str, str]
+
+
+def collect(
+    site: Site,
+    wanted: Mapping[Program, Mapping[str, Import]],
+    *,
+    cache: Path,
+    say: Callable[[str], None],
+) -> dict[Program, list[Wheel]]:
+    """Return the wheels that each program needs.
+
+    `wanted` has the modules that each imports from elsewhere, and where. Raises a SiteError with
+    all modules that are nowhere, each with its line; says those that not every run imports.
+    """
+    lock = json.loads(DISTRIBUTION.read_text())["packages"]
+    origins = {module: name for name, each in lock.items() for module in each["imports"]}
+    problems, notes = Problems(site.root), Problems(site.root)
+    pinned = _pinned(site, lock, problems, cache / "wheels")
+    given = {module for wheel in pinned for module in wheel.modules}
+    own = {wheel.package for wheel in pinned}
+    found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
+    for program, modules in wanted.items():
+        for module, (place, sure) in modules.items():
+            lacks = problems if sure else notes
+            if module in given:
+                # What one of them needs is among them, or the build has said so.
+                found[program] |= {wheel.name: wheel for wheel in pinned}
+            elif module not in origins or not site.pyodide.packages:
+                lacks.add(place, f"import {module}", _lack(module, origins, lock))
+            else:
+                names = _with_needs([origins[module]], lock)
+                others = [name for name in names if name not in own]
+                try:
+                    wheels = [_of_distribution(site, lock[n], cache / "wheels") for n in others]
+                    wheels += pinned if len(others) < len(names) else []
+                    found[program] |= {wheel.name: wheel for wheel in wheels}
+                except FetchError as error:
+                    lacks.add(place, f"import {module}", str(error))
+    problems.raise_if_any()
+    for line in dict.fromkeys(notes.lines):
+        say(f"{line}; left out, since not every run comes there")
+    return {program: list(wheels.values()) for program, wheels in found.items()}
+
+
+def lack(module: str) -> str:
+    """Return why a module is not on pages by itself, and what to do."""
+    lock = json.loads(DISTRIBUTION.read_text())["packages"]
+    return _lack(module, {name: each for each, of in lock.items() for name in of["imports"]}, lock)
+
+
+def _lack(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
+    if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
+        return f"no module of this name comes to the page; {ADVICE}, or leave it out"
+    return f"'{origins[module]}' has to be compiled for the page; {POINT}"
+
+
+def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:
+    """Return the wheels that the author pinned, with what they need of the distribution."""
+    file = site.pyodide.requirements
+    if file is None:
+        return []
+    wheels = requirements.pinned(file, site.root, cache=cache)
+    there = {wheel.package for wheel in wheels}
+    names: list[str] = []
+    for wheel in wheels:
+        place = Place(file, _line(file, wheel.package))
+        for need in sorted(wheel.needs - there - THERE):
+            if need.startswith(OF_ROS):
+                continue
+            if need in lock and site.pyodide.packages:
+                names.append(need)
+                continue
+            compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
+            advice = POINT if compiled else "it has to be in this file, too"
+            problems.add(place, wheel.package, f"it needs '{need}'; {advice}")
+    for name in _with_needs(names, lock):
+        if name not in there:
+            try:
+                wheels.append(_of_distribution(site, lock[name], cache))
+            except FetchError as error:
+                problems.add(Place(file, 1), name, str(error))
+    return wheels
+
+
+def _line(file: Path, package: str) -> int:
+    """Return where a file of requirements names `package`."""
+    lines = file.read_text(encoding="utf-8").splitlines()
+    names = (canonical(re.split(r"[\[=; ]", line.strip())[0]) for line in lines)
+    return next((n for n, name in enumerate(names, 1) if name == package), 1)
+
+
+def _with_needs(names: Iterable[str], lock: Mapping[str, Any]) -> list[str]:
+    found: dict[str, None] = {}
+    waiting = list(names)
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found[one] = None
+            waiting += lock[one]["depends"]
+    return list(found)
+
+
+def _of_distribution(site: Site, entry: Mapping[str, Any], cache: Path) -> Wheel:
+    """Return a package of the Pyodide distribution; raises a FetchError if it cannot be had."""
+    name, sha256, origin = entry["file_name"], entry["sha256"], site.pyodide.packages
+    kept = cache / sha256
+    if not kept.exists():
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=kept.parent) as temporary:
+            file = Path(temporary) / name
+            if isinstance(origin, Path):
+                _copy(origin / name, sha256, file)
+            else:
+                fetch(f"{origin}{name}", sha256, file, largest=LARGEST)
+            file.replace(kept)
+    return opened(name, kept)
+
+
+def _copy(source: Path, sha256: str, to: Path) -> None:
+    try:
+        data = source.read_bytes()
+    except OSError as error:
+        raise FetchError(f"{source}: {error.strerror}; it is of release 314 of Pyodide") from None
+    found = hashlib.sha256(data).hexdigest()
+    if found != sha256:
+        raise FetchError(mismatch(source.name, found))
+    to.write_bytes(data)

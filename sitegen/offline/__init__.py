@@ -1,5 +1,0 @@
-"""Write the service worker of a site that works without a network."""
-
-from sitegen.offline.worker import RETIRED, artifacts
-
-__all__ = ["RETIRED", "artifacts"]

@@ -1,6 +1,0 @@
-"""Turn the Site's pages into HTML, one page.json for each that runs nodes, and their files."""
-
-from sitegen.pages.entry import Programs
-from sitegen.pages.render import Rendered, Renderer, render
-
-__all__ = ["Programs", "Rendered", "Renderer", "render"]

@@ -1,5 +1,0 @@
-"""Turn one page of a site into one HTML file that needs no server."""
-
-from sitegen.single.page import HELD, single_file
-
-__all__ = ["HELD", "single_file"]

@@ -1,0 +1,1 @@
+"""Turn pages and programs into the files of a web site."""

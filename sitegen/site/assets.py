@@ -1,0 +1,161 @@
+"""Collect the files of the browser runtime that a site uses."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+
+from sitegen.cache.digest import digest_of
+from sitegen.model import Artifact, Build, Node, Page, Site, Widget
+from sitegen.shipped import RUNTIME, VENDOR
+
+# What browsers load of Pyodide, by the end of its name.
+PYTHON = {".json", ".mjs", ".wasm", ".zip"}
+
+# Widgets that only start programs and show what they print; all others take part in the graph.
+PLAIN = {"buttons", "console", "editor", "prompt"}
+# A compiled form of a node: its package, its executable, its engine.
+Form = tuple[str, str, str]
+IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)
+
+
+def takes_part(page: Page) -> bool:
+    """Return whether a widget of `page` takes part in the graph."""
+    return any(widget.kind not in PLAIN for widget in _widgets([page]))
+
+
+def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
+    """Return the runtime's files, with only those widgets that a page shows and what they import.
+
+    A site without nodes needs none of them; `debug` adds what tells where programs are.
+    """
+    files = {file for page in site.pages for file in _modules(site, page)}
+    if not files:
+        return []
+    workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
+    files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
+    if "cppNode" in workers:
+        files |= set((RUNTIME / "filter").iterdir())  # loaded by those programs that filter
+    if debug:
+        files.add(RUNTIME / "workers" / "stackTrace.js")
+    if any(widget.kind == "console" for widget in _widgets(site.pages)):
+        files |= set(_with_imports([RUNTIME / "keyboard.js"]))  # by those whose program reads
+    if "pythonNode" in workers:
+        files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
+        parts = (VENDOR / "pyodide").iterdir()
+        files |= {file for file in parts if file.suffix in PYTHON}
+    if any(file.is_relative_to(VENDOR) for file in files):
+        files.add(VENDOR / "licenses.txt")
+    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
+
+
+def python_size() -> int:
+    """Return how much a page fetches of Python itself (bytes): its modules in JavaScript aside."""
+    files = (VENDOR / "pyodide").iterdir()
+    return sum(file.stat().st_size for file in files if file.suffix in PYTHON - {".mjs"})
+
+
+def search(site: Site) -> list[Artifact]:
+    """Return the modules that the search of a site needs: one that has more than one page."""
+    if len(site.pages) < 2:
+        return []
+    files = [*_with_imports([RUNTIME / "searchIndex.js"]), RUNTIME / "vendor" / "licenses.txt"]
+    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in files]
+
+
+def preloads(site: Site) -> dict[str, list[str]]:
+    """Return, by page path, the modules that the page loads as soon as it can: all but rosMain.js.
+
+    Named in the page's head they come at once; otherwise each would be asked for by the one before.
+    """
+    return {
+        page.path: [
+            f"runtime/{f.relative_to(RUNTIME).as_posix()}" for f in _modules(site, page)[1:]
+        ]
+        for page in site.pages
+    }
+
+
+def _modules(site: Site, page: Page) -> list[Path]:
+    """Return the modules that `page` runs, rosMain.js first; none if it shows no widget."""
+    widgets = list(_widgets([page]))
+    if not widgets:
+        return []
+    files = [RUNTIME / "rosMain.js"]
+    if takes_part(page):
+        files.append(RUNTIME / "pageClient.js")
+    files += (RUNTIME / "widgets" / f"{widget.kind}.js" for widget in widgets)
+    robots = (widget for widget in widgets if widget.kind == "robot")
+    files += (RUNTIME / "robots" / f"{robot.options['kind']}.js" for robot in robots)
+    # What widgets say in the language of the page; English stands in the code.
+    language = (page.language or site.language).partition("-")[0].lower()
+    words = RUNTIME / "words" / f"{language}.js"
+    return _with_imports([*files, words] if words.is_file() else files)
+
+
+def _with_imports(files: Iterable[Path]) -> list[Path]:
+    """Return `files` and all that they import, each once."""
+    found: dict[Path, None] = {}
+    waiting = list(files)
+    while waiting:
+        file = waiting.pop(0)
+        if file not in found:
+            found[file] = None
+            names = IMPORT.findall(file.read_text(encoding="utf-8"))
+            waiting += [(file.parent / name).resolve() for name in names]
+    return list(found)
+
+
+def versions(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> dict[Form, str]:
+    """Return a digest of each compiled form of a node."""
+    return {
+        (package, executable, build.engine): digest_of([build.script, build.wasm])[:10]
+        for (package, executable), forms in builds
+        for build in forms
+    }
+
+
+def lines(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> set[Form]:
+    """Return those compiled forms of nodes that come with their lines."""
+    return {(*name, build.engine) for name, forms in builds for build in forms if build.lines}
+
+
+def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:
+    """Return the compiled nodes."""
+    artifacts = []
+    for (package, executable), forms in builds:
+        for build in forms:
+            stem = f"nodes/{package}/{executable}.{build.engine}"
+            artifacts.append(Artifact(f"{stem}.js", build.script))
+            artifacts.append(Artifact(f"{stem}.wasm", build.wasm))
+            if build.lines:
+                artifacts.append(Artifact(f"{stem}.lines.json", build.lines))
+    return artifacts
+
+
+def scripts(site: Site) -> list[Artifact]:
+    """Return the nodes that the ROS2WASM project compiled, each below its place in the site."""
+    files = {
+        file
+        for page in site.pages
+        for node in page.nodes.values()
+        for file in (node.ros2wasm.files if node.ros2wasm else ())
+    }
+    return [Artifact(f"ros2wasm/{f.relative_to(site.root).as_posix()}", f) for f in sorted(files)]
+
+
+def archives(data: Mapping[str, bytes]) -> list[Artifact]:
+    """Return the archives of Python nodes, given by their path."""
+    return [Artifact(path, content) for path, content in data.items()]
+
+
+def _worker(site: Site, node: Node) -> str:
+    """Return which worker of the runtime runs `node`."""
+    if site.setup_of(node):
+        return "pythonNode"
+    return "ros2wasmNode" if node.ros2wasm else "cppNode"
+
+
+def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:
+    return (part for page in shown for part in page.content if isinstance(part, Widget))

@@ -1,0 +1,186 @@
+"""Turn the order of the pages into menus, paths of links, and what comes before and after."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from sitegen.model import Page, Section, Site
+from sitegen.site.prose import address
+
+
+class Link(NamedTuple):
+    """A link: in the menu, `current` says that we are there and `inside` has the lines below it.
+
+    `open` says that we are there or below.
+    """
+
+    title: str
+    href: str
+    current: bool = False
+    open: bool = False
+    inside: tuple[Link, ...] = ()
+
+
+class Form(NamedTuple):
+    """A page in one of its languages; `url` is absolute, or empty."""
+
+    language: str
+    href: str
+    url: str
+    current: bool
+
+
+@dataclass
+class _Entry:
+    """A line of the navigation; one without page and address is a group."""
+
+    title: str
+    page: str | None = None
+    url: str = ""
+    inside: list[_Entry] = field(default_factory=list)
+    above: _Entry | None = None
+
+    def pages(self) -> Iterator[str]:
+        """Yield the pages here and below, in order."""
+        if self.page is not None:
+            yield self.page
+        for entry in self.inside:
+            yield from entry.pages()
+
+
+class Navigation:
+    """The pages as a tree; a page sees the top, its ancestors' branches and its own.
+
+    A menu of everything would make the size of a site grow with the square of its pages.
+    """
+
+    def __init__(self, site: Site) -> None:
+        originals = {page.path: page for page in site.pages if page.original in (None, page.path)}
+        self._translated = {(p.language, p.original): p for p in site.pages if p.language}
+        self._originals = originals
+        self._top = _given(site.nav) if site.nav else _by_path(originals)
+        self._entries: dict[str, _Entry] = {}
+        self._index(self._top, None)
+        self._order = list(self._entries)
+        self._places = {path: place for place, path in enumerate(self._order)}
+
+    def menu(self, page: Page) -> list[Link]:
+        """Return the lines of the menu on `page`."""
+        above = {id(entry) for entry in self._above(page)}
+        return [self._link(entry, page, above) for entry in self._top]
+
+    def trail(self, page: Page) -> list[Link]:
+        """Return the links from the top to `page`, without itself."""
+        way = self._above(page)[1:]
+        return [self._link(entry, page, set()) for entry in reversed(way)]
+
+    def around(self, page: Page) -> tuple[Link | None, Link | None]:
+        """Return the pages before and after `page`."""
+        place = self._places.get(_original(page))
+        if place is None:
+            return None, None
+        sides = (place - 1, place + 1)
+        before, after = (self._order[s] if 0 <= s < len(self._order) else None for s in sides)
+        return self._to(before, page), self._to(after, page)
+
+    def languages(self, page: Page, site: Site) -> list[Form]:
+        """Return the forms of `page`, its own too, or nothing if there is only one."""
+        path = _original(page)
+        forms = [(site.language, self._originals[path])] if path in self._originals else []
+        for language in site.languages:
+            if translated := self._translated.get((language, path)):
+                forms.append((language, translated))
+        return [
+            Form(
+                language,
+                address(page, other.path),
+                f"{site.url}{other.path}" if site.url else "",
+                current=other.path == page.path,
+            )
+            for language, other in (forms if len(forms) > 1 else ())
+        ]
+
+    def home(self, page: Page) -> Page | None:
+        """Return the first page of the site in the language of `page`."""
+        return self._translated.get((page.language, "")) or self._originals.get("")
+
+    def _index(self, entries: Iterable[_Entry], above: _Entry | None) -> None:
+        for entry in entries:
+            entry.above = above
+            if entry.page is not None:
+                self._entries.setdefault(entry.page, entry)
+            self._index(entry.inside, entry)
+
+    def _above(self, page: Page) -> list[_Entry]:
+        """Return the entry of a page and those that it is in, nearest first."""
+        way, entry = [], self._entries.get(_original(page))
+        while entry:
+            way.append(entry)
+            entry = entry.above
+        return way
+
+    def _link(self, entry: _Entry, page: Page, above: set[int]) -> Link:
+        path = next(entry.pages(), None)
+        shown = self._shown(path, page) if path is not None else None
+        own = shown if entry.page is not None else None
+        title = own.title if own and own.language else entry.title
+        href = entry.url or (address(page, shown.path) if shown else "")
+        link = Link(title, href, current=own is not None and own.path == page.path)
+        if id(entry) not in above:
+            return link
+        inside = tuple(self._link(each, page, above) for each in entry.inside)
+        return link._replace(open=True, inside=inside)
+
+    def _to(self, path: str | None, page: Page) -> Link | None:
+        if path is None:
+            return None
+        shown = self._shown(path, page)
+        title = shown.title if shown.language else self._entries[path].title
+        return Link(title, address(page, shown.path))
+
+    def _shown(self, path: str, page: Page) -> Page:
+        """Return the page of that path in the language of `page`, or the original."""
+        return self._translated.get((page.language, path)) or self._originals[path]
+
+
+def _original(page: Page) -> str:
+    return page.path if page.original is None else page.original
+
+
+def _given(sections: Iterable[Section]) -> list[_Entry]:
+    return [_Entry(s.title, s.page, s.url, _given(s.inside)) for s in sections]
+
+
+def _by_path(pages: Mapping[str, Page]) -> list[_Entry]:
+    """Return the tree of the paths; a folder of several pages without its own is a group."""
+    entries = {path: _Entry(page.title, path) for path, page in pages.items()}
+    pages_in = Counter(folder for path in pages for folder in _folders(path))
+    top: list[_Entry] = []
+    for path in pages:
+        entry = entries[path]
+        for folder in _folders(path):
+            known = folder in entries
+            if not known and pages_in[folder] < 2:
+                continue
+            parent = entries.setdefault(folder, _Entry(_named(folder)))
+            parent.inside.append(entry)
+            if known:
+                break
+            entry = parent
+        else:
+            top.append(entry)
+    return top
+
+
+def _folders(path: str) -> list[str]:
+    """Return the folders that contain a path, nearest first; the first page contains none."""
+    names = path.split("/")[:-1]
+    return ["/".join(names[:end]) + "/" for end in range(len(names) - 1, 0, -1)]
+
+
+def _named(folder: str) -> str:
+    name = folder.rstrip("/").rpartition("/")[2]
+    return name.replace("-", " ").replace("_", " ").capitalize()

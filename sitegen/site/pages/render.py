@@ -1,0 +1,245 @@
+"""Turn the Site's pages into HTML, one page.json for each that runs nodes, and their files."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from markupsafe import Markup
+
+from sitegen.errors import Problems, nearest
+from sitegen.model import Artifact, Page, Site
+from sitegen.site.pages import app, discovery, preview, search, tags
+from sitegen.site.pages.blocks import Block, blocks, slots_of
+from sitegen.site.pages.editor import edited
+from sitegen.site.pages.entry import Programs, page_json
+from sitegen.site.pages.history import changed_days, edit_link
+from sitegen.site.pages.missing import missing
+from sitegen.site.pages.nav import Link, Navigation
+from sitegen.site.pages.policy import FILE_NOTE, policy
+from sitegen.site.pages.theme import Theme, look_files
+from sitegen.site.prose import Anchor, Heading, Library, Prose, address, lasting_name
+
+# Below this, starting processes takes longer than they save.
+MANY = 150
+# Ids that every page has.
+ALWAYS = frozenset({"main", "top"})
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """What one page became: its artifacts, and what the site has to know of it.
+
+    `ids` are what links can lead to in the page, `anchors` the links that have to be there,
+    `found` its problems as Problems keeps them.
+    """
+
+    page: Page
+    artifacts: tuple[Artifact, ...]
+    ids: frozenset[str]
+    anchors: tuple[Anchor, ...]
+    sections: tuple[search.Section, ...]
+    found: tuple[tuple[str, int, str], ...]
+
+
+def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
+    """Return the artifacts of all pages and of the themes."""
+    renderer = Renderer(site, programs or Programs())
+    rendered = renderer.every_page()
+    return [*renderer.site_artifacts(rendered), *renderer.index(rendered)]
+
+
+class Renderer:
+    """Renders the pages of one site, all of them or each alone."""
+
+    def __init__(self, site: Site, programs: Programs) -> None:
+        self.site = tags.with_tags(site)
+        self._programs = programs
+        self._library = Library.of(self.site)
+        self._navigation = Navigation(site)
+        self._tags = tags.links(self.site)
+        self._files = look_files(site.look)
+        self._themes = {
+            folder: Theme.of(folder, site)
+            for folder in dict.fromkeys([site.theme, *(p.theme for p in site.pages if p.theme)])
+        }
+
+    @cached_property
+    def _changed(self) -> Mapping[Path, str]:
+        return changed_days(self.site)
+
+    def every_page(self) -> list[Rendered]:
+        """Return all pages, with more than one process where there are many."""
+        pages, workers = self.site.pages, min(os.cpu_count() or 1, 8)
+        # Elsewhere, a process cannot part safely, or not at all.
+        if len(pages) < MANY or workers < 2 or sys.platform != "linux":
+            return [self.page(page) for page in pages]
+        # Other sites need not wait for these to load.
+        from concurrent.futures import ProcessPoolExecutor
+        from multiprocessing import get_context
+
+        # What all need is found once, before the processes part.
+        _ = self._changed
+        global _forked
+        _forked = self
+        size = -(-len(pages) // (4 * workers))
+        starts = range(0, len(pages), size)
+        chunks = [range(start, min(start + size, len(pages))) for start in starts]
+        with ProcessPoolExecutor(workers, mp_context=get_context("fork")) as pool:
+            return [page for chunk in pool.map(_chunk, chunks) for page in chunk]
+
+    def page(self, page: Page, *, alone: bool = False) -> Rendered:
+        """Return one page; it may be newer than that of the site, with the same path.
+
+        One that is `alone` has no menu and no search.
+        """
+        problems = Problems(self.site.root)
+        library = self._library
+        if library.pages.get(page.path) is not page:
+            library = replace(library, pages={**library.pages, page.path: page})
+        theme = self._themes[page.theme or self.site.theme]
+        language = page.language or self.site.language
+        prose = Prose(library, page, problems, theme.texts(language).admonitions)
+        parts = list(blocks(self.site, page, prose, problems))
+        html = self._html(page, parts, prose, alone=alone)
+        artifacts = [Artifact(page.html, html.encode())]
+        if any(panel.slots for block in parts for panel in block.panels):
+            files = edited(self.site, page, problems)
+            # One that is opened as a file has no service worker.
+            site = replace(self.site, isolate=None) if alone else self.site
+            entry = page_json(site, page, self._programs, files)
+            artifacts.append(Artifact(f"{page.path}page.json", entry))
+        artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
+        if self.site.url and not page.base:
+            artifacts.append(preview.artifact(self.site, page))
+        slots = {slot.id for _, slot in slots_of(page)}
+        return Rendered(
+            page,
+            tuple(artifacts),
+            frozenset(prose.ids | slots | ALWAYS),
+            tuple(prose.links.anchors),
+            tuple(search.sections(page, (block.html for block in parts))),
+            tuple(problems.found),
+        )
+
+    def alone(self, page: Page) -> tuple[str, list[Artifact]]:
+        """Return the HTML of one page without the site around it, and what it and themes load."""
+        rendered = self.page(page, alone=True)
+        first, *rest = rendered.artifacts
+        assert isinstance(first.source, bytes)
+        problems = Problems(self.site.root)
+        problems.found += rendered.found
+        problems.raise_if_any()
+        theme = self._themes[page.theme or self.site.theme]
+        return first.source.decode(), [*rest, *theme.artifacts(), *self._files]
+
+    def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
+        """Return what a search looks into."""
+        return search.artifacts(self.site, ((each.page, each.sections) for each in rendered))
+
+    def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
+        """Return the artifacts of pages and those of the whole site, or raise a SiteError.
+
+        All but the index, which takes as long as all the others together.
+        """
+        rendered = list(rendered)
+        problems = Problems(self.site.root)
+        for each in rendered:
+            problems.found += each.found
+        _check_anchors(rendered, problems)
+        problems.raise_if_any()
+        texts = self._themes[self.site.theme].texts(self.site.language)
+        rendered.append(self.page(missing(self.site, texts)))
+        artifacts = [artifact for each in rendered for artifact in each.artifacts]
+        # Pages share images and previews.
+        artifacts = list({artifact.path: artifact for artifact in artifacts}.values())
+        for theme in self._themes.values():
+            artifacts += theme.artifacts()
+        artifacts += self._files
+        artifacts += discovery.artifacts(self.site, self._changed)
+        artifacts += app.artifacts(self.site)
+        return artifacts
+
+    def _html(self, page: Page, parts: Sequence[Block], prose: Prose, *, alone: bool) -> str:
+        site, navigation = self.site, self._navigation
+        if alone:
+            navigation = Navigation(replace(site, pages=(), nav=()))
+        theme = self._themes[page.theme or site.theme]
+        language = page.language or site.language
+        text = "".join(block.html for block in parts)
+        live = any(panel.slots for block in parts for panel in block.panels)
+        toc, has_heading = _toc(prose.headings), any(h.level == 1 for h in prose.headings)
+        footer = prose.html(site.look.footer) if site.look.footer else ""
+        home = navigation.home(page)
+        previous, following = navigation.around(page)
+        fonts = (site.look.font, site.look.code_font)
+        searched = search.wanted(site) and not alone
+        offline = bool(site.offline) and not alone and not page.base
+        # Nobody links to one that is shown in place of others.
+        public = site.url and not page.base
+        return theme.html(
+            site=site,
+            page=page,
+            language=language,
+            text=theme.texts(language),
+            blocks=parts,
+            has_heading=has_heading,
+            toc=toc,
+            live=live,
+            menu=navigation.menu(page),
+            trail=navigation.trail(page),
+            previous=previous,
+            next=following,
+            languages=navigation.languages(page, site),
+            tags=[Link(name, address(page, path)) for name, path in self._tags(page)],
+            root=address(page, ""),
+            home=address(page, home.path if home else ""),
+            theme=address(page, theme.path),
+            style=address(page, f"{theme.path}site.css") if theme.style else "",
+            logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
+            footer=Markup(footer),
+            runtime=address(page, "runtime/"),
+            modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
+            search=address(page, search.path(language)) if searched else "",
+            share=live and not alone,
+            feed=address(page, discovery.FEED) if site.feed else "",
+            url=f"{site.url}{page.path}" if public else "",
+            image=f"{site.url}{preview.path(site, page)}" if public else "",
+            edit=edit_link(site, page),
+            changed=self._changed.get(page.file, "") if page.file else "",
+            offline=offline,
+            policy=policy(
+                text,
+                live=live,
+                fonts=any(isinstance(f, Path) for f in fonts),
+                offline=offline,
+            ),
+            file_note=Markup("" if alone else FILE_NOTE),
+        )
+
+
+_forked: Renderer
+
+
+def _chunk(places: range) -> list[Rendered]:
+    return [_forked.page(_forked.site.pages[place]) for place in places]
+
+
+def _toc(headings: Sequence[Heading]) -> list[Heading]:
+    """Return the headings that a table of contents shows, if there is more than one."""
+    shown = [heading for heading in headings if heading.level in (2, 3)]
+    return shown if len(shown) > 1 else []
+
+
+def _check_anchors(rendered: Sequence[Rendered], problems: Problems) -> None:
+    ids = {each.page.path: each.ids for each in rendered}
+    for each in rendered:
+        for path, name, place in each.anchors:
+            if name not in ids[path]:
+                where = "this page" if path == each.page.path else f"/{path}"
+                message = f"no heading '#{name}' in {where}; {nearest(name, ids[path] - ALWAYS)}"
+                problems.add(place, "link", message)

@@ -1,0 +1,104 @@
+"""Turn a theme into a template and the files that its pages load."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import jinja2
+
+from sitegen.errors import SiteError
+from sitegen.model import Artifact, Look, Site
+from sitegen.shipped import DEFAULT_THEME
+from sitegen.site.pages.colours import shades
+from sitegen.site.pages.texts import texts
+from sitegen.site.prose import lasting_name
+
+NOT_SERVED = {".html", ".yaml", ".md"}
+
+
+@dataclass(frozen=True)
+class Theme:
+    """A theme: its folder before that of the default one, and where its files are in `dist/`."""
+
+    folders: tuple[Path, ...]
+    path: str
+    template: jinja2.Template
+    style: str
+    _texts: dict[str, SimpleNamespace] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, folder: Path, site: Site) -> Theme:
+        """Return the theme of a folder, made to look as the site says."""
+        folders = tuple(dict.fromkeys((DEFAULT_THEME, folder)))
+        environment = jinja2.Environment(
+            loader=jinja2.FileSystemLoader(folders[::-1]),
+            autoescape=True,
+            undefined=jinja2.StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        path = "theme/" if folder == site.theme else f"theme-{folder.name}/"
+        try:
+            template = environment.get_template("page.html")
+        except jinja2.TemplateSyntaxError as error:
+            where = f"{error.filename or error.name}:{error.lineno}"
+            raise SiteError([f"{where}: theme: {error.message}; correct the template"]) from error
+        return cls(folders, path, template, _style(site.look))
+
+    def html(self, /, **names: Any) -> str:
+        """Return a page."""
+        try:
+            return self.template.render(**names)
+        except jinja2.TemplateError as error:
+            where = f"themes/{self.folders[-1].name}"
+            raise SiteError([f"{where}: theme: {error.message}; see docs/themes.md"]) from error
+
+    def texts(self, language: str) -> SimpleNamespace:
+        """Return what the theme says in a language."""
+        if language not in self._texts:
+            self._texts[language] = texts(self.folders, language)
+        return self._texts[language]
+
+    def artifacts(self) -> list[Artifact]:
+        """Return everything that its pages load: files of the theme go before the default's."""
+        files = {
+            file.relative_to(folder).as_posix(): file
+            for folder in self.folders
+            for file in sorted(folder.rglob("*"))
+            if file.is_file() and file.suffix not in NOT_SERVED and not file.name.startswith(".")
+        }
+        found = [Artifact(self.path + name, file) for name, file in sorted(files.items())]
+        if self.style:
+            found.append(Artifact(f"{self.path}site.css", self.style.encode()))
+        return found
+
+
+def look_files(look: Look) -> list[Artifact]:
+    """Return the files that the look of a site names."""
+    named = (look.font, look.code_font, look.logo)
+    files = (file for file in named if isinstance(file, Path))
+    return [Artifact(lasting_name(file), file) for file in files]
+
+
+def _style(look: Look) -> str:
+    """Return the variables that the look of a site changes, as CSS."""
+    rules, variables = [], []
+    if look.accent:
+        variables.append("--accent: light-dark({}, {});".format(*shades(look.accent)))
+    for variable, font in (("--font", look.font), ("--font-code", look.code_font)):
+        if isinstance(font, Path):
+            name = f"site{variable.removeprefix('--')}"
+            source = f'url("../{lasting_name(font)}")'
+            rules.append(
+                f'@font-face {{ font-family: "{name}"; src: {source}; '
+                "font-weight: 100 900; font-display: swap; }"
+            )
+            font = f'"{name}", system-ui, sans-serif'
+        if font:
+            variables.append(f"{variable}: {font};")
+    if variables:
+        rules.append(f":root {{ {' '.join(variables)} }}")
+    return "".join(f"{rule}\n" for rule in rules)

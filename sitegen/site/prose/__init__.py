@@ -1,0 +1,19 @@
+"""Turn a page's Markdown into HTML whose links work in the site, and name the files it needs."""
+
+from sitegen.site.prose.highlight import code, language_of
+from sitegen.site.prose.links import Anchor, Library, address
+from sitegen.site.prose.media import lasting_name
+from sitegen.site.prose.text import Heading, Prose, plain, without_text
+
+__all__ = [
+    "Anchor",
+    "Heading",
+    "Library",
+    "Prose",
+    "address",
+    "code",
+    "language_of",
+    "lasting_name",
+    "plain",
+    "without_text",
+]

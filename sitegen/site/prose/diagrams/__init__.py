@@ -1,0 +1,25 @@
+"""Draw diagrams at build: the flowcharts and sequence diagrams of Mermaid's language, as SVG."""
+
+from __future__ import annotations
+
+import functools
+
+from sitegen.site.prose.diagrams.fault import DiagramError
+from sitegen.site.prose.diagrams.flowchart import flowchart
+from sitegen.site.prose.diagrams.sequence import sequence
+
+__all__ = ["DiagramError", "drawn"]
+
+
+@functools.cache
+def drawn(source: str) -> str:
+    """Return the SVG of a diagram, or raise a DiagramError."""
+    lines = [line.strip().rstrip(";").strip() for line in source.split("\n")]
+    lines = [line for line in lines if line and not line.startswith("%%")]
+    kind = lines[0].split()[0] if lines else ""
+    if kind in ("graph", "flowchart"):
+        return flowchart(lines)
+    if kind == "sequenceDiagram":
+        return sequence(lines)
+    message = f"'{kind}' is no diagram here; begin with 'flowchart LR' or 'sequenceDiagram'"
+    raise DiagramError(lines[0] if lines else "", message)

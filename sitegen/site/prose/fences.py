@@ -1,0 +1,62 @@
+"""Say what becomes of a fenced block: code, or a diagram to draw."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from markupsafe import escape
+
+from sitegen.site.prose.highlight import code
+
+# What can stand after the language: ```cpp title="talker.cpp" linenums="1" hl_lines="2 4-6"
+OPTIONS = {
+    "title": re.compile(r"[^\n]*"),
+    "linenums": re.compile(r"[1-9]\d*"),
+    "hl_lines": re.compile(r"\d+(-\d+)?([ ,]+\d+(-\d+)?)*"),
+}
+DIAGRAM = re.compile(r'<div class="mermaid">(.*?)</div>', re.DOTALL)
+
+
+def _options(
+    language: str,
+    inputs: Mapping[str, str],
+    options: dict[str, str],
+    attributes: dict[str, str],
+    converter: object,
+) -> bool:
+    """Take over what is known; a fence with anything else is no fence, and seen as text."""
+    fits = {name: value for name, value in inputs.items() if name in OPTIONS}
+    options.update(fits)
+    return all(OPTIONS[name].fullmatch(value) for name, value in fits.items())
+
+
+def _code(
+    source: str, language: str, name: str, options: Mapping[str, str], *_: object, **__: object
+) -> str:
+    marked = tuple(sorted(_numbers(options.get("hl_lines", ""))))
+    first = int(options.get("linenums", 0))
+    numbers = range(first, first + source.count("\n") + 1) if first else ()
+    title = options.get("title", "")
+    return code(source, language, title=title, numbers=tuple(numbers), marked=marked)
+
+
+def _diagram(source: str, *_: object, **__: object) -> str:
+    return f'<div class="mermaid">{escape(source)}</div>'
+
+
+def _numbers(text: str) -> set[int]:
+    found: set[int] = set()
+    for part in re.split(r"[ ,]+", text.strip()) if text else ():
+        first, _, last = part.partition("-")
+        found |= set(range(int(first), int(last or first) + 1))
+    return found
+
+
+def _fence(name: str, form: Callable[..., str]) -> dict[str, Any]:
+    return {"name": name, "class": name, "format": form, "validator": _options}
+
+
+# The last one that fits is taken.
+FENCES = [_fence("*", _code), _fence("mermaid", _diagram)]

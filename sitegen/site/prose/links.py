@@ -1,0 +1,167 @@
+"""Turn the links of an author into addresses that work in the site, from any folder."""
+
+from __future__ import annotations
+
+import functools
+import html
+import os
+import posixpath
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NamedTuple
+from urllib.parse import quote, unquote, urlsplit, urlunsplit
+
+from sitegen.errors import Place, Problems, nearest, relative
+from sitegen.model import Markdown, Page, Site
+from sitegen.site.prose.media import lasting_name
+
+# Every page's menu names every page of its branch: quoting each name once is a third of the time.
+_quote = functools.cache(quote)
+
+
+def address(page: Page, path: str) -> str:
+    """Return the URL of `path`, a path inside `dist/`, seen from `page`."""
+    if page.base:
+        return page.base + _quote(path)
+    if path.startswith(page.path):
+        return _quote(path[len(page.path) :]) or "./"
+    return "../" * page.path.count("/") + _quote(path) or "./"
+
+
+class Anchor(NamedTuple):
+    """A link to a place in a page: the page's path, the id there, and where it was written."""
+
+    path: str
+    id: str
+    place: Place
+
+
+@dataclass(frozen=True)
+class Library:
+    """What links can lead to: the pages by path, and by the Markdown file that they show."""
+
+    site: Site
+    pages: Mapping[str, Page]
+    sources: Mapping[str, Page]
+
+    @classmethod
+    def of(cls, site: Site) -> Library:
+        """Return the library of a site."""
+        sources: dict[str, Page] = {}
+        for page in site.pages:
+            for place in (page.place, *(part.place for part in page.content)):
+                if place.file.suffix == ".md":
+                    sources.setdefault(os.path.realpath(place.file), page)
+        return cls(site, {page.path: page for page in site.pages}, sources)
+
+
+@dataclass
+class Links:
+    """The links of one page; `files` gathers what to copy, `anchors` what to look for."""
+
+    library: Library
+    page: Page
+    problems: Problems
+    files: dict[str, Path] = field(default_factory=dict)
+    anchors: list[Anchor] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        files = {part.place.file for part in self.page.content}
+        self._own = {os.path.realpath(file) for file in files if file.suffix == ".md"}
+
+    def resolve(self, url: str, key: str, source: Markdown) -> tuple[str | None, Path | None]:
+        """Return where `url` leads from this page, None if it is right as written, and the file.
+
+        `key` says what names it: "link", "frame", "image" or "media".
+        """
+        try:
+            parts = urlsplit(url)
+        except ValueError:
+            self.problems.add(line_of(source, url), key, f"'{url}' is no address; check it")
+            return None, None
+        if parts.scheme == "javascript":
+            self.problems.add(line_of(source, url), key, "a link runs no script; write a widget")
+            return None, None
+        if parts.scheme or parts.netloc:
+            if key != "link" and parts.scheme != "data":
+                message = f"'{url}' is on another site; save it in this one and name the file"
+                self.problems.add(line_of(source, url), key, message)
+            return None, None
+        name, target, file = unquote(parts.path), None, None
+        if not name:
+            target = self.page.path
+        elif key in ("link", "frame"):
+            target = self._page(name, source)
+        if target is not None:
+            # What a browser is to look for in the text has no id.
+            if parts.fragment and not parts.fragment.startswith(":~:"):
+                place = line_of(source, url)
+                self.anchors.append(Anchor(target, unquote(parts.fragment), place))
+            if not name:
+                return None, None
+        else:
+            target, file = self._file(name, key, source, url)
+        if target is None:
+            return None, None
+        found = address(self.page, target)
+        return urlunsplit(("", "", found, parts.query, parts.fragment)), file
+
+    def _page(self, name: str, source: Markdown) -> str | None:
+        """Return the path of the page that `name` means: its source file or its path."""
+        written = os.path.normpath(source.folder / name)
+        known = self.library.sources
+        shown = known.get(written) or (known.get(os.path.realpath(written)) if known else None)
+        if shown:
+            return self.page.path if written in self._own else shown.path
+        here_on = posixpath.normpath(posixpath.join("/", self.page.folder, name))
+        for path in (here_on, posixpath.normpath("/" + name)):
+            folder = path.removesuffix("/index.html").strip("/")
+            candidate = f"{folder}/" if folder else ""
+            if candidate in self.library.pages:
+                return candidate
+        return None
+
+    def _file(
+        self, name: str, key: str, source: Markdown, url: str
+    ) -> tuple[str | None, Path | None]:
+        """Note that the file `name` is to be copied; return its path inside `dist/`, and itself."""
+        root = self.library.site.root.resolve()
+        file = (source.folder / name).resolve()
+        fault = ""
+        if not file.is_relative_to(root):
+            fault = f"'{name}' is outside the site's folder; move it beside site.yaml"
+        elif not file.is_file():
+            fault = self._missing(name, file, key)
+        else:
+            # A link keeps the name as written beside the page: a `../` would leave its folder.
+            written = re.sub(r"^(\.\./)+", "", posixpath.normpath(name))
+            linked = key in ("link", "frame")
+            path = self.page.folder + written if linked else lasting_name(file)
+            taken = self.files.setdefault(path, file)
+            if not linked or (taken == file and written not in ("index.html", "page.json")):
+                return path, file
+            fault = f"'{name}' would replace another '{written}'; rename it"
+        self.problems.add(line_of(source, url), key, fault)
+        return None, None
+
+    def _missing(self, name: str, file: Path, key: str) -> str:
+        folder = relative(file.parent, self.library.site.root.resolve())
+        if file.is_dir():
+            return f"'{name}' is a folder and no page; name a file in it"
+        beside = file.parent.glob(f"*{file.suffix}") if file.parent.is_dir() else []
+        hint = nearest(file.name, (other.name for other in beside if other.is_file()))
+        if key in ("link", "frame") and not file.suffix:
+            hint = nearest(name, (path for path in self.library.pages if path))
+            return f"no page '{name}'; {hint}"
+        return f"no file '{file.name}' in {folder}; {hint}"
+
+
+def line_of(source: Markdown, text: str) -> Place:
+    """Return the line of `source` that first has `text`, as the author wrote or escaped it."""
+    written = (text, html.escape(text), quote(text))
+    for number, line in enumerate(source.text.split("\n")):
+        if any(form in line for form in written):
+            return Place(source.place.file, source.place.line + number)
+    return source.place

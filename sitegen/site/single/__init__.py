@@ -1,0 +1,5 @@
+"""Turn one page of a site into one HTML file that needs no server."""
+
+from sitegen.site.single.page import HELD, single_file
+
+__all__ = ["HELD", "single_file"]

@@ -1,0 +1,222 @@
+"""Put what a page loads into its HTML."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+import mimetypes
+import posixpath
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urljoin, urlsplit
+
+from sitegen.model import Artifact, Page, Site
+from sitegen.site.single.bundle import bundle
+
+# By this, a file is known to be one that sitegen wrote.
+HELD = '<script type="application/octet-stream" id="sitegen-files">'
+START = Path(__file__).with_name("start.js")
+URL = re.compile(r"""url\(\s*["']?([^"')]+)["']?\s*\)""")
+# The page seems to lie here, so that its links can be resolved.
+HERE = "site:/"
+# What stands for the policy until it is known.
+POLICY = "sitegen:policy"
+# What there is no use for without a server.
+DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
+
+
+def single_file(site: Site, page: Page, text: str, artifacts: Mapping[str, Artifact]) -> str:
+    """Return the HTML of `page`, with `text` as it is in the site, as one file.
+
+    `artifacts` are those of the page and all that it may load, by path.
+    """
+    writer = _Writer(site, page, artifacts)
+    writer.feed(text)
+    writer.close()
+    return writer.finished()
+
+
+@dataclass
+class _Writer(HTMLParser):
+    site: Site
+    page: Page
+    artifacts: Mapping[str, Artifact]
+    out: list[str] = field(default_factory=list)
+    entries: list[str] = field(default_factory=list)
+    # Hashes for the policy.
+    scripts: list[str] = field(default_factory=list)
+    styles: list[str] = field(default_factory=list)
+    inside: str = ""
+
+    def __post_init__(self) -> None:
+        super().__init__(convert_charrefs=False)
+
+    def finished(self) -> str:
+        """Return the page with its policy and its files."""
+        start = START.read_text(encoding="utf-8")
+        files = f'{HELD}{self._files()}</script>\n<script type="module">{start}</script>\n'
+        self.scripts.append(_hash(start))
+        text = "".join(self.out).replace("</body>", f"{files}</body>")
+        return text.replace(POLICY, html.escape(self._policy()), 1)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        given = {name: value or "" for name, value in attrs}
+        written = self.get_starttag_text() or ""
+        if tag == "meta" and given.get("http-equiv") == "Content-Security-Policy":
+            written = f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
+        elif tag == "link":
+            written = self._link(given, written)
+        elif tag == "script":
+            written = self._script(given, written)
+        else:
+            for name in ("src", "poster", "href"):
+                if name in given:
+                    written = self._attribute(tag, name, given[name], written)
+        self.out.append(written)
+
+    handle_startendtag = handle_starttag
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag == "script" and self.inside == "module":
+            self.inside = ""
+            return
+        self.inside = ""
+        self.out.append(f"</{tag}>")
+
+    def handle_data(self, data: str) -> None:
+        if self.inside == "script":
+            self.scripts.append(_hash(data))
+        self.out.append(data)
+
+    def handle_entityref(self, name: str) -> None:
+        self.out.append(f"&{name};")
+
+    def handle_charref(self, name: str) -> None:
+        self.out.append(f"&#{name};")
+
+    def handle_decl(self, decl: str) -> None:
+        self.out.append(f"<!{decl}>")
+
+    def handle_comment(self, data: str) -> None:
+        self.out.append(f"<!--{data}-->")
+
+    def _link(self, given: Mapping[str, str], written: str) -> str:
+        if given.get("id") == "ros-page":
+            return '<link id="ros-page">'
+        if given.get("rel") in DROPPED:
+            return ""
+        path = self._path(given.get("href", ""))
+        if path is None:
+            return written
+        if given.get("rel") != "stylesheet":
+            return written.replace(html.escape(given["href"]), self._data(path))
+        style = self._style(path)
+        self.styles.append(_hash(style))
+        media = f' media="{given["media"]}"' if "media" in given else ""
+        return f"<style{media}>{style}</style>"
+
+    def _script(self, given: Mapping[str, str], written: str) -> str:
+        path = self._path(given["src"]) if "src" in given else None
+        if path is None:
+            self.inside = "script"
+            return written
+        if given.get("type") == "module":
+            self.entries.append(path)
+            self.inside = "module"
+            return ""
+        script = self._read(path).decode()
+        self.scripts.append(_hash(script))
+        return f"<script>{script}"
+
+    def _attribute(self, tag: str, name: str, value: str, written: str) -> str:
+        path = self._path(value)
+        if path is None or value.startswith("#"):
+            return written
+        if path in self.artifacts and not path.endswith(".html"):
+            found = self._data(path)
+        else:
+            # Another page: where the site lives, or nowhere.
+            found = self.site.url + self._absolute(value).removeprefix(HERE)
+            if not self.site.url:
+                return re.sub(rf"""\s{name}=("[^"]*"|'[^']*'|[^\s>]+)""", "", written, count=1)
+        return written.replace(html.escape(value), html.escape(found), 1)
+
+    def _absolute(self, address: str) -> str:
+        # urljoin knows relative paths of http only.
+        base = f"http://site/{self.page.path}"
+        return urljoin(base, address).replace("http://site/", HERE, 1)
+
+    def _path(self, address: str) -> str | None:
+        """Return the path inside `dist/` that an address of the page means, if it means one."""
+        absolute = self._absolute(address)
+        if not address or not absolute.startswith(HERE):
+            return None
+        path = unquote(urlsplit(absolute.removeprefix(HERE)).path)
+        return f"{path}index.html" if not path or path.endswith("/") else path
+
+    def _read(self, path: str) -> bytes:
+        source = self.artifacts[path].source
+        return source if isinstance(source, bytes) else source.read_bytes()
+
+    def _data(self, path: str) -> str:
+        type_ = mimetypes.guess_type(path)[0] or "application/octet-stream"
+        return f"data:{type_};base64,{base64.b64encode(self._read(path)).decode()}"
+
+    def _style(self, path: str) -> str:
+        def inlined(match: re.Match[str]) -> str:
+            name = posixpath.normpath(posixpath.join(posixpath.dirname(path), match[1]))
+            return f'url("{self._data(name)}")' if name in self.artifacts else match[0]
+
+        return URL.sub(inlined, self._read(path).decode())
+
+    def _files(self) -> str:
+        entry = self.artifacts.get(f"{self.page.path}page.json")
+        if entry is None:
+            return bundle([], self.entries, {}, b"", self._read)
+        run = json.loads(self._read(entry.path))
+        programs = []
+        for node in run["nodes"].values():
+            for build in node["builds"].values():
+                for name, address in build.items():
+                    path = self._path(address) or ""
+                    programs.append(path)
+                    build[name] = f"sitegen:{path}"
+        modules = [path for path in self.artifacts if path.startswith("runtime/")]
+        modules = [path for path in modules if path.endswith(".js")]
+        workers = [path for path in modules if path.startswith("runtime/workers/")]
+        scripts = [path for path in programs if path.endswith(".js")]
+        wasm = [path for path in programs if path.endswith(".wasm")]
+        # A worker has a bundle of its own, with what it loads only when a program asks for it.
+        later = [path for path in modules if path.startswith("runtime/filter/")]
+        begun = [path for path in workers if path.endswith("Node.js")]
+        starts = {path: [*scripts, *later] for path in begun}
+        paths = [path for path in modules if path not in (*workers, *later)] + wasm
+        return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
+
+    def _policy(self) -> str:
+        def listed(hashes: list[str]) -> str:
+            return " ".join(f"'{one}'" for one in dict.fromkeys(hashes))
+
+        return "; ".join(
+            [
+                "default-src 'none'",
+                f"script-src {listed(self.scripts)} blob: 'wasm-unsafe-eval'",
+                f"style-src {listed(self.styles)}",
+                "img-src data:",
+                "media-src data:",
+                "font-src data:",
+                "connect-src blob:",
+                "worker-src blob:",
+                "base-uri 'none'",
+                "form-action 'none'",
+            ]
+        )
+
+
+def _hash(text: str) -> str:
+    return f"sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}"

@@ -1,5 +1,0 @@
-"""Say which nodes and widgets of a page will not hear each other, as far as sources tell."""
-
-from sitegen.wiring.pages import warnings
-
-__all__ = ["warnings"]

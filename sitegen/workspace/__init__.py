@@ -1,0 +1,17 @@
+"""Turn a colcon workspace into packages."""
+
+from sitegen.workspace.dependencies import with_dependencies, with_plugins
+from sitegen.workspace.packages import PYTHON, interfaces, scan
+from sitegen.workspace.shipped import SITEGEN, shipped_packages, sitegen_package, with_shipped
+
+__all__ = [
+    "PYTHON",
+    "SITEGEN",
+    "interfaces",
+    "scan",
+    "shipped_packages",
+    "sitegen_package",
+    "with_dependencies",
+    "with_plugins",
+    "with_shipped",
+]

@@ -1,0 +1,133 @@
+"""Turn a CMakeLists.txt into the names of what it builds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from sitegen.workspace.cmakescript import INCLUDES, Script, written
+
+INTERFACE = (".msg", ".srv", ".action", ".idl")
+ADDS_EXECUTABLE = ("add_executable", "ament_auto_add_executable")
+COPIED = ("FILES", "PROGRAMS")
+AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
+
+
+@dataclass(frozen=True)
+class Install:
+    """Files or folders that are installed as they are, relative to the package."""
+
+    kind: str
+    names: tuple[str, ...]
+    destination: str
+    rename: str = ""
+
+    def files(self, folder: Path) -> Iterator[tuple[str, Path]]:
+        """Yield where each file goes, and where it is in the package `folder`."""
+        for name in self.names:
+            path = folder / name
+            if self.kind in COPIED:
+                yield f"{self.destination}/{self.rename or path.name}", path
+                continue
+            # As CMake has it: a folder goes with its name, or without it if that ends in a slash.
+            top = path if name.endswith("/") else path.parent
+            for file in _below(path):
+                yield f"{self.destination}/{file.relative_to(top).as_posix()}", file
+
+
+def _below(folder: Path) -> Iterable[Path]:
+    return sorted(file for file in folder.rglob("*") if "__pycache__" not in file.parts)
+
+
+@dataclass
+class Listing:
+    """What was found so far; `executables` is None where only CMake can tell their names.
+
+    `sources` has the files of executables, relative to the file that names them, the package's own.
+    `installs` has what is installed as it is: the places below the prefix, and what goes there.
+    `finds` has the packages that are looked for, but for those that may be missing; `plugins` has
+    the packages for which plugins are described.
+    """
+
+    script: Script
+    executables: list[str] | None = field(default_factory=list)
+    interfaces: list[str] = field(default_factory=list)
+    sources: dict[str, list[str]] = field(default_factory=dict)
+    installs: list[Install] = field(default_factory=list)
+    finds: list[str] = field(default_factory=list)
+    plugins: list[str] = field(default_factory=list)
+
+    def add(self, name: str, words: list[str]) -> None:
+        """Take in one command with its arguments."""
+        if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
+            self._add_executable(words[0])
+            self._add_sources(words)
+        elif name == "rclcpp_components_register_node" and "EXECUTABLE" in words[:-1]:
+            self._add_executable(words[words.index("EXECUTABLE") + 1])
+        elif name in INCLUDES and "$" in "".join(words[:1]):
+            self.executables = None
+        elif name == "rosidl_generate_interfaces":
+            self._add_interfaces(words[1:])
+        elif name == "find_package" and ("QUIET" not in words or "REQUIRED" in words):
+            self.finds += self.script.values(words[:1])
+        elif name == "pluginlib_export_plugin_description_file":
+            self.plugins += self.script.values(words[:1])
+        elif name == "install":
+            self._add_install(self.script.values(words))
+        elif name == "ament_python_install_package":
+            self._add_python(self.script.values(words))
+
+    def _add_install(self, words: list[str]) -> None:
+        kind = words[0] if words else ""
+        if kind not in (*COPIED, "DIRECTORY") or "DESTINATION" not in words[:-1]:
+            return
+        at = words.index("DESTINATION")
+        names = [word for word in words[1:at] if word not in ("OPTIONAL", "USE_SOURCE_PERMISSIONS")]
+        rename = words[words.index("RENAME") + 1] if "RENAME" in words[:-1] else ""
+        self.installs.append(Install(kind, tuple(names), words[at + 1].strip("/"), rename))
+
+    def _add_python(self, words: list[str]) -> None:
+        if words:
+            given = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words[:-1] else 0
+            self.installs.append(Install("DIRECTORY", (f"{words[given]}/",), f"python/{words[0]}"))
+
+    def _add_executable(self, word: str) -> None:
+        name = self.script.surely(word)
+        if name is None:
+            self.executables = None
+        elif self.executables is not None and name not in self.executables:
+            self.executables.append(name)
+
+    def _add_sources(self, words: list[str]) -> None:
+        for name, *files in filter(None, [self.script.values(words)]):
+            self.sources[name] = [word for word in files if "." in word and "$" not in word]
+
+    def _add_interfaces(self, words: list[str]) -> None:
+        end = next((i for i, word in enumerate(words) if word in AFTER_INTERFACES), len(words))
+        self.interfaces += [
+            word
+            for word in self.script.values(words[:end])
+            if word.endswith(INTERFACE) and "$" not in word
+        ]
+
+
+def installed(listing: Listing, folder: Path) -> dict[str, Path]:
+    """Return the files of the package `folder` that are installed as they are, by their place."""
+    found: dict[str, Path] = {}
+    for install in listing.installs:
+        for place, file in install.files(folder):
+            parts = PurePosixPath(place).parts
+            inside = file.resolve().is_relative_to(folder.resolve()) and ".." not in parts
+            if file.is_file() and inside and "$" not in place:
+                found[PurePosixPath(place).as_posix()] = file
+    return found
+
+
+def read(file: Path, package: str) -> Listing:
+    """Return what the CMakeLists.txt of `package` builds, the files that it includes too."""
+    script = Script({"PROJECT_NAME": [package]})
+    listing = Listing(script)
+    for name, words in script.run(written(file, set())):
+        listing.add(name, words)
+    return listing

@@ -1,0 +1,202 @@
+"""Turn a ROS workspace into Packages."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path, PurePosixPath
+from xml.etree import ElementTree
+from xml.parsers.expat import ErrorString
+
+from sitegen import shipped
+from sitegen.errors import Place, Problems, relative
+from sitegen.model import Package, Setup
+from sitegen.workspace import cmakelists, setupfiles
+
+NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
+IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+# The interface packages that come with sitegen.
+SHARES = [shipped.ROS / "share", shipped.INTERFACES]
+KINDS = ("msg", "srv")
+PYTHON = "ament_python"
+SHEBANG = re.compile(rb"#!.*\bpython")
+DEPENDS = {
+    "depend",
+    "build_depend",
+    "build_export_depend",
+    "buildtool_depend",
+    "buildtool_export_depend",
+    "exec_depend",
+    "run_depend",
+}
+
+
+class _Tree(ElementTree.TreeBuilder):
+    """Refuses document types: their entities can read files and fill the memory."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
+        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
+
+
+def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package]:
+    """Return the packages below `folder` by name, noting (or raising) what is wrong with them."""
+    found = Problems(folder) if problems is None else problems
+    packages: dict[str, Package] = {}
+    for path in _folders(folder):
+        package = _package(path, found)
+        if package is None:
+            continue
+        if package.name in packages:
+            first = relative(packages[package.name].path, found.root)
+            message = (
+                f"package '{package.name}' is in '{first}' too; rename or remove one of the two"
+            )
+            found.add(_place(path / "package.xml", "name"), "name", message)
+        else:
+            packages[package.name] = package
+    if problems is None:
+        found.raise_if_any()
+    return packages
+
+
+def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
+    """Return the names of all messages and services that ROS and the workspace define."""
+    given = (
+        f"{file.parts[-3]}/{file.parts[-2]}/{file.stem}"
+        for share in SHARES
+        for kind in KINDS
+        for file in share.glob(f"*/{kind}/*.{kind}")
+    )
+    own = (
+        f"{package.name}/{Path(name).parent.name}/{Path(name).stem}"
+        for package in packages.values()
+        for name in package.interfaces
+        if Path(name).parent.name in KINDS
+    )
+    return frozenset([*given, *own])
+
+
+@cache
+def _shipped_names() -> frozenset[str]:
+    """Return the names of the packages that come with sitegen."""
+    return frozenset(path.name for path in _folders(shipped.PACKAGES))
+
+
+def _folders(folder: Path) -> Iterator[Path]:
+    for path, folders, files in os.walk(folder):
+        if IGNORE & set(files):
+            folders.clear()
+        elif "package.xml" in files:
+            # Like colcon: no packages inside of packages.
+            folders.clear()
+            yield Path(path)
+        folders[:] = sorted(
+            name for name in folders if name not in NOT_SEARCHED and not name.startswith(".")
+        )
+
+
+def _package(path: Path, problems: Problems) -> Package | None:
+    file = path / "package.xml"
+    try:
+        xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
+    except ElementTree.ParseError as error:
+        message = f"{ErrorString(error.code)}; check the tags here and above"
+        problems.add(Place(file, error.position[0]), "xml", message)
+        return None
+    except (OSError, ValueError, LookupError) as error:
+        problems.add(
+            _place(file, "!DOCTYPE"), "xml", getattr(error, "strerror", None) or str(error)
+        )
+        return None
+    name = (xml.findtext("name") or "").strip()
+    if xml.tag != "package" or not NAME.fullmatch(name):
+        what = f"'{name}' is no package name" if name else "missing"
+        problems.add(_place(file, "name"), "name", f"{what}; write it like <name>my_robot</name>")
+        return None
+    cmake = path / "CMakeLists.txt"
+    listing = cmakelists.read(cmake, name)
+    depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
+    depends += (each for each in listing.finds if each in _shipped_names() and each != name)
+    build_type = _build_type(xml, cmake.is_file())
+    executables, sources = listing.executables, listing.sources
+    if build_type == PYTHON:
+        setup: Setup | None = _setup(path)
+        executables, sources = [], {}
+    else:
+        setup = _scripts(path, name, listing)
+    if setup:
+        executables = None if executables is None else [*executables, *setup.scripts]
+        sources = sources | _modules(path, setup)
+    return Package(
+        name=name,
+        path=path,
+        build_type=build_type,
+        depends=tuple(dict.fromkeys(filter(None, depends))),
+        executables=None if executables is None else tuple(executables),
+        interfaces=tuple(dict.fromkeys(listing.interfaces)),
+        version=(xml.findtext("version") or "").strip(),
+        sources={name: tuple(files) for name, files in sources.items()},
+        setup=setup,
+        plugins=tuple(dict.fromkeys(listing.plugins)),
+    )
+
+
+def _setup(path: Path) -> Setup:
+    listing = setupfiles.read(path)
+    fault = listing.fault and (Place(*listing.fault[:2]), listing.fault[2])
+    files = {place: path / file for place, file in listing.files.items()}
+    return Setup(listing.scripts, files, fault)
+
+
+def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None:
+    """Return the programs and modules of Python that a package installs by CMake, if it does."""
+    files = cmakelists.installed(listing, path)
+    programs = {
+        place: file
+        for place, file in files.items()
+        if PurePosixPath(place).parent == PurePosixPath("lib", name) and _is_python(file)
+    }
+    if not programs and not any(place.startswith("python/") for place in files):
+        return None
+    # What ament_package() installs; of the file in the index only the name counts.
+    index = f"share/ament_index/resource_index/packages/{name}"
+    files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
+    return Setup({PurePosixPath(place).name: place for place in programs}, files)
+
+
+def _is_python(file: Path) -> bool:
+    if file.suffix == ".py":
+        return True
+    with file.open("rb") as opened:
+        return bool(SHEBANG.match(opened.readline()))
+
+
+def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
+    """Return the file of each entry point or program."""
+    found: dict[str, list[str]] = {}
+    for name, target in setup.scripts.items():
+        module = target.partition(":")[0].replace(".", "/")
+        places = (target, f"python/{module}.py", f"python/{module}/__init__.py")
+        files = (setup.files[place] for place in places if place in setup.files)
+        found[name] = [file.relative_to(path).as_posix() for file in files]
+    return found
+
+
+def _build_type(xml: ElementTree.Element, has_cmake: bool) -> str:
+    given = [(tag.text or "").strip() for tag in xml.iterfind("export/build_type")]
+    if not given:
+        return "ament_cmake" if has_cmake else "catkin"
+    # A package for ROS 1 and 2 gives one for each, told apart by conditions.
+    return next((text for text in given if text.startswith("ament")), given[0])
+
+
+def _place(file: Path, tag: str) -> Place:
+    """Return the place of the first such tag, which the parser does not remember."""
+    try:
+        before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
+    except OSError:
+        return Place(file, 1)
+    return Place(file, before.count("\n") + 1 if found else 1)

@@ -1,0 +1,218 @@
+"""Read what setuptools would install of a Python package, without running its setup.py."""
+
+from __future__ import annotations
+
+import ast
+import configparser
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+from sitegen.workspace import literals
+
+ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(\[.*\])?")
+NOT_MODULES = {"test", "tests", "build", "install", "log", "launch", "config", "resource"}
+READ = (
+    *("entry_points", "scripts", "packages", "package_dir", "py_modules", "package_data"),
+    "data_files",
+)
+# Where the programs of `scripts` are installed.
+PROGRAMS = "lib/programs"
+
+
+@dataclass
+class Listing:
+    """What a package installs.
+
+    `scripts` are its executables, each "module:function" or the place of a file; `files` its files,
+    by their place below the prefix ("python/" stands for where modules are installed), relative to
+    the package. `fault` says what could not be read: a file, a line and a message.
+    """
+
+    scripts: dict[str, str] = field(default_factory=dict)
+    files: dict[str, str] = field(default_factory=dict)
+    fault: tuple[Path, int, str] | None = None
+
+
+class _UnreadableError(Exception):
+    def __init__(self, file: Path, line: int, message: str) -> None:
+        super().__init__(message)
+        self.fault = (file, line, message)
+
+
+def read(folder: Path) -> Listing:
+    """Return what the setup.py, setup.cfg and pyproject.toml of a package say."""
+    listing = Listing()
+    try:
+        given = {**_pyproject(folder), **_cfg(folder), **_py(folder)}
+        listing.scripts = dict(_scripts(folder, given.get("entry_points")))
+        listing.files = dict(_files(folder, given))
+        for script in given.get("scripts") or ():
+            name = PurePosixPath(str(script)).name
+            for place, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
+                listing.scripts[name] = place
+                listing.files[place] = file
+    except _UnreadableError as error:
+        listing.fault = error.fault
+    return listing
+
+
+def _py(folder: Path) -> dict[str, Any]:
+    """Return the arguments of setup() in setup.py, as far as they matter here."""
+    file = folder / "setup.py"
+    if not file.is_file():
+        return {}
+    try:
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+    except (SyntaxError, ValueError) as error:
+        line = getattr(error, "lineno", None) or 1
+        raise _UnreadableError(file, line, f"Python cannot read it: {error}") from None
+    call = next((node for node in ast.walk(tree) if _is_setup(node)), None)
+    if not isinstance(call, ast.Call):
+        raise _UnreadableError(file, 1, "it does not call setup()")
+    reader = literals.Reader(tree, folder)
+    given = {}
+    for keyword in call.keywords:
+        if keyword.arg is None or keyword.arg in READ:
+            try:
+                given[keyword.arg or "**"] = reader.value(keyword.value)
+            except literals.NotLiteralError as error:
+                what = f"{keyword.arg or 'setup'}: '{error}' is read only by running it"
+                advice = "sitegen does not run setup.py; write it out, or put it into setup.cfg"
+                raise _UnreadableError(file, error.line, f"{what}; {advice}") from None
+    return given
+
+
+def _is_setup(node: ast.AST) -> bool:
+    if not isinstance(node, ast.Call):
+        return False
+    name = node.func.attr if isinstance(node.func, ast.Attribute) else node.func
+    return name == "setup" or (isinstance(name, ast.Name) and name.id == "setup")
+
+
+def _cfg(folder: Path) -> dict[str, Any]:
+    """Return the same of setup.cfg."""
+    file = folder / "setup.cfg"
+    parser = configparser.ConfigParser(interpolation=None)
+    try:
+        parser.read(file, encoding="utf-8")
+    except (configparser.Error, ValueError) as error:
+        line = getattr(error, "lineno", 1)
+        raise _UnreadableError(file, line, f"it cannot be read: {error}") from None
+    given: dict[str, Any] = {}
+    if parser.has_section("options.entry_points"):
+        given["entry_points"] = dict(parser["options.entry_points"])
+    packages = parser.get("options", "packages", fallback="").split()
+    if packages and packages[0] not in ("find:", "find_namespace:"):
+        given["packages"] = packages
+    modules = parser.get("options", "py_modules", fallback="").split()
+    if modules:
+        given["py_modules"] = modules
+    where = parser.get("options.packages.find", "where", fallback="")
+    if where:
+        given["package_dir"] = {"": where}
+    if parser.has_section("options.package_data"):
+        data = parser["options.package_data"]
+        given["package_data"] = {name.lstrip("*"): text.split() for name, text in data.items()}
+    if parser.has_section("options.data_files"):
+        files = parser["options.data_files"]
+        given["data_files"] = [(name, text.split()) for name, text in files.items()]
+    return given
+
+
+def _pyproject(folder: Path) -> dict[str, Any]:
+    """Return the same of pyproject.toml."""
+    file = folder / "pyproject.toml"
+    if not file.is_file():
+        return {}
+    try:
+        data = tomllib.loads(file.read_text(encoding="utf-8"))
+    except ValueError as error:
+        found = re.search(r"line (\d+)", str(error))
+        raise _UnreadableError(file, int(found[1]) if found else 1, str(error)) from None
+    given: dict[str, Any] = {}
+    scripts = data.get("project", {}).get("scripts")
+    if isinstance(scripts, Mapping):
+        given["entry_points"] = {
+            "console_scripts": [f"{name} = {target}" for name, target in scripts.items()]
+        }
+    tool = data.get("tool", {}).get("setuptools", {})
+    for key, name in (
+        ("packages", "packages"),
+        ("py-modules", "py_modules"),
+        ("package-dir", "package_dir"),
+        ("package-data", "package_data"),
+    ):
+        if isinstance(tool.get(key), list) or (key != "packages" and key in tool):
+            given[name] = tool[key]
+    if isinstance(tool.get("data-files"), Mapping):
+        given["data_files"] = list(tool["data-files"].items())
+    return given
+
+
+def _scripts(folder: Path, entry_points: Any) -> Iterator[tuple[str, str]]:
+    if isinstance(entry_points, str):
+        parser = configparser.ConfigParser(interpolation=None, delimiters=("=",))
+        parser.read_string(entry_points)
+        entry_points = {name: dict(parser[name]) for name in parser.sections()}
+    scripts = entry_points.get("console_scripts", ()) if isinstance(entry_points, Mapping) else ()
+    if isinstance(scripts, str):
+        scripts = [line for line in scripts.splitlines() if line.strip()]
+    elif isinstance(scripts, Mapping):
+        scripts = [f"{name} = {target}" for name, target in scripts.items()]
+    for text in scripts:
+        match = ENTRY.fullmatch(str(text))
+        if not match:
+            message = f"'{text}' is no entry point; write it like 'talker = my_package.talker:main'"
+            raise _UnreadableError(_written_in(folder, "console_scripts"), 1, message)
+        yield match[1], f"{match[2]}:{match[3]}"
+
+
+def _written_in(folder: Path, word: str) -> Path:
+    names = (folder / name for name in ("setup.py", "setup.cfg", "pyproject.toml"))
+    files = [file for file in names if file.is_file()]
+    return next((file for file in files if word in file.read_text(errors="replace")), files[-1])
+
+
+def _files(folder: Path, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield where each file is installed, and where it is in the package."""
+    roots = given.get("package_dir") or {}
+    top = folder / str(roots.get("", "src" if (folder / "src").is_dir() else "."))
+    packages = given.get("packages")
+    if packages is None:
+        packages = list(_discovered(top))
+    for name in packages:
+        source = folder / roots[name] if name in roots else top / name.replace(".", "/")
+        patterns = ["*.py", *_patterns(given, name), *_patterns(given, "")]
+        for file in sorted({file for pattern in patterns for file in source.glob(pattern)}):
+            place = f"python/{name.replace('.', '/')}/{file.relative_to(source).as_posix()}"
+            yield from _placed(folder, place, file)
+    for module in given.get("py_modules") or ():
+        path = f"{module.replace('.', '/')}.py"
+        yield from _placed(folder, f"python/{path}", top / path)
+    for target, names in given.get("data_files") or ():
+        for name in names:
+            yield from _placed(folder, f"{target}/{PurePosixPath(name).name}", folder / name)
+
+
+def _patterns(given: Mapping[str, Any], package: str) -> list[str]:
+    data = given.get("package_data") or {}
+    return [str(pattern) for pattern in data.get(package, data.get("*", ()) if not package else ())]
+
+
+def _discovered(top: Path) -> Iterator[str]:
+    """Yield the packages that setuptools finds by itself."""
+    for file in sorted(top.rglob("__init__.py")):
+        parts = file.relative_to(top).parts[:-1]
+        if parts and parts[0] not in NOT_MODULES and not any(p.startswith(".") for p in parts):
+            yield ".".join(parts)
+
+
+def _placed(folder: Path, place: str, file: Path) -> Iterator[tuple[str, str]]:
+    path = PurePosixPath(place)
+    inside = file.resolve().is_relative_to(folder.resolve())
+    if file.is_file() and inside and not path.is_absolute() and ".." not in path.parts:
+        yield path.as_posix(), file.relative_to(folder).as_posix()

@@ -1,0 +1,58 @@
+"""Add the packages that come with sitegen to those of a workspace."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import cache
+
+from sitegen import shipped
+from sitegen.model import Package, Setup
+from sitegen.workspace.packages import PYTHON, scan
+
+# The package of sitegen's own Python programs.
+SITEGEN = "sitegen"
+TURTLESIM, TURTLESIM_MSGS = "turtlesim", "turtlesim_msgs"
+IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
+
+
+def sitegen_package(packages: Mapping[str, Package]) -> Package:
+    """Return the package of sitegen's own Python programs, which may import any of `packages`."""
+    setup = Setup({"prompt": "rclpy_backend.prompt:main"}, {})
+    path = shipped.CLIENTS / "python"
+    executables = tuple(setup.scripts)
+    return Package(SITEGEN, path, PYTHON, tuple(packages), executables, (), setup=setup)
+
+
+@cache
+def shipped_packages() -> Mapping[str, Package]:
+    """Return the ROS packages that come with sitegen, by name."""
+    return scan(shipped.PACKAGES)
+
+
+def with_shipped(packages: Mapping[str, Package], names: Iterable[str] = ()) -> dict[str, Package]:
+    """Return `packages` and the shipped packages that they or `names` depend on."""
+    found: dict[str, Package] = {}
+    for name, one in packages.items():
+        undeclared = (each for each in _imported(one) if each in shipped_packages())
+        found[name] = replace(one, depends=tuple(dict.fromkeys([*one.depends, *undeclared])))
+    waiting = [*names, *(name for one in found.values() for name in one.depends)]
+    while waiting:
+        name = waiting.pop()
+        if name in shipped_packages() and name not in found:
+            found[name] = shipped_packages()[name]
+            waiting += found[name].depends
+    if TURTLESIM in found and TURTLESIM not in packages and TURTLESIM_MSGS in found:
+        # Programs that use turtlesim_msgs expect a turtlesim that uses them, too.
+        turtlesim = found[TURTLESIM]
+        found[TURTLESIM] = replace(turtlesim, depends=(*turtlesim.depends, TURTLESIM_MSGS))
+    return found
+
+
+def _imported(package: Package) -> Iterator[str]:
+    """Yield the modules that the Python sources of a package import."""
+    scripts = package.setup.scripts.values() if package.setup else ()
+    for place, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or place in scripts:
+            yield from IMPORT.findall(file.read_text(encoding="utf-8", errors="replace"))
