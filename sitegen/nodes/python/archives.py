@@ -39,7 +39,7 @@ COMMON = "nodes/ros.zip"
 # Our arrays by the name of numpy, for programs that need no more of it.
 NUMPY = "nodes/numpy.zip"
 ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
-NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.fixed_array import *\n"}
+NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
 # What Pyodide brings beside Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
