@@ -101,7 +101,14 @@ def _copy(folder: Path) -> Path:
 def _compile(site: Site) -> None:
     """Compile the node of a site for one engine, or find it in the cache."""
     jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
-    compiler.compile_nodes(jobs, ["jspi"], root=site.root, cache=cache_folder(), report=Progress())
+    compiler.compile_nodes(
+        jobs,
+        ["jspi"],
+        root=site.root,
+        workspace=site.workspace,
+        cache=cache_folder(),
+        report=Progress(),
+    )
 
 
 def _one_run(tree: Path, output: Path) -> list[str]:

@@ -13,6 +13,7 @@ from textwrap import dedent
 
 import pytest
 from browser import Built, Serve
+from filelock import FileLock
 from panel import Panel
 from playwright.sync_api import Page
 
@@ -22,7 +23,6 @@ from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.model import Package
 from sitegen.nodes.cpp.diagnosis import Diagnosis
-from sitegen.nodes.cpp.toolchain import alone
 from sitegen.options import Options
 from sitegen.report import Report
 
@@ -99,7 +99,7 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     for library in own.glob("work/*/jspi/rclcpp/librclcpp.a"):
         there = folder / library.relative_to(own)
         there.parent.mkdir(parents=True)
-        with alone(library.parents[2] / "lock"):  # another process may be writing it
+        with FileLock(library.parents[2] / "lock"):  # another process may be writing it
             shutil.copyfile(library, there)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("SITEGEN_CACHE", str(folder))

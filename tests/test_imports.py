@@ -14,8 +14,8 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "report", "options", "model", "cache", "workspace", "launch", "config"),
-    *("interfaces", "nodes", "site", "build", "commands", "__main__"),
+    *("errors", "shipped", "ignored", "report", "options", "model", "cache", "workspace"),
+    *("launch", "config", "interfaces", "nodes", "site", "build", "commands", "__main__"),
 )
 
 # The same for the browser's modules; a folder stands for all that is in it.

@@ -222,7 +222,8 @@ def test_all_that_is_wrong_is_said_at_once(tmp_path: Path) -> None:
         "b/package.xml:3: name: package 'twin' is in 'a' too; rename or remove one of the two",
         "c/package.xml:3: xml: mismatched tag; check the tags here and above",
         "d/package.xml:1: name: missing; write it like <name>my_robot</name>",
-        "e/package.xml:2: name: '../up' is no package name; write it like <name>my_robot</name>",
+        "e/package.xml:2: name: '../up' is not a valid package name; "
+        "write it like <name>my_robot</name>",
         "f/package.xml:2: xml: a document type is not allowed here; remove the line <!DOCTYPE …>",
         "g/package.xml:1: xml: no element found; check the tags here and above",
     ]
@@ -287,4 +288,30 @@ def test_a_circle_of_dependencies_is_said(tmp_path: Path) -> None:
     assert caught.value.lines == [
         "package.xml of 'b': packages depend on each other in a circle, b → c → b; "
         "remove one <depend>"
+    ]
+
+
+def test_below_the_root_a_folder_may_be_called_as_one_of_colcon(tmp_path: Path) -> None:
+    write(tmp_path, {"src/log/package.xml": xml("logger"), "log/package.xml": xml("left_over")})
+    assert scan(tmp_path).keys() == {"logger"}
+
+
+def test_tags_count_where_their_condition_holds(tmp_path: Path) -> None:
+    inside = (
+        '<depend condition="$ROS_VERSION == 1">roscpp</depend>'
+        "<depend condition=\"$ROS_VERSION == 2 and $ROS_DISTRO >= 'humble'\">rclcpp</depend>"
+        "<export><build_type condition='$ROS_VERSION == 1'>catkin</build_type>"
+        "<build_type condition='$ROS_VERSION == 2'>ament_python</build_type></export>"
+    )
+    package = scan(write(tmp_path, {"a/package.xml": xml("a", inside)}))["a"]
+    assert package.depends == ("rclcpp",)
+    assert package.build_type == "ament_python"
+
+
+def test_an_invalid_condition_is_a_problem(tmp_path: Path) -> None:
+    inside = "\n<depend condition='ROS2'>rclcpp</depend>"
+    write(tmp_path, {"a/package.xml": xml("a", inside)})
+    assert problems(tmp_path) == [
+        "a/package.xml:2: depend: 'ROS2' is not a valid condition; "
+        "write it like '$ROS_VERSION == 2'"
     ]

@@ -3,31 +3,32 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
-NOT_SOURCES = {"build", "install", "log", "dist", "__pycache__"}
+from sitegen.ignored import is_ignored
 
 
-def digest_of(paths: Iterable[Path], *words: str) -> str:
-    """Return a digest of `words` and of the names and contents of all files at `paths`."""
+def digest_of(paths: Iterable[Path], *words: str, roots: Collection[Path] = ()) -> str:
+    """Return a digest of `words` and of the names and contents of all files at `paths`.
+
+    `roots` are the roots of workspaces and sites: what tools write there does not count.
+    """
     digest = hashlib.sha256()
     for word in words:
         digest.update(word.encode() + b"\0")
     for path in paths:
-        for file in sorted(sources(path)) if path.is_dir() else [path]:
+        for file in sorted(_files(path, roots)) if path.is_dir() else [path]:
             name = file.relative_to(path if path.is_dir() else path.parent).as_posix()
             content = hashlib.sha256(file.read_bytes()).digest()
             digest.update(name.encode() + b"\0" + content)
     return digest.hexdigest()[:20]
 
 
-def sources(folder: Path) -> Iterable[Path]:
-    """Yield the files of `folder` that a build may read, at any depth."""
+def _files(folder: Path, roots: Collection[Path]) -> Iterator[Path]:
+    at_root = folder in roots
     for entry in folder.iterdir():
-        if entry.name.startswith(".") or entry.name in NOT_SOURCES:
-            continue
-        if entry.is_dir():
-            yield from sources(entry)
-        else:
+        if not entry.is_dir():
             yield entry
+        elif not is_ignored(entry.name, at_root=at_root):
+            yield from _files(entry, roots)

@@ -8,6 +8,8 @@ import shutil
 import time
 from pathlib import Path
 
+from platformdirs import user_cache_path
+
 # What is made from the workspace, and can be made again. What was fetched stays.
 MADE = ("descriptions", "nodes", "work")
 # So long (s) after it was last used, something that was made is forgotten.
@@ -17,9 +19,7 @@ KEPT = 60 * 24 * 3600
 def cache_folder() -> Path:
     """Return where compiled nodes are kept for the next build."""
     own = os.environ.get("SITEGEN_CACHE")
-    if own:
-        return Path(own).resolve()
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache").resolve() / "sitegen"
+    return Path(own).resolve() if own else user_cache_path("sitegen", appauthor=False).resolve()
 
 
 def use(kept: Path) -> None:

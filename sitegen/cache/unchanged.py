@@ -9,10 +9,9 @@ import shutil
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
+from sitegen.ignored import is_ignored
 from sitegen.shipped import PACKAGE, THEMES
 
-# Folders that no site is made of, wherever they are.
-IGNORED = {".git", ".mypy_cache", ".pytest_cache", ".ruff_cache", "__pycache__", "node_modules"}
 OWN = (PACKAGE, THEMES)
 
 
@@ -94,13 +93,14 @@ def _files(root: Path, without: Path | None) -> Iterator[tuple[str, os.stat_resu
     left_out = str(without)
     waiting = [str(root)]
     while waiting:
-        with os.scandir(waiting.pop()) as entries:
+        folder = waiting.pop()
+        with os.scandir(folder) as entries:
             here = list(entries)
         if any(entry.name == "pyvenv.cfg" for entry in here):
             continue
         for entry in here:
             if entry.is_dir():
-                if entry.name not in IGNORED and entry.path != left_out:
+                if entry.path != left_out and not is_ignored(entry.name, at_root=False):
                     waiting.append(entry.path)
             elif entry.is_file():
                 yield entry.path, entry.stat()

@@ -7,21 +7,21 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from sitegen.config.paths import segment
+from sitegen.ignored import is_ignored
 
 # The page of the folder itself.
 INDEX = {"index", "readme"}
-NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
 # `02-setup.md` is the second page and called `setup`.
 ORDER = re.compile(r"\d+[-_. ]+(?=.)")
 
 
-def files(folder: Path, languages: Sequence[str]) -> Iterator[tuple[str, Path]]:
+def files(folder: Path, languages: Sequence[str], root: Path) -> Iterator[tuple[str, Path]]:
     """Yield the path and the file of each page: a folder's own first, then by name.
 
     Numbers count as numbers; a number at the beginning is for the order only. Files of other
-    `languages` belong to the page they translate.
+    `languages` belong to the page they translate. `root` is the site's folder.
     """
-    yield from _below(folder, "", tuple(f".{language}" for language in languages))
+    yield from _below(folder, "", tuple(f".{language}" for language in languages), root)
 
 
 def in_language(file: Path, language: str) -> Path:
@@ -29,14 +29,16 @@ def in_language(file: Path, language: str) -> Path:
     return file.with_name(f"{file.stem}.{language}{file.suffix}")
 
 
-def _below(folder: Path, path: str, translated: tuple[str, ...]) -> Iterator[tuple[str, Path]]:
+def _below(
+    folder: Path, path: str, translated: tuple[str, ...], root: Path
+) -> Iterator[tuple[str, Path]]:
     entries = sorted(folder.iterdir(), key=lambda entry: _order(entry.name))
     for entry in entries:
         if entry.name.startswith((".", "_")):
             continue
         if entry.is_dir():
-            if entry.name not in NOT_SEARCHED and not entry.is_symlink():
-                yield from _below(entry, f"{path}{_name(entry.name)}/", translated)
+            if not is_ignored(entry.name, at_root=folder == root) and not entry.is_symlink():
+                yield from _below(entry, f"{path}{_name(entry.name)}/", translated, root)
         elif entry.suffix == ".md" and not entry.stem.endswith(translated):
             own = entry.stem.lower() in INDEX
             yield (path if own else f"{path}{_name(entry.stem)}/"), entry

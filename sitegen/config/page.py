@@ -81,7 +81,7 @@ class PageReader:
                 message = "given beside 'folder'; write it at the top of each file"
                 self.problems.add(value.place, value.key, message)
         folder = locate(given, self.problems, folder=True)
-        found = list(files(folder, self.languages)) if folder else []
+        found = list(files(folder, self.languages, self.problems.root)) if folder else []
         if folder and not found:
             message = f"no Markdown file in '{given.text}'; begin with 'index.md'"
             self.problems.add(given.place, given.key, message)

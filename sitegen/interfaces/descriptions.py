@@ -34,7 +34,7 @@ def described(site: Site, named: Iterable[str], *, cache: Path) -> Path:
     ]
     sources = [Path(__file__).with_name(name) for name in GENERATOR]
     inputs = [*sources, ROS / ".digest", *(folder for _, folder, _ in packages)]
-    prefix = cache / "descriptions" / digest_of(inputs)
+    prefix = cache / "descriptions" / digest_of(inputs, roots={site.root, site.workspace})
     if not prefix.exists():
         prefix.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=prefix.parent) as temporary:

@@ -38,10 +38,10 @@ def programs_of(
         jobs_of(site, nodes, cache=cache) if options.compile else [],
         engines,
         root=site.root,
+        workspace=site.workspace,
         cache=cache,
         report=report,
-        debug=options.debug,
-        draft=options.draft and not options.debug,
+        options=options,
     )
     builds = {**own, **prebuilt}
     cpp = {

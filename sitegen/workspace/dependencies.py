@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from graphlib import CycleError, TopologicalSorter
 
 from sitegen.errors import SiteError
 from sitegen.model import Package
@@ -12,10 +13,23 @@ PLUGINS = "pluginlib"
 
 
 def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Package]:
-    """Return the package `name` after all packages of the workspace that it depends on."""
-    ordered: dict[str, Package] = {}
-    _visit(packages, name, (), ordered)
-    return list(ordered.values())
+    """Return the package `name` after all packages of the workspace that it depends on.
+
+    Raises: SiteError if packages depend on each other in a cycle.
+    """
+    graph: dict[str, list[str]] = {}
+    waiting = [name]
+    while waiting:
+        one = waiting.pop()
+        if one not in graph:
+            graph[one] = [each for each in packages[one].depends if each in packages]
+            waiting += graph[one]
+    try:
+        return [packages[one] for one in TopologicalSorter(graph).static_order()]
+    except CycleError as error:
+        cycle = error.args[1][::-1]  # from a package to what it depends on
+        message = f"packages depend on each other in a cycle, {' → '.join(cycle)}"
+        raise SiteError([f"package.xml of '{cycle[0]}': {message}; remove one <depend>"]) from None
 
 
 def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
@@ -35,17 +49,3 @@ def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
     for one in linked:
         needs |= {each.name: each for each in with_dependencies(packages, one)}
     return [*needs.values(), replace(package, linked=tuple(linked))]
-
-
-def _visit(
-    packages: Mapping[str, Package], name: str, above: tuple[str, ...], ordered: dict[str, Package]
-) -> None:
-    if name in above:
-        circle = " → ".join([*above[above.index(name) :], name])
-        message = f"packages depend on each other in a circle, {circle}; remove one <depend>"
-        raise SiteError([f"package.xml of '{name}': {message}"])
-    if name in ordered or name not in packages:
-        return
-    for depend in packages[name].depends:
-        _visit(packages, depend, (*above, name), ordered)
-    ordered[name] = packages[name]

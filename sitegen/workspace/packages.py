@@ -7,38 +7,20 @@ import re
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path, PurePosixPath
-from xml.etree import ElementTree
-from xml.parsers.expat import ErrorString
 
 from sitegen import shipped
 from sitegen.errors import Place, Problems, relative
+from sitegen.ignored import is_ignored
 from sitegen.model import Package, Setup
 from sitegen.workspace import cmakelists, setupfiles
+from sitegen.workspace.manifest import place_of, read_manifest
 
-NOT_SEARCHED = {"build", "install", "log", "dist", "node_modules"}
 IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 # The interface packages that come with sitegen.
 SHARES = [shipped.ROS / "share", shipped.INTERFACES]
 KINDS = ("msg", "srv")
 PYTHON = "ament_python"
 SHEBANG = re.compile(rb"#!.*\bpython")
-DEPENDS = {
-    "depend",
-    "build_depend",
-    "build_export_depend",
-    "buildtool_depend",
-    "buildtool_export_depend",
-    "exec_depend",
-    "run_depend",
-}
-
-
-class _Tree(ElementTree.TreeBuilder):
-    """Refuses document types: their entities can read files and fill the memory."""
-
-    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
-        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
 
 
 def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package]:
@@ -54,7 +36,7 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
             message = (
                 f"package '{package.name}' is in '{first}' too; rename or remove one of the two"
             )
-            found.add(_place(path / "package.xml", "name"), "name", message)
+            found.add(place_of(path / "package.xml", "name"), "name", message)
         else:
             packages[package.name] = package
     if problems is None:
@@ -93,34 +75,24 @@ def _folders(folder: Path) -> Iterator[Path]:
             # Like colcon: no packages inside of packages.
             folders.clear()
             yield Path(path)
+        at_root = Path(path) == folder
         folders[:] = sorted(
-            name for name in folders if name not in NOT_SEARCHED and not name.startswith(".")
+            name
+            for name in folders
+            if not is_ignored(name, at_root=at_root) and not name.startswith(".")
         )
 
 
 def _package(path: Path, problems: Problems) -> Package | None:
-    file = path / "package.xml"
-    try:
-        xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
-    except ElementTree.ParseError as error:
-        message = f"{ErrorString(error.code)}; check the tags here and above"
-        problems.add(Place(file, error.position[0]), "xml", message)
+    manifest = read_manifest(path / "package.xml", problems)
+    if manifest is None:
         return None
-    except (OSError, ValueError, LookupError) as error:
-        problems.add(
-            _place(file, "!DOCTYPE"), "xml", getattr(error, "strerror", None) or str(error)
-        )
-        return None
-    name = (xml.findtext("name") or "").strip()
-    if xml.tag != "package" or not NAME.fullmatch(name):
-        what = f"'{name}' is no package name" if name else "missing"
-        problems.add(_place(file, "name"), "name", f"{what}; write it like <name>my_robot</name>")
-        return None
+    name = manifest.name
     cmake = path / "CMakeLists.txt"
     listing = cmakelists.read(cmake, name)
-    depends = [(tag.text or "").strip() for tag in xml if tag.tag in DEPENDS]
+    depends = [*manifest.depends]
     depends += (each for each in listing.finds if each in _shipped_names() and each != name)
-    build_type = _build_type(xml, cmake.is_file())
+    build_type = manifest.build_type or ("ament_cmake" if cmake.is_file() else "catkin")
     executables, sources = listing.executables, listing.sources
     if build_type == PYTHON:
         setup: Setup | None = _setup(path)
@@ -134,10 +106,10 @@ def _package(path: Path, problems: Problems) -> Package | None:
         name=name,
         path=path,
         build_type=build_type,
-        depends=tuple(dict.fromkeys(filter(None, depends))),
+        depends=tuple(dict.fromkeys(depends)),
         executables=None if executables is None else tuple(executables),
         interfaces=tuple(dict.fromkeys(listing.interfaces)),
-        version=(xml.findtext("version") or "").strip(),
+        version=manifest.version,
         sources={name: tuple(files) for name, files in sources.items()},
         setup=setup,
         plugins=tuple(dict.fromkeys(listing.plugins)),
@@ -183,20 +155,3 @@ def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
         files = (setup.files[place] for place in places if place in setup.files)
         found[name] = [file.relative_to(path).as_posix() for file in files]
     return found
-
-
-def _build_type(xml: ElementTree.Element, has_cmake: bool) -> str:
-    given = [(tag.text or "").strip() for tag in xml.iterfind("export/build_type")]
-    if not given:
-        return "ament_cmake" if has_cmake else "catkin"
-    # A package for ROS 1 and 2 gives one for each, told apart by conditions.
-    return next((text for text in given if text.startswith("ament")), given[0])
-
-
-def _place(file: Path, tag: str) -> Place:
-    """Return the place of the first such tag, which the parser does not remember."""
-    try:
-        before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
-    except OSError:
-        return Place(file, 1)
-    return Place(file, before.count("\n") + 1 if found else 1)

@@ -10,11 +10,10 @@ from pathlib import Path
 from watchdog.events import EVENT_TYPE_CLOSED, FileSystemEvent, FileSystemEventHandler
 from watchdog.observers import Observer
 
+from sitegen.ignored import is_ignored
+
 # Editors write a file in several steps, and many files in one go: those within this time (s).
 PAUSE = 0.1
-# Folders that tools write to; colcon's three are at the top of a workspace.
-IGNORED = {"__pycache__", "node_modules", "dist"}
-COLCON = {"build", "install", "log"}
 CHANGES = {"created", "modified", "moved", "deleted", EVENT_TYPE_CLOSED}
 
 
@@ -54,9 +53,9 @@ class _Listener(FileSystemEventHandler):
 
 def _ignored(path: Path) -> bool:
     """Return whether a file is none of the author's: hidden, made by a tool, or a draft."""
-    folders = path.parts[:-1]
+    folders = enumerate(path.parts[:-1])
     return (
-        any(part.startswith(".") or part in IGNORED for part in path.parts)
-        or (bool(folders) and folders[0] in COLCON)
+        any(part.startswith(".") for part in path.parts)
+        or any(is_ignored(name, at_root=depth == 0) for depth, name in folders)
         or path.name.endswith(("~", ".swp", ".tmp"))
     )

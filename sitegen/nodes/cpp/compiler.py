@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+
+from filelock import FileLock
 
 from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import forget_old, use
@@ -19,7 +21,8 @@ from sitegen.model import Build, Package
 from sitegen.nodes.cpp import sourcemap
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis
-from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError, alone
+from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
+from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
 from sitegen.shipped import INTERFACES, PACKAGE, ROS
 
@@ -52,16 +55,17 @@ def compile_nodes(
     engines: Sequence[str],
     *,
     root: Path,
+    workspace: Path,
     cache: Path,
     report: Report,
-    debug: bool = False,
-    draft: bool = False,
+    options: Options = PUBLISH,
 ) -> Builds:
     """Compile each executable for each engine, or take it from the cache.
 
-    With `debug`, the programs can tell where they are in their sources; a `draft` is made sooner
-    and is larger. Returns the builds by package and executable. Raises a SiteError that quotes the
-    compiler.
+    `root` is the folder of the site, `workspace` that of the workspace. Returns the builds by
+    package and executable.
+
+    Raises: SiteError with the output of the compiler if a program does not compile.
     """
     if not jobs:
         return {}
@@ -70,7 +74,7 @@ def compile_nodes(
     except ToolMissingError as error:
         names = ", ".join(f"'{job.package.name}'" for job in jobs)
         raise SiteError([f"{error}: needed for the C++ nodes of {names}"]) from None
-    compiler = Compiler(tools, root, cache, report, debug=debug, draft=draft)
+    compiler = Compiler(tools, {root, workspace}, root, cache, report, options)
     missing = [
         (job, engine)
         for job in jobs
@@ -90,8 +94,8 @@ def compile_nodes(
     return builds
 
 
-# What is wrong with packages that others need, by their names.
-Problems = Mapping[str, list[str]]
+# The problems of packages that other packages depend on, by package.
+Failures = Mapping[str, list[str]]
 # What is done for a job and an engine.
 Step = Callable[[Job, str], None]
 
@@ -115,18 +119,19 @@ class Compiler:
     def __init__(
         self,
         tools: Toolchain,
+        roots: Collection[Path],
         root: Path,
         cache: Path,
         report: Report,
-        *,
-        debug: bool,
-        draft: bool,
+        options: Options,
     ) -> None:
         self._tools = tools
         self._root = root
+        # Tools write folders of their own here, which are not sources of a package.
+        self._roots = roots
         self._report = report
-        self._debug = debug
-        self._draft = draft
+        self._debug = options.debug
+        self._draft = options.draft and not options.debug
         paths = [
             CLIENT,
             *(PACKAGE / name for name in GENERATOR),
@@ -165,7 +170,7 @@ class Compiler:
         all_of_them = [*sorted(needs, key=lambda need: need.name), package]
         for one in all_of_them:
             if one.path not in self._digests:
-                self._digests[one.path] = digest_of([one.path])
+                self._digests[one.path] = digest_of([one.path], roots=self._roots)
         places = ["debug", *map(self._shown, all_of_them)] if self._debug else []
         return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them), *places)
 
@@ -179,7 +184,7 @@ class Compiler:
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
         use(self._work)
-        with alone(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        with FileLock(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             self._write_ros()
             # Every program needs what the packages it needs have for others, and then the library.
             wanted = [[job for job, one in jobs if one == engine] for engine in engines]
@@ -229,7 +234,7 @@ class Compiler:
         if done.returncode:
             raise RuntimeError(f"the rclcpp library could not be compiled:\n{done.stdout}")
 
-    def _prepare(self, engine: str, jobs: Sequence[Job]) -> Problems:
+    def _prepare(self, engine: str, jobs: Sequence[Job]) -> Failures:
         """Make the interfaces and libraries of the packages that others need.
 
         Returns the problems by package. Whether they matter is seen when a job ends for the lack of
@@ -246,7 +251,7 @@ class Compiler:
         return failed
 
     def _prepare_package(
-        self, engine: str, package: Package, needs: Sequence[Package], failed: Problems
+        self, engine: str, package: Package, needs: Sequence[Package], failed: Failures
     ) -> None:
         cmake = self._cmake(engine)
         if self._is_prepared(cmake, package, needs):
@@ -277,7 +282,7 @@ class Compiler:
         return cmake.tree(package) / "prepared"
 
     def _configure(
-        self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Problems
+        self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Failures
     ) -> None:
         # Drafts are made in the same tree: what it was prepared as may not be what it is now.
         self._stamp(cmake, package).unlink(missing_ok=True)
@@ -287,7 +292,7 @@ class Compiler:
             missing = failed.get(diagnosis.missing(done.stdout))
             raise SiteError(missing or diagnosis.of_cmake(done.stdout))
 
-    def _configure_job(self, failed: Mapping[str, Problems], job: Job, engine: str) -> None:
+    def _configure_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
             self._configure(cmake, job.package, job.needs, failed[engine])

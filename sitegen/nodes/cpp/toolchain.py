@@ -7,7 +7,6 @@ import os
 import shutil
 import subprocess
 import sysconfig
-from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
@@ -95,16 +94,3 @@ def _identity(compiler: Path) -> str:
     version = home(compiler) / "emscripten-version.txt"
     text = version.read_text().strip() if version.exists() else ""
     return f"{text} {compiler.stat().st_mtime_ns}"
-
-
-@contextlib.contextmanager
-def alone(lock: Path) -> Iterator[None]:
-    """Let one process at a time go on, of those that name the same file."""
-    try:
-        import fcntl
-    except ImportError:  # Windows: two builds at once are the user's to avoid
-        yield
-        return
-    with lock.open("w") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 import sys
@@ -11,11 +10,9 @@ from pathlib import Path
 
 from sitegen.cache.digest import digest_of
 from sitegen.errors import SiteError
+from sitegen.nodes.python import pyodide
 from sitegen.nodes.python.wheel import Wheel, opened
-from sitegen.shipped import VENDOR
 
-# What the Python of pages says of itself.
-LOCK = VENDOR / "pyodide" / "pyodide-lock.json"
 PIP = [
     *(sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input"),
     *("download", "--quiet", "--no-deps", "--only-binary=:all:", "--require-hashes"),
@@ -25,7 +22,7 @@ NONE = re.compile(r"No matching distribution found for (\S+)")
 
 def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
     """Return the wheels that `file` names; raises a SiteError with pip's words."""
-    version, platform = _page()
+    version, platform = pyodide.python_version(), pyodide.platform()
     python = f"cp{version.replace('.', '')}"
     words = [f"--python-version={version}", f"--platform={platform}"]
     words += ["--implementation=cp", f"--abi={python}"]
@@ -41,13 +38,6 @@ def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
                 raise SiteError(_said_by_pip(file.relative_to(root), done.stderr, tag))
             fresh.rename(folder)
     return [opened(wheel.name, wheel) for wheel in sorted(folder.glob("*.whl"))]
-
-
-def _page() -> tuple[str, str]:
-    """Return the version of Python in pages, like 3.14, and the platform that wheels name."""
-    info = json.loads(LOCK.read_text())["info"]
-    version = info["python"].rpartition(".")[0]
-    return version, f"pyemscripten_{info['abi_version']}_{info['arch']}"
 
 
 def _said_by_pip(file: Path, text: str, tag: str) -> list[str]:

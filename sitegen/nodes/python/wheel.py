@@ -10,8 +10,10 @@ from dataclasses import dataclass
 from email.parser import Parser
 from pathlib import Path, PurePosixPath
 
-# One that is needed whatever else is asked for or true: no condition stands behind it.
-REQUIRED = re.compile(r"\s*([\w.-]+)[^;]*$")
+from packaging.requirements import InvalidRequirement, Requirement
+from packaging.utils import canonicalize_name
+
+from sitegen.nodes.python import pyodide
 
 
 @dataclass(frozen=True)
@@ -29,12 +31,7 @@ class Wheel:
     @property
     def package(self) -> str:
         """What it is a wheel of."""
-        return canonical(self.name.partition("-")[0])
-
-
-def canonical(name: str) -> str:
-    """Write the name of a package in the one way that all of its spellings have in common."""
-    return re.sub(r"[-_.]+", "-", name).lower()
+        return canonicalize_name(self.name.partition("-")[0])
 
 
 def opened(name: str, file: Path) -> Wheel:
@@ -61,9 +58,14 @@ def opened(name: str, file: Path) -> Wheel:
 
 
 def _needs(metadata: str) -> Iterator[str]:
+    """Yield the packages that the metadata of a wheel requires in a page."""
     for line in Parser().parsestr(metadata).get_all("Requires-Dist") or []:
-        if found := REQUIRED.fullmatch(line):
-            yield canonical(found[1])
+        try:
+            requirement = Requirement(line)
+        except InvalidRequirement:
+            continue  # pip would have refused the wheel
+        if requirement.marker is None or requirement.marker.evaluate(pyodide.environment()):
+            yield canonicalize_name(requirement.name)
 
 
 def archived(files: Mapping[str, bytes]) -> bytes:

@@ -10,12 +10,14 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from packaging.utils import canonicalize_name
+
 from sitegen.cache.fetch import FetchError, fetch, mismatch
 from sitegen.errors import Place, Problems
 from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
-from sitegen.nodes.python.wheel import Wheel, canonical, opened
+from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.shipped import VENDOR
 
 # What the Pyodide distribution has, with its hashes: of the release that pages run.
@@ -119,7 +121,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
 def _line(file: Path, package: str) -> int:
     """Return where a file of requirements names `package`."""
     lines = file.read_text(encoding="utf-8").splitlines()
-    names = (canonical(re.split(r"[\[=; ]", line.strip())[0]) for line in lines)
+    names = (canonicalize_name(re.split(r"[\[=; ]", line.strip())[0]) for line in lines)
     return next((n for n, name in enumerate(names, 1) if name == package), 1)
 
 

@@ -1,0 +1,19 @@
+"""Tell the folders that tools fill from those of the author."""
+
+from __future__ import annotations
+
+# Wherever they are.
+TOOLS = frozenset(
+    {".git", ".mypy_cache", ".pytest_cache", ".ruff_cache", "__pycache__", "node_modules"}
+)
+# At the root of a workspace or a site: colcon's three, and what sitegen builds. Deeper in the tree
+# a folder of this name is the author's: `log` is a good name for a folder of sources.
+AT_ROOT = frozenset({"build", "dist", "install", "log"})
+
+
+def is_ignored(name: str, *, at_root: bool) -> bool:
+    """Return whether a folder called `name` is filled by a tool.
+
+    `at_root` says that it is at the root of a workspace or a site.
+    """
+    return name in TOOLS or (at_root and name in AT_ROOT)

@@ -1,0 +1,99 @@
+"""Read the package.xml of a package (REP 149)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.parsers.expat import ErrorString
+
+from sitegen.errors import Place, Problems
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
+DEPENDS = {
+    "depend",
+    "build_depend",
+    "build_export_depend",
+    "buildtool_depend",
+    "buildtool_export_depend",
+    "exec_depend",
+    "run_depend",
+}
+# What conditions may ask for. The packages of ROS 2 that pages run are those of this distribution.
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION": "3"}
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """What a package.xml says where its conditions hold; `build_type` is empty if it names none."""
+
+    name: str
+    version: str
+    depends: tuple[str, ...]
+    build_type: str
+
+
+class _Tree(ElementTree.TreeBuilder):
+    """Refuses document types: their entities can read files and fill the memory."""
+
+    def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
+        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
+
+
+def read_manifest(file: Path, problems: Problems) -> Manifest | None:
+    """Return the manifest in `file`, or note why it cannot be read."""
+    try:
+        xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
+    except ElementTree.ParseError as error:
+        message = f"{ErrorString(error.code)}; check the tags here and above"
+        problems.add(Place(file, error.position[0]), "xml", message)
+        return None
+    except (OSError, ValueError, LookupError) as error:
+        message = getattr(error, "strerror", None) or str(error)
+        problems.add(place_of(file, "!DOCTYPE"), "xml", message)
+        return None
+    name = (xml.findtext("name") or "").strip()
+    if xml.tag != "package" or not NAME.fullmatch(name):
+        what = f"'{name}' is not a valid package name" if name else "missing"
+        message = f"{what}; write it like <name>my_robot</name>"
+        problems.add(place_of(file, "name"), "name", message)
+        return None
+    depends = (tag.text for tag in _true(xml, file, problems) if tag.tag in DEPENDS)
+    types = (tag.text for tag in _true(xml.findall("export/build_type"), file, problems))
+    return Manifest(
+        name=name,
+        version=(xml.findtext("version") or "").strip(),
+        depends=tuple(text.strip() for text in depends if text and text.strip()),
+        build_type=next((text.strip() for text in types if text), ""),
+    )
+
+
+def place_of(file: Path, tag: str) -> Place:
+    """Return the place of the first such tag, which the parser does not remember."""
+    try:
+        before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
+    except OSError:
+        return Place(file, 1)
+    return Place(file, before.count("\n") + 1 if found else 1)
+
+
+def _true(
+    tags: ElementTree.Element | list[ElementTree.Element], file: Path, problems: Problems
+) -> Iterator[ElementTree.Element]:
+    """Yield those tags whose condition holds."""
+    for tag in tags:
+        condition = tag.get("condition")
+        if condition is None:
+            yield tag
+            continue
+        # Most packages have no condition, and the parser behind this takes a while to load.
+        from catkin_pkg.condition import evaluate_condition
+
+        try:
+            if evaluate_condition(condition, ENVIRONMENT):
+                yield tag
+        except ValueError:
+            message = f"'{condition}' is not a valid condition; write it like '$ROS_VERSION == 2'"
+            problems.add(place_of(file, tag.tag), tag.tag, message)
