@@ -127,17 +127,17 @@ def test_what_is_raised_below_rclpy_is_told_as_natively(page: Page) -> None:
 
 def test_what_a_page_has_none_of_is_refused(page: Page) -> None:
     state, lines = run(page, "outside")
-    sockets = "a page has no sockets; its nodes have topics, services and actions"
+    sockets = "sockets are not available in the browser; use topics, services or actions"
     assert (state, [re.sub(r"\[Errno -?\d+\] ", "", line) for line in printed(lines)]) == (
         "stopped",
         [
-            "OSError a page cannot start other programs: 'ls'",
-            "OSError a page cannot start other programs: 'ls'",
+            "OSError other programs are not available in the browser: 'ls'",
+            "OSError other programs are not available in the browser: 'ls'",
             f"gaierror {sockets}",
             f"OSError {sockets}",
             f"OSError {sockets}",
             f"URLError <urlopen error {sockets}>",
-            *["ImportError a page cannot start processes; threads work"] * 2,
+            *["ImportError processes are not available in the browser; use threads"] * 2,
         ],
     )
 

@@ -1,3 +1,3 @@
-"""What Python's `multiprocessing` would start processes with."""
+"""The native part of `multiprocessing`, which is not available in the browser."""
 
-raise ImportError("a page cannot start processes; threads work")
+raise ImportError("processes are not available in the browser; use threads")

@@ -1,4 +1,4 @@
-"""What rclpy imports in place of its C++ extension: the names of rclpy_backend, all in one."""
+"""Replace rclpy's C++ extension: re-export the names of rclpy_backend."""
 
 # ruff: noqa: F401
 from __future__ import annotations
@@ -152,7 +152,7 @@ from rclpy_backend.wait_set import (
     WaitSet,
 )
 
-# Programs print classes, and tracebacks name them.
+# Programs print these classes, and tracebacks name their module.
 for _each in list(globals().values()):
     if isinstance(_each, type) and _each.__module__.startswith("rclpy_backend."):
         _each.__module__ = "rclpy._rclpy_pybind11"

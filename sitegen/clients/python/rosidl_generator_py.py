@@ -1,6 +1,6 @@
-"""What message classes ask for their type support: here it is only a name.
+"""Provide the type support that generated message classes import: only a name.
 
-rclpy wants to see that a class has one; messages are read and written by rclpy_backend.cdr.
+rclpy checks that a class has one; rclpy_backend.cdr reads and writes the messages.
 """
 
 from __future__ import annotations
@@ -15,5 +15,5 @@ class _TypeSupport:
 
 
 def import_type_support(pkg_name: str) -> _TypeSupport:
-    """Return what has a value for each name that the classes of a package ask for."""
+    """Return an object that has any attribute that the classes of a package ask for."""
     return _TypeSupport(pkg_name)

@@ -1,1 +1,1 @@
-"""The layer below rclpy: what its C++ extension does on a robot, on the graph of a page."""
+"""The layer below rclpy: what its C++ extension does natively, on the graph of the page."""

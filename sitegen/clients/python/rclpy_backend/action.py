@@ -1,8 +1,9 @@
-"""Actions: what client and server have in common, and the life of a goal."""
+"""Actions: the common part of client and server, and the state machine of a goal."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rclpy_backend import names
 from rclpy_backend.enums import GoalEvent
@@ -19,10 +20,12 @@ if TYPE_CHECKING:
     from rclpy_backend.timer import Timer
     from rclpy_backend.wait_set import WaitSet
 
-# The states of a goal, as action_msgs/msg/GoalStatus has them.
+E = TypeVar("E", bound="Endpoint")
+
+# The states of a goal, as in action_msgs/msg/GoalStatus.
 STATES = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
 ACCEPTED, EXECUTING, CANCELING, SUCCEEDED, CANCELED, ABORTED = range(1, 7)
-# What an event makes of a state; no other event may happen in it.
+# The next state by state and event; all other transitions are invalid.
 NEXT = {
     (ACCEPTED, GoalEvent.EXECUTE): EXECUTING,
     (ACCEPTED, GoalEvent.CANCEL_GOAL): CANCELING,
@@ -36,9 +39,12 @@ NEXT = {
 
 
 class Action(Destroyable):
-    """One side of an action: services and topics with its name; raises a ValueError if it is none.
+    """One side of an action: its services and topics.
 
-    `waited` are those that a wait set waits for, in the order in which rclpy asks for them.
+    `waited` lists the entities of its wait set, in the order in which rclpy expects them.
+
+    Raises:
+        ValueError: if the name is invalid or the context has been shut down.
     """
 
     def __init__(self, side: str, node: Node, name: str) -> None:
@@ -58,13 +64,25 @@ class Action(Destroyable):
         self.waited: list[Endpoint | Timer] = []
         self._parts: list[Endpoint | Timer] = []
 
+    def _part(
+        self,
+        create: Callable[[Node, Any, str, rmw_qos_profile_t], E],
+        interface: Any,
+        name: str,
+        profile: rmw_qos_profile_t,
+    ) -> E:
+        """Create one of its services or topics."""
+        part = create(self._node, interface, f"{self._prefix}/{name}", profile)
+        self._parts.append(part)
+        return part
+
     def add_to_waitset(self, wait_set: WaitSet) -> None:
-        """Let `wait_set` wait for this side."""
+        """Add this side to `wait_set`."""
         for entity in self.waited:
             wait_set.add(entity)
 
     def is_ready(self, wait_set: WaitSet) -> tuple[bool, ...]:
-        """Return which of its parts the last wait found ready."""
+        """Return for each entity whether the last wait found it ready."""
         return tuple(wait_set.found(entity) for entity in self.waited)
 
     def configure_introspection(
@@ -73,7 +91,7 @@ class Action(Destroyable):
         pyqos_service_event_pub: rmw_qos_profile_t,
         introspection_state: int,
     ) -> None:
-        """Publish from now on what its three services are asked, or that they are, or nothing."""
+        """Set what its three services publish about their calls: contents, metadata or nothing."""
         for part in self._parts:
             if isinstance(part, ServiceEndpoint):
                 part.configure_introspection(clock, pyqos_service_event_pub, introspection_state)
@@ -84,35 +102,43 @@ class Action(Destroyable):
 
 
 def goal_id(info: Any) -> bytes:
-    """Return the 16 bytes that name the goal of a GoalInfo."""
+    """Return the UUID of the goal of a GoalInfo, 16 bytes."""
     return bytes(bytearray(info.goal_id.uuid))
 
 
 class ActionGoalHandle(Destroyable):
-    """A goal that a server has accepted; raises a RuntimeError if it already has."""
+    """A goal that a server has accepted.
+
+    Raises:
+        RuntimeError: if the server has a goal with this UUID.
+    """
 
     def __init__(self, action_server: ActionServer, pygoal_info_msg: Any) -> None:
         super().__init__()
         self.info = pygoal_info_msg
         self.status = ACCEPTED
-        # When it came to its end, in ns of the server's clock.
+        # When the goal ended, by the server's clock (ns).
         self.done: int | None = None
         action_server.accept(self)
 
     def get_status(self) -> int:
-        """Return its state, a number of GoalStatus."""
+        """Return the state, as in GoalStatus."""
         return self.status
 
     def is_active(self) -> bool:
-        """Return whether it has not come to its end."""
+        """Return whether the goal has not ended."""
         return self.status < SUCCEEDED
 
     def is_cancelable(self) -> bool:
-        """Return whether it can still be asked to end."""
+        """Return whether the goal can be canceled."""
         return (self.status, GoalEvent.CANCEL_GOAL) in NEXT
 
     def update_goal_state(self, event: GoalEvent) -> None:
-        """Let an event happen; raises an RCLError if it cannot now."""
+        """Change the state.
+
+        Raises:
+            RCLError: if the event is not valid in this state.
+        """
         status = NEXT.get((self.status, event))
         if status is None:
             how = f"from state {STATES[self.status]} with event {event.name}"

@@ -1,4 +1,4 @@
-"""Clients of actions."""
+"""Action clients."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ActionClient(Action):
-    """Sends goals, and hears how they get on."""
+    """A client: sends goals and receives feedback, states and results."""
 
     def __init__(
         self,
@@ -28,63 +28,62 @@ class ActionClient(Action):
         status_topic_qos: rmw_qos_profile_t,
     ) -> None:
         super().__init__("client", node, action_name)
-        prefix, types = self._prefix, pyaction_type.Impl
-        self._goal = Client(node, types.SendGoalService, f"{prefix}/send_goal", goal_service_qos)
-        self._cancel = Client(
-            node, types.CancelGoalService, f"{prefix}/cancel_goal", cancel_service_qos
+        types = pyaction_type.Impl
+        self._goal = self._part(Client, types.SendGoalService, "send_goal", goal_service_qos)
+        self._cancel = self._part(
+            Client, types.CancelGoalService, "cancel_goal", cancel_service_qos
         )
-        self._result = Client(
-            node, types.GetResultService, f"{prefix}/get_result", result_service_qos
+        self._result = self._part(Client, types.GetResultService, "get_result", result_service_qos)
+        self._feedback = self._part(
+            Subscription, types.FeedbackMessage, "feedback", feedback_service_qos
         )
-        self._feedback = Subscription(
-            node, types.FeedbackMessage, f"{prefix}/feedback", feedback_service_qos
-        )
-        self._status = Subscription(
-            node, types.GoalStatusMessage, f"{prefix}/status", status_topic_qos
-        )
+        self._status = self._part(Subscription, types.GoalStatusMessage, "status", status_topic_qos)
         self._ends = [self._feedback, self._status, self._goal, self._cancel, self._result]
         self.waited = [*self._ends]
-        self._parts = [*self._ends]
 
     def get_num_entities(self) -> tuple[int, int, int, int, int]:
-        """Return how many subscriptions, guard conditions, timers, clients and services it has."""
+        """Return the numbers of subscriptions, guard conditions, timers, clients and services."""
         return 2, 0, 0, 3, 0
 
     def is_action_server_available(self) -> bool:
-        """Return whether a server is there, with all that belongs to it."""
+        """Return whether all services and topics of a server are available.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         self._node.context.check("Failed to check if action server is available")
         return all(end.matched() for end in self._ends)
 
     def send_goal_request(self, request: Any) -> int:
-        """Ask for a goal; return the number of the request."""
+        """Send a goal; return the sequence number of the request."""
         return self._goal.send_request(request)
 
     def send_cancel_request(self, request: Any) -> int:
-        """Ask that goals end; return the number of the request."""
+        """Request cancellation; return the sequence number of the request."""
         return self._cancel.send_request(request)
 
     def send_result_request(self, request: Any) -> int:
-        """Ask for a result; return the number of the request."""
+        """Request a result; return the sequence number of the request."""
         return self._result.send_request(request)
 
     def take_goal_response(self, response_type: type) -> tuple[int, Any] | tuple[None, None]:
-        """Return whether a goal was accepted, after the number of its request."""
+        """Return the sequence number of a goal request and its response, or two Nones."""
         return _numbered(self._goal, response_type)
 
     def take_cancel_response(self, response_type: type) -> tuple[int, Any] | tuple[None, None]:
-        """Return which goals will end, after the number of the request."""
+        """Return the sequence number of a cancel request and its response, or two Nones."""
         return _numbered(self._cancel, response_type)
 
     def take_result_response(self, response_type: type) -> tuple[int, Any] | tuple[None, None]:
-        """Return a result, after the number of its request."""
+        """Return the sequence number of a result request and its response, or two Nones."""
         return _numbered(self._result, response_type)
 
     def take_feedback(self, message_type: type) -> Any:
-        """Return the oldest feedback, or None."""
+        """Return the oldest feedback message, or None."""
         return _message(self._feedback, message_type)
 
     def take_status(self, message_type: type) -> Any:
-        """Return the oldest list of the states of goals, or None."""
+        """Return the oldest status message, or None."""
         return _message(self._status, message_type)
 
 

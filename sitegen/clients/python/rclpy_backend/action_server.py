@@ -1,4 +1,4 @@
-"""Servers of actions."""
+"""Action servers."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     from rclpy_backend.qos import rmw_qos_profile_t
 
 SECOND = 10**9
-# How a request to cancel ends, in action_msgs/srv/CancelGoal.
+# Return codes of action_msgs/srv/CancelGoal.
 UNKNOWN_GOAL_ID, GOAL_TERMINATED = 2, 3
 NO_GOAL = bytes(16)
 
 
 class ActionServer(Action):
-    """Accepts goals, tells how they get on, and keeps results for `result_timeout` seconds."""
+    """A server: accepts goals, sends feedback, and keeps results for `result_timeout` seconds."""
 
     def __init__(
         self,
@@ -38,79 +38,79 @@ class ActionServer(Action):
         result_timeout: float,
     ) -> None:
         super().__init__("server", node, action_name)
-        prefix, types = self._prefix, pyaction_type.Impl
-        self._goal = Service(node, types.SendGoalService, f"{prefix}/send_goal", goal_service_qos)
-        self._cancel = Service(
-            node, types.CancelGoalService, f"{prefix}/cancel_goal", cancel_service_qos
+        types = pyaction_type.Impl
+        self._goal = self._part(Service, types.SendGoalService, "send_goal", goal_service_qos)
+        self._cancel = self._part(
+            Service, types.CancelGoalService, "cancel_goal", cancel_service_qos
         )
-        self._result = Service(
-            node, types.GetResultService, f"{prefix}/get_result", result_service_qos
+        self._result = self._part(Service, types.GetResultService, "get_result", result_service_qos)
+        self._feedback = self._part(
+            Publisher, types.FeedbackMessage, "feedback", feedback_topic_qos
         )
-        self._feedback = Publisher(
-            node, types.FeedbackMessage, f"{prefix}/feedback", feedback_topic_qos
-        )
-        self._status = Publisher(
-            node, types.GoalStatusMessage, f"{prefix}/status", status_topic_qos
-        )
+        self._status = self._part(Publisher, types.GoalStatusMessage, "status", status_topic_qos)
         self._clock = rclpy_clock
-        # Below 0, results are kept for good.
+        # If negative, results never expire.
         self._keep = round(result_timeout * SECOND)
         self._expiry = Timer(rclpy_clock, node.context, max(self._keep, 0), autostart=False)
         self._goals: dict[bytes, ActionGoalHandle] = {}
         self.waited = [self._goal, self._cancel, self._result, self._expiry]
-        self._parts = [*self.waited, self._feedback, self._status]
+        self._parts.append(self._expiry)
 
     def get_num_entities(self) -> tuple[int, int, int, int, int]:
-        """Return how many subscriptions, guard conditions, timers, clients and services it has."""
+        """Return the numbers of subscriptions, guard conditions, timers, clients and services."""
         return 0, 0, 1, 0, 3
 
     def accept(self, goal: ActionGoalHandle) -> None:
-        """Take a new goal; raises a RuntimeError if there is one of that name."""
+        """Add a goal.
+
+        Raises:
+            RuntimeError: if there is a goal with this UUID.
+        """
         name = goal_id(goal.info)
         if name in self._goals:
             raise RuntimeError("Failed to accept new goal: goal ID already exists")
         self._goals[name] = goal
 
     def goal_exists(self, goal_info: Any) -> bool:
-        """Return whether there is a goal of that name."""
+        """Return whether there is a goal with this UUID."""
         return goal_id(goal_info) in self._goals
 
     def take_goal_request(
         self, request_type: type
     ) -> tuple[rmw_request_id_t, Any] | tuple[None, None]:
-        """Return the oldest request for a goal, after who asks."""
+        """Return the id of the oldest goal request and the request, or two Nones."""
         return _asked(self._goal, request_type)
 
     def take_cancel_request(
         self, request_type: type
     ) -> tuple[rmw_request_id_t, Any] | tuple[None, None]:
-        """Return the oldest request that goals end, after who asks."""
+        """Return the id of the oldest cancel request and the request, or two Nones."""
         return _asked(self._cancel, request_type)
 
     def take_result_request(
         self, request_type: type
     ) -> tuple[rmw_request_id_t, Any] | tuple[None, None]:
-        """Return the oldest request for a result, after who asks."""
+        """Return the id of the oldest result request and the request, or two Nones."""
         return _asked(self._result, request_type)
 
     def send_goal_response(self, header: rmw_request_id_t, response: Any) -> None:
-        """Say whether a goal was accepted."""
+        """Respond to a goal request."""
         self._goal.service_send_response(response, header)
 
     def send_cancel_response(self, header: rmw_request_id_t, response: Any) -> None:
-        """Say which goals will end."""
+        """Respond to a cancel request."""
         self._cancel.service_send_response(response, header)
 
     def send_result_response(self, header: rmw_request_id_t, response: Any) -> None:
-        """Send a result."""
+        """Respond to a result request."""
         self._result.service_send_response(response, header)
 
     def publish_feedback(self, message: Any) -> None:
-        """Tell how a goal gets on."""
+        """Publish feedback."""
         self._feedback.publish(message)
 
     def publish_status(self) -> None:
-        """Tell the states of all goals."""
+        """Publish the states of all goals."""
         from action_msgs.msg import GoalStatus, GoalStatusArray
 
         goals = self._goals.values()
@@ -118,7 +118,7 @@ class ActionServer(Action):
         self._status.publish(GoalStatusArray(status_list=states))
 
     def process_cancel_request(self, request: Any, response_type: Any) -> Any:
-        """Return the response to a request that goals end, with those that can."""
+        """Return the response to a cancel request, with the goals that can be canceled."""
         response = response_type()
         name, stamp = goal_id(request.goal_info), _nanoseconds(request.goal_info.stamp)
         if name != NO_GOAL and not stamp:
@@ -132,7 +132,7 @@ class ActionServer(Action):
         return response
 
     def _meant(self, name: bytes, stamp: int) -> Iterator[ActionGoalHandle]:
-        """Yield the goals that a request to cancel means: one, those up to a time, or all."""
+        """Yield the goals that a cancel request selects: one, those up to a time, or all."""
         for own, goal in self._goals.items():
             every = name == NO_GOAL and not stamp
             early = bool(stamp) and _nanoseconds(goal.info.stamp) <= stamp
@@ -140,7 +140,7 @@ class ActionServer(Action):
                 yield goal
 
     def notify_goal_done(self) -> None:
-        """Note that a goal has come to its end."""
+        """Record the time at which goals ended, and schedule their expiry."""
         now = self._clock.now()
         for goal in self._goals.values():
             if not goal.is_active() and goal.done is None:
@@ -148,7 +148,7 @@ class ActionServer(Action):
         self._expect_expiry()
 
     def expire_goals(self, max_num_goals: int) -> tuple[Any, ...]:
-        """Forget those goals whose results were kept long enough, and return them."""
+        """Remove up to `max_num_goals` goals whose results have expired, and return them."""
         end = self._clock.now() - self._keep
         old = [n for n, g in self._goals.items() if g.done is not None and g.done <= end]
         gone = tuple(self._goals.pop(name).info for name in old[:max_num_goals])
@@ -156,7 +156,7 @@ class ActionServer(Action):
         return gone
 
     def _expect_expiry(self) -> None:
-        """Let the timer be ready when the next result is no longer kept."""
+        """Set the timer to the time at which the next result expires."""
         ends = [goal.done for goal in self._goals.values() if goal.done is not None]
         if not ends or self._keep < 0:
             self._expiry.cancel_timer()

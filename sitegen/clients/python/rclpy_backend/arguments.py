@@ -1,4 +1,4 @@
-"""The command line: what comes after --ros-args."""
+"""The command line: the arguments after --ros-args."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FLAGS = {
     *("--enable-stdout-logs", "--disable-stdout-logs"),
     *("--enable-external-lib-logs", "--disable-external-lib-logs"),
 }
-# Options with a word of which a page has no use.
+# Options with one argument, which have no effect in the browser.
 UNUSED = {"-e", "--enclave", "--log-config-file", "--log-file-name"}
 NAMES = {
     ("-r", "--remap"): "remap rule",
@@ -29,7 +29,7 @@ NAMES = {
 
 
 class Remap(NamedTuple):
-    """A rule for names: of one node or of all (""), of topics or services or both ("")."""
+    """A remapping rule, for one node or all (""), for topics, services or both ("")."""
 
     node: str
     kind: str
@@ -38,7 +38,7 @@ class Remap(NamedTuple):
 
 
 class Override(NamedTuple):
-    """The value of a parameter, as YAML; `node` is a name or a pattern, empty for all."""
+    """A parameter override, as YAML; `node` is a name or a pattern, or empty for all nodes."""
 
     node: str
     name: str
@@ -47,7 +47,7 @@ class Override(NamedTuple):
 
 @dataclass
 class Arguments:
-    """What the words mean; `parameters` has overrides and names of files with more."""
+    """Parsed arguments; `parameters` has overrides and the names of parameter files."""
 
     remaps: list[Remap] = field(default_factory=list)
     parameters: list[Override | str] = field(default_factory=list)
@@ -56,7 +56,12 @@ class Arguments:
 
 
 def parse(words: Sequence[str]) -> Arguments:
-    """Read a command line; raises RCLError or UnknownROSArgsError."""
+    """Parse a command line.
+
+    Raises:
+        RCLError: if a value is invalid or missing.
+        UnknownROSArgsError: if there are unknown arguments after --ros-args.
+    """
     found = Arguments()
     unknown = []
     ros = False
@@ -106,10 +111,10 @@ def _fail(option: str, text: str) -> Never:
 
 
 def severities() -> dict[str, int]:
-    """Return the levels of the log by their names."""
+    """Return the severities of log messages by name."""
     return {level.name.rpartition("_")[2]: int(level) for level in RCUTILS_LOG_SEVERITY}
 
 
 def rclpy_remove_ros_args(pycli_args: Sequence[str]) -> list[str]:
-    """Return the words that are not for ROS."""
+    """Return the arguments that are not for ROS."""
     return parse(pycli_args).others

@@ -1,6 +1,6 @@
-"""Read and write messages as native ROS 2 does: XCDR1, little-endian, behind four bytes of header.
+"""Serialize and deserialize messages: little-endian XCDR1 after a header of four bytes.
 
-How a class is read and written is worked out once, from the types of its slots.
+The codec of a class is built once, from the types of its slots.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from rclpy_backend.arrays import fixed_array
 HEADER = b"\x00\x01\x00\x00"
 PADS = [bytes(size) for size in range(8)]
 LENGTH = struct.Struct("<I")
-# How struct and array write numbers.
+# Format characters of the modules struct and array.
 CODES = {
     **{"boolean": "?", "octet": "B", "char": "B", "wchar": "H", "float": "f", "double": "d"},
     **{"int8": "b", "uint8": "B", "int16": "h", "uint16": "H"},
     **{"int32": "i", "uint32": "I", "int64": "q", "uint64": "Q"},
 }
-# Sequences of these are arrays of numbers in Python, all others are lists.
+# Sequences of these are of class array.array in Python; all others are lists.
 NUMBERS = set(CODES) - {"boolean", "octet", "char", "wchar"}
 
 Write = Callable[[bytearray, Any], None]
@@ -34,11 +34,11 @@ Read = Callable[["Input"], Any]
 
 
 class CdrError(Exception):
-    """These bytes are no message of that type."""
+    """The bytes are not a valid message of the type."""
 
 
 class Input:
-    """The bytes of a message, and how far they are read."""
+    """The bytes of a message and the read position."""
 
     __slots__ = ("at", "data")
 
@@ -47,24 +47,32 @@ class Input:
         self.at = 0
 
     def take(self, size: int, alignment: int = 1) -> int:
-        """Return where the next `size` bytes begin, and go behind them."""
+        """Return the position of the next `size` bytes, and move past them.
+
+        Raises:
+            CdrError: if the message is too short.
+        """
         begin = self.at + -self.at % alignment
         self.at = begin + size
         if self.at > len(self.data):
-            raise CdrError("it ends too early")
+            raise CdrError("the message is too short")
         return begin
 
     def length(self, smallest: int) -> int:
-        """Return the length of what follows, whose elements have at least `smallest` bytes."""
+        """Return the length of a sequence whose elements have at least `smallest` bytes.
+
+        Raises:
+            CdrError: if the message is too short.
+        """
         begin = self.take(4, 4)
         count: int = LENGTH.unpack_from(self.data, begin)[0]
         if count * smallest > len(self.data) - self.at:
-            raise CdrError("it ends too early")
+            raise CdrError("the message is too short")
         return count
 
 
 class Codec(NamedTuple):
-    """How values of a type are written and read; `smallest` is what one takes at least."""
+    """Functions that write and read a type; `smallest` is the minimum size of a value (bytes)."""
 
     write: Write
     read: Read
@@ -72,7 +80,11 @@ class Codec(NamedTuple):
 
 
 def serialize(message: Any, message_type: type) -> bytes:
-    """Return the bytes of a message; raises a TypeError if it is of another type."""
+    """Return the bytes of a message.
+
+    Raises:
+        TypeError: if the message is of another type.
+    """
     if not isinstance(message, message_type):
         raise TypeError(f"Expected {message_type}, got {type(message)}")
     output = bytearray()
@@ -81,25 +93,29 @@ def serialize(message: Any, message_type: type) -> bytes:
 
 
 def deserialize(data: bytes, message_type: type) -> Any:
-    """Return the message; raises a CdrError if `data` is none of that type."""
+    """Return the message.
+
+    Raises:
+        CdrError: if `data` is not a valid message of the type.
+    """
     if bytes(data[:2]) != HEADER[:2]:
-        raise CdrError("its encoding is not CDR, little-endian")
+        raise CdrError("the encoding is not little-endian CDR")
     return codec_of(message_type).read(Input(data))
 
 
 def rclpy_serialize(pymsg: Any, py_msg_type: type) -> bytes:
-    """Return the bytes of a message."""
+    """Serialize a message, as serialize()."""
     return serialize(pymsg, py_msg_type)
 
 
 def rclpy_deserialize(pybuffer: bytes, pymsg_type: type) -> Any:
-    """Return the message that the bytes are."""
+    """Deserialize a message, as deserialize()."""
     return deserialize(pybuffer, pymsg_type)
 
 
 @cache
 def codec_of(message_type: Any) -> Codec:
-    """Return how messages of a generated class are written and read."""
+    """Return the codec of a generated message class."""
     names = [f"_{name}" for name in message_type._fields_and_field_types]
     codecs = [_codec(slot) for slot in message_type.SLOT_TYPES]
     writes = [(name, codec.write) for name, codec in zip(names, codecs, strict=True)]
@@ -114,7 +130,7 @@ def codec_of(message_type: Any) -> Codec:
             output.append(0)  # IDL has no empty messages
 
     def read(source: Input) -> Any:
-        # Its own __init__ would make and check all fields, only to replace them.
+        # __init__ would create and check all fields, only for them to be replaced.
         message = message_type.__new__(message_type)
         message._check_fields = False
         for name, get in reads:
@@ -170,7 +186,7 @@ def _octet() -> Codec:
 
 def _check(length: int, bound: int | None, what: str) -> None:
     if bound is not None and length > bound:
-        raise ValueError(f"{what} of {length} where its type allows {bound}")
+        raise ValueError(f"the length of {what} is {length}; the maximum is {bound}")
 
 
 def _put_length(output: bytearray, length: int) -> None:
@@ -193,14 +209,14 @@ def _text(bound: int | None) -> Codec:
         begin = source.take(length)
         text = bytes(source.data[begin : begin + length]).removesuffix(b"\0")
         if bound is not None and len(text) > bound:
-            raise CdrError(f"a text of {len(text)} where its type allows {bound}")
+            raise CdrError(f"the length of a string is {len(text)}; the maximum is {bound}")
         return text.decode(errors="replace")
 
     return Codec(write, read, 4)
 
 
 def _wide_text(bound: int | None) -> Codec:
-    """Return the codec of texts with four bytes for each unit of UTF-16."""
+    """Return the codec of wide strings, with four bytes for each UTF-16 code unit."""
 
     def write(output: bytearray, value: str) -> None:
         units = array.array("H", value.encode("utf-16-le"))
@@ -211,7 +227,7 @@ def _wide_text(bound: int | None) -> Codec:
     def read(source: Input) -> str:
         length = source.length(4)
         if bound is not None and length > bound:
-            raise CdrError(f"a text of {length} where its type allows {bound}")
+            raise CdrError(f"the length of a string is {length}; the maximum is {bound}")
         units = struct.unpack_from(f"<{length}I", source.data, source.take(4 * length))
         text = struct.pack(f"<{length}H", *(unit & 0xFFFF for unit in units))
         return text.decode("utf-16-le", errors="replace")
@@ -220,7 +236,7 @@ def _wide_text(bound: int | None) -> Codec:
 
 
 def _nested(slot: Any) -> Codec:
-    # Looked up when it is needed: its module may be the one that is just being imported.
+    # Resolved on first use: the module may still be being imported.
     @cache
     def codec() -> Codec:
         return codec_of(_class_of(slot))
@@ -234,7 +250,7 @@ def _class_of(slot: Any) -> Any:
     module = importlib.import_module(".".join(slot.namespaces))
     if hasattr(module, slot.name):
         return getattr(module, slot.name)
-    # A part of a service or an action, which only the interface's own module names.
+    # A part of a service or an action, which only the interface's module defines.
     words = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", slot.name.partition("_")[0])
     file = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", words).lower()
     return getattr(importlib.import_module(f"{module.__name__}._{file}"), slot.name)
@@ -250,7 +266,7 @@ def _numbers(code: str, name: str, fixed: int | None, bound: int | None) -> Code
             if not len(value):
                 return
         elif len(value) != fixed:
-            raise ValueError(f"an array of {len(value)} where its type has {fixed}")
+            raise ValueError(f"the length of an array is {len(value)}; it must be {fixed}")
         output += PADS[-len(output) % size]
         if isinstance(value, array.array) and value.typecode == code:
             output += value.tobytes()
@@ -260,7 +276,7 @@ def _numbers(code: str, name: str, fixed: int | None, bound: int | None) -> Code
     def read(source: Input) -> Any:
         length = source.length(size) if fixed is None else fixed
         if bound is not None and length > bound:
-            raise CdrError(f"a sequence of {length} where its type allows {bound}")
+            raise CdrError(f"the length of a sequence is {length}; the maximum is {bound}")
         begin = source.take(length * size, size) if length else 0
         numbers = array.array(code)
         numbers.frombytes(source.data[begin : begin + length * size])
@@ -275,14 +291,14 @@ def _elements(element: Codec, fixed: int | None, bound: int | None) -> Codec:
             _check(len(value), bound, "a sequence")
             _put_length(output, len(value))
         elif len(value) != fixed:
-            raise ValueError(f"an array of {len(value)} where its type has {fixed}")
+            raise ValueError(f"the length of an array is {len(value)}; it must be {fixed}")
         for each in value:
             element.write(output, each)
 
     def read(source: Input) -> Any:
         length = source.length(element.smallest) if fixed is None else fixed
         if bound is not None and length > bound:
-            raise CdrError(f"a sequence of {length} where its type allows {bound}")
+            raise CdrError(f"the length of a sequence is {length}; the maximum is {bound}")
         return [element.read(source) for _ in range(length)]
 
     return Codec(write, read, 4 if fixed is None else fixed * element.smallest)

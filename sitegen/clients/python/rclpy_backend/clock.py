@@ -1,4 +1,4 @@
-"""Clocks, and waiting for a time."""
+"""Clocks, and waits for a time."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ MILLISECOND = 1_000_000
 
 
 def system_time() -> int:
-    """Return nanoseconds since 1970, by the clock that stamps the messages of the page."""
+    """Return nanoseconds since 1970, by the clock that timestamps the page's messages."""
     milliseconds: float = ros_host.now()
     whole = int(milliseconds)
-    # The product as one float would be a quarter of a microsecond off.
+    # A single float product would be inexact by a quarter of a microsecond.
     return whole * MILLISECOND + round((milliseconds - whole) * MILLISECOND)
 
 
 class rcl_time_point_t:
-    """A time of a clock."""
+    """A point in time of a clock."""
 
     def __init__(self, nanoseconds: int, clock_type: int) -> None:
         self.nanoseconds = nanoseconds
@@ -35,14 +35,14 @@ class rcl_time_point_t:
 
 
 class rcl_duration_t:
-    """A length of time."""
+    """A duration."""
 
     def __init__(self, nanoseconds: int) -> None:
         self.nanoseconds = nanoseconds
 
 
 class Clock(Destroyable):
-    """A clock; one of ROS time shows the time that a simulation gives, while it gives one."""
+    """A clock; one of ROS time can show simulated time."""
 
     def __init__(self, clock_type: int) -> None:
         super().__init__()
@@ -52,28 +52,28 @@ class Clock(Destroyable):
         self._handles: list[tuple[JumpHandle, bool, int, int]] = []
 
     def now(self) -> int:
-        """Return its time in nanoseconds."""
+        """Return the time in nanoseconds."""
         if self._type == ClockType.STEADY_TIME:
             return time.monotonic_ns()
         return self._time if self.simulated else system_time()
 
     def get_now(self) -> rcl_time_point_t:
-        """Return its time."""
+        """Return the time."""
         return rcl_time_point_t(self.now(), self._type)
 
     def get_ros_time_override_is_enabled(self) -> bool:
-        """Return whether it shows the time of a simulation."""
+        """Return whether the clock shows simulated time."""
         return self.simulated
 
     def set_ros_time_override_is_enabled(self, enabled: bool) -> None:
-        """Show the time of a simulation, or no longer."""
+        """Set whether the clock shows simulated time."""
         if enabled != self.simulated:
             begins = ClockChange.ROS_TIME_ACTIVATED
             change = begins if enabled else ClockChange.ROS_TIME_DEACTIVATED
             self._jump(change, 0, lambda: setattr(self, "simulated", enabled))
 
     def set_ros_time_override(self, time_point: rcl_time_point_t) -> None:
-        """Take the time of a simulation."""
+        """Set the simulated time."""
 
         def take() -> None:
             self._time = time_point.nanoseconds
@@ -87,15 +87,15 @@ class Clock(Destroyable):
     def add_clock_callback(
         self, pyjump_handle: JumpHandle, on_clock_change: bool, min_forward: int, min_backward: int
     ) -> None:
-        """Tell `pyjump_handle` of jumps that are at least so far."""
+        """Call `pyjump_handle` on time jumps over its thresholds."""
         self._handles.append((pyjump_handle, on_clock_change, min_forward, min_backward))
 
     def remove_clock_callback(self, pyjump_handle: JumpHandle) -> None:
-        """Tell it no more."""
+        """Remove a jump callback."""
         self._handles = [entry for entry in self._handles if entry[0] is not pyjump_handle]
 
     def _jump(self, change: ClockChange, delta: int, make: Callable[[], None]) -> None:
-        # What its handles call, rclpy keeps to itself.
+        # The callbacks are private attributes in rclpy.
         handles: list[tuple[Any, bool, int, int]] = list(self._handles)
         changes = change != ClockChange.ROS_TIME_NO_CHANGE
         told = [
@@ -116,7 +116,7 @@ class Clock(Destroyable):
 
 
 class ClockEvent:
-    """Something to wait for, at most until a time of a clock."""
+    """An event to wait for, up to a time of a clock."""
 
     def __init__(self) -> None:
         self._set = False
@@ -129,26 +129,26 @@ class ClockEvent:
             blocking.wait(None if clock.simulated else left / 1e9)
 
     def wait_until_steady(self, clock: Clock, until: rcl_time_point_t) -> None:
-        """Wait by a clock that nobody sets."""
+        """Wait by a steady clock."""
         self._wait(clock, until)
 
     def wait_until_system(self, clock: Clock, until: rcl_time_point_t) -> None:
-        """Wait by the clock of the system."""
+        """Wait by the system clock."""
         self._wait(clock, until)
 
     def wait_until_ros(self, clock: Clock, until: rcl_time_point_t) -> None:
-        """Wait by the clock of ROS."""
+        """Wait by a clock of ROS time."""
         self._wait(clock, until)
 
     def is_set(self) -> bool:
-        """Return whether it has happened."""
+        """Return whether the event is set."""
         return self._set
 
     def set(self) -> None:
-        """It has happened."""
+        """Set the event."""
         self._set = True
         blocking.wake()
 
     def clear(self) -> None:
-        """It has to happen again."""
+        """Clear the event."""
         self._set = False

@@ -1,4 +1,4 @@
-"""What publishers, subscriptions, services and clients have in common: a place in the graph."""
+"""Endpoints: the common part of publishers, subscriptions, services and clients."""
 
 from __future__ import annotations
 
@@ -18,14 +18,19 @@ if TYPE_CHECKING:
 
 
 class Endpoint(Destroyable):
-    """One end of a topic or a service; raises a ValueError if `name` cannot be its name."""
+    """One end of a topic or a service.
+
+    Raises:
+        RCLError: if the context has been shut down.
+        ValueError: if `name` is invalid.
+    """
 
     def __init__(
         self, kind: str, node: Node, ros_type: type, name: str, profile: rmw_qos_profile_t
     ) -> None:
         super().__init__()
         service = kind in ("service", "client")
-        # As rcl words it, of topics and of services.
+        # rcl's messages differ for topics and services.
         node.context.check(f"{'failed' if service else 'Failed'} to create {kind}")
         try:
             self._full_name = names.rclpy_resolve_name(node, name, False, service)
@@ -42,31 +47,31 @@ class Endpoint(Destroyable):
         ros_host.destroy(self.id)
 
     def get_logger_name(self) -> str:
-        """Return the name of its node's logger."""
+        """Return the logger name of the endpoint's node."""
         return self.node.logger_name()
 
     def gid(self) -> bytes:
-        """Return what tells it from all other endpoints of the page."""
-        return gid_of(ros_host.nameOf(self.id))
+        """Return the gid of the endpoint, 16 bytes."""
+        return gid_bytes(ros_host.nameOf(self.id))
 
     def matched(self) -> int:
-        """Return how many endpoints it has found."""
+        """Return the number of matched endpoints."""
         return int(ros_host.matched(self.id))
 
     def is_ready(self) -> bool:
-        """Return whether something waits here to be taken."""
+        """Return whether there is something to take."""
         return bool(ros_host.has(self.id))
 
 
-def gid_of(name: int) -> bytes:
-    """Return what messages and questions about the graph give as gid of an endpoint, 16 bytes."""
-    return struct.pack("<d8x", name)
+def gid_bytes(gid: int) -> bytes:
+    """Return a gid, a number in the page, as the 16 bytes that rclpy expects."""
+    return struct.pack("<d8x", gid)
 
 
 def create(
     kind: str, node: str, name: str, type_name: str, profile: rmw_qos_profile_t, *, offers: bool
 ) -> int:
-    """Announce an endpoint to the page and return its id."""
+    """Announce an endpoint to the page and return its id in this program."""
     qos = to_js(host_qos(profile, offers=offers), dict_converter=ros_host.object)
     return int(ros_host.create(kind, node, name, type_name, qos))
 

@@ -1,4 +1,4 @@
-"""The numbers that rclpy shares with its extension."""
+"""Constants and enumerations that rclpy shares with its extension."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE = 2**63 - 2
 
 
 class _Named(IntEnum):
-    """Prints its name, as enumerations of extensions do."""
+    """Print as enumerations of C++ extensions do."""
 
     __str__ = Enum.__str__
 
 
 class ClockType(_Named):
-    """What a clock goes by."""
+    """The time source of a clock."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1
@@ -26,7 +26,7 @@ class ClockType(_Named):
 
 
 class ClockChange(_Named):
-    """What happened to a clock when its time jumped."""
+    """How the source of a clock changed when its time jumped."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
@@ -35,7 +35,7 @@ class ClockChange(_Named):
 
 
 class GoalEvent(_Named):
-    """What happens to the goal of an action."""
+    """Events of an action goal."""
 
     EXECUTE = 0
     CANCEL_GOAL = 1
@@ -45,7 +45,7 @@ class GoalEvent(_Named):
 
 
 class QoSCompatibility(_Named):
-    """Whether a publisher and a subscription hear each other."""
+    """Whether a publisher and a subscription have compatible QoS."""
 
     OK = 0
     WARNING = 1
@@ -53,7 +53,7 @@ class QoSCompatibility(_Named):
 
 
 class RCUTILS_LOG_SEVERITY(_Named):
-    """How much a line of the log matters."""
+    """The severity of a log message."""
 
     RCUTILS_LOG_SEVERITY_UNSET = 0
     RCUTILS_LOG_SEVERITY_DEBUG = 10
@@ -73,7 +73,7 @@ class SignalHandlerOptions(_Named):
 
 
 class rcl_publisher_event_type_t(_Named):
-    """What happens at a publisher."""
+    """Events of a publisher."""
 
     RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
     RCL_PUBLISHER_LIVELINESS_LOST = 1
@@ -83,7 +83,7 @@ class rcl_publisher_event_type_t(_Named):
 
 
 class rcl_subscription_event_type_t(_Named):
-    """What happens at a subscription."""
+    """Events of a subscription."""
 
     RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
     RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
@@ -94,7 +94,7 @@ class rcl_subscription_event_type_t(_Named):
 
 
 class rmw_qos_policy_kind_t(_Named):
-    """A policy of quality of service."""
+    """The kinds of QoS policy."""
 
     RMW_QOS_POLICY_INVALID = 1
     RMW_QOS_POLICY_DURABILITY = 2
@@ -109,7 +109,7 @@ class rmw_qos_policy_kind_t(_Named):
 
 
 class ServiceIntrospectionState(_Named):
-    """What of a service is told to who listens in."""
+    """What a service publishes about its calls."""
 
     OFF = 0
     METADATA = 1
@@ -117,12 +117,12 @@ class ServiceIntrospectionState(_Named):
 
 
 class TransitionCallbackReturnType(_Named):
-    """How a transition of a lifecycle ended."""
+    """The result of a lifecycle transition's callback."""
 
     SUCCESS = 97
     FAILURE = 98
     ERROR = 99
 
     def to_label(self) -> str:
-        """Return the name of the transition that follows."""
+        """Return the label of the transition that follows."""
         return f"transition_{self.name.lower()}"

@@ -1,4 +1,4 @@
-"""What goes wrong below rclpy, by the names that it knows."""
+"""The exceptions of rclpy's extension."""
 
 from __future__ import annotations
 
@@ -7,45 +7,49 @@ from typing import Never
 
 
 class RCUtilsError(RuntimeError):
-    """Of the logging and the texts of ROS."""
+    """An error of rcutils: logging and strings."""
 
 
 class RMWError(RuntimeError):
-    """Of the middleware."""
+    """An error of the middleware."""
 
 
 class RCLError(RuntimeError):
-    """Of the ROS client library."""
+    """An error of the ROS client library."""
 
 
 class RCLInvalidROSArgsError(RCLError):
-    """Arguments after --ros-args that cannot be read."""
+    """Invalid arguments after --ros-args."""
 
 
 class UnknownROSArgsError(RuntimeError):
-    """Arguments after --ros-args that nobody knows."""
+    """Unknown arguments after --ros-args."""
 
 
 class NodeNameNonExistentError(RCLError):
-    """A question about a node that is not there."""
+    """The node does not exist."""
 
 
 class UnsupportedEventTypeError(RCLError):
-    """An event that the middleware does not tell of."""
+    """An event that the middleware does not support."""
 
 
 class TimerCancelledError(RCLError):
-    """A call of a timer that was cancelled."""
+    """A call of a canceled timer."""
 
 
 class NotImplementedError(builtins.NotImplementedError):
-    """What this middleware does not do."""
+    """A feature that this middleware does not support."""
 
 
 class InvalidHandle(RuntimeError):
-    """Use of something that was destroyed."""
+    """Use of a destroyed object."""
 
 
-def refuse(what: str) -> Never:
-    """Raise the error that says that `what` is not there."""
-    raise NotImplementedError(f"{what} does not work in a page")
+def unsupported(what: str) -> Never:
+    """Report an unsupported feature.
+
+    Raises:
+        NotImplementedError: always.
+    """
+    raise NotImplementedError(f"{what} is not supported in the browser")

@@ -1,4 +1,4 @@
-"""Events: what happens at a publisher or a subscription beside messages."""
+"""QoS events of publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rclpy_backend.handles import Destroyable
 
 
 class _Counts:
-    """How often it happened, and how often since it was told the last time."""
+    """The number of occurrences, in total and since the last report."""
 
     def __init__(self, event: Any) -> None:
         self.total_count = int(event.total)
@@ -24,27 +24,27 @@ class _Counts:
 
 
 class rmw_requested_deadline_missed_status_t(_Counts):
-    """A subscription heard nothing for too long."""
+    """A subscription received no message within its deadline."""
 
 
 class rmw_offered_deadline_missed_status_t(_Counts):
-    """A publisher said nothing for too long."""
+    """A publisher sent no message within its deadline."""
 
 
 class rmw_liveliness_lost_status_t(_Counts):
-    """A publisher did not say in time that it lives."""
+    """A publisher did not assert its liveliness in time."""
 
 
 class rmw_message_lost_status_t(_Counts):
-    """A subscription was too slow."""
+    """A subscription lost messages because it was too slow."""
 
 
 class rmw_incompatible_type_status_t(_Counts):
-    """Somebody has the topic with another type."""
+    """Another endpoint uses the topic with a different type."""
 
 
 class rmw_matched_status_t(_Counts):
-    """Publisher and subscription found each other, or one left."""
+    """The number of matched endpoints changed."""
 
     def __init__(self, event: Any) -> None:
         super().__init__(event)
@@ -53,7 +53,7 @@ class rmw_matched_status_t(_Counts):
 
 
 class rmw_liveliness_changed_status_t:
-    """A publisher came to life, or did not say in time that it lives."""
+    """The liveliness of a publisher changed."""
 
     def __init__(self, event: Any) -> None:
         self.alive_count = int(event.current)
@@ -63,7 +63,7 @@ class rmw_liveliness_changed_status_t:
 
 
 class rmw_requested_qos_incompatible_event_status_t(_Counts):
-    """Somebody offers less than is asked for."""
+    """A publisher offers incompatible QoS."""
 
     def __init__(self, event: Any) -> None:
         super().__init__(event)
@@ -72,12 +72,12 @@ class rmw_requested_qos_incompatible_event_status_t(_Counts):
 
 
 class _rmw_offered_qos_incompatible_event_status_t(rmw_requested_qos_incompatible_event_status_t):
-    """Somebody asks for more than is offered."""
+    """A subscription requests incompatible QoS."""
 
 
 _OF_PUBLISHER = rcl_publisher_event_type_t
 _OF_SUBSCRIPTION = rcl_subscription_event_type_t
-# The page's word for each event, and what rclpy is told.
+# The page's name of each event, and the status object for rclpy.
 _PUBLISHER_KINDS: dict[Any, tuple[str, type]] = {
     _OF_PUBLISHER.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: (
         "deadline",
@@ -111,7 +111,7 @@ _SUBSCRIPTION_KINDS: dict[Any, tuple[str, type]] = {
 
 
 class EventHandle(Destroyable):
-    """Tells of one kind of event at one publisher or subscription."""
+    """Reports one kind of event of one publisher or subscription."""
 
     def __init__(
         self,
@@ -121,7 +121,7 @@ class EventHandle(Destroyable):
         super().__init__()
         self._endpoint = endpoint
         publisher = isinstance(event_type, rcl_publisher_event_type_t)
-        # Both enumerations have the same numbers: as keys of one table they would be equal.
+        # Both enumerations use the same numbers, which would collide as keys of one table.
         self._kind, self._status = (_PUBLISHER_KINDS if publisher else _SUBSCRIPTION_KINDS)[
             event_type
         ]
@@ -129,7 +129,7 @@ class EventHandle(Destroyable):
         self._seen = -1
 
     def is_ready(self, events: int | None = None) -> bool:
-        """Return whether there is something to tell; `events` is how many there were by now."""
+        """Return whether there is an event to report; `events` counts those of the program."""
         events = ros_host.events() if events is None else events
         if self._event is None and self._seen != events:
             self._seen = events
@@ -137,7 +137,7 @@ class EventHandle(Destroyable):
         return self._event is not None
 
     def take_event(self) -> Any:
-        """Return what happened since the last time, or None."""
+        """Return the status since the last call, or None."""
         if not self.is_ready():
             return None
         event, self._event = self._event, None

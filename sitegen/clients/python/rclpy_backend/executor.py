@@ -1,4 +1,4 @@
-"""The experimental executor of rclpy's extension, here the one that rclpy has in Python."""
+"""The experimental EventsExecutor, implemented by rclpy's SingleThreadedExecutor."""
 
 from __future__ import annotations
 
@@ -12,49 +12,49 @@ if TYPE_CHECKING:
 
 
 class EventsExecutor:
-    """Natively it spares the cost of wait sets. Here they cost nothing that could be spared."""
+    """Natively, this executor avoids the cost of wait sets; here it would save nothing."""
 
     def __init__(self, context: Context) -> None:
-        # rclpy needs the extension before it has its executors.
+        # rclpy imports the extension before its executors.
         from rclpy.executors import SingleThreadedExecutor
 
         self._executor = SingleThreadedExecutor(context=context)
 
     @property
     def context(self) -> Context:
-        """The context that ends it."""
+        """The context of the executor."""
         return self._executor.context
 
     def create_task(self, callback: Callable[..., Any], *args: Any, **kwargs: Any) -> Task[Any]:
-        """Run a function or a coroutine."""
+        """Schedule a function or a coroutine."""
         return self._executor.create_task(callback, *args, **kwargs)
 
     def create_future(self) -> Future[Any]:
-        """Return a future whose callbacks it runs."""
+        """Return a future whose callbacks this executor runs."""
         return self._executor.create_future()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Wait until the callback that runs is done; return whether it is."""
+        """Wait until the running callback has ended; return whether it has."""
         return bool(self._executor.shutdown(timeout_sec))
 
     def add_node(self, node: Node) -> bool:
-        """Run the callbacks of a node; return whether it is new."""
+        """Add a node; return whether it was not there before."""
         return bool(self._executor.add_node(node))
 
     def remove_node(self, node: Node) -> None:
-        """Run them no more."""
+        """Remove a node."""
         self._executor.remove_node(node)
 
     def wake(self) -> None:
-        """Look again what there is to do."""
+        """Make the executor look for work again."""
         self._executor.wake()
 
     def get_nodes(self) -> list[Node]:
-        """Return its nodes."""
+        """Return the nodes."""
         return list(self._executor.get_nodes())
 
     def spin(self) -> None:
-        """Run callbacks until the context ends."""
+        """Run callbacks until the context is shut down."""
         self._executor.spin()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:

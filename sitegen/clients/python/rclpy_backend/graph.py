@@ -1,4 +1,4 @@
-"""Questions about the whole graph: who is in it, and what they publish, hear, serve and call."""
+"""Graph queries: nodes, and the topics, services and actions they use."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import ros_host
 
 from rclpy_backend import names
-from rclpy_backend.endpoint import gid_of
+from rclpy_backend.endpoint import gid_bytes
 from rclpy_backend.enums import RMW_DURATION_INFINITE
 from rclpy_backend.errors import NodeNameNonExistentError, RCLError
 from rclpy_backend.qos import (
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
 NamesAndTypes = list[tuple[str, list[str]]]
 
-# How an action's topic with its feedback is named, and the type of it.
+# The suffixes of an action's feedback topic and its type.
 FEEDBACK, FEEDBACK_TYPE = "/_action/feedback", "_FeedbackMessage"
-# In rmw_endpoint_type_t.
+# As in rmw_endpoint_type_t.
 ENDPOINT_TYPES = {"publisher": 1, "subscription": 2}
-# By kind: how DDS names what carries it, and the part of the type that goes there.
+# The topics of DDS by kind of endpoint: prefix and suffix of the name, suffix of the type.
 DDS = {
     "publisher": [("rt", "", "")],
     "subscription": [("rt", "", "")],
@@ -44,7 +44,7 @@ DDS = {
 
 
 class _Entry(NamedTuple):
-    """A node, or an endpoint of one: the name that it has in the page, whose it is, what it is."""
+    """A node or one of its endpoints."""
 
     gid: int
     kind: str
@@ -55,7 +55,7 @@ class _Entry(NamedTuple):
 
 
 def _entries(*kinds: str) -> list[_Entry]:
-    """Return what is in the graph now; the first time, wait until the page has told."""
+    """Return the entries of these kinds; the first call waits for the page."""
     while (found := ros_host.look()) is None:
         blocking.wait(None)
     every = (
@@ -81,7 +81,7 @@ def _plain(entries: Iterable[_Entry]) -> Iterator[tuple[str, str]]:
 
 
 def _in_dds(entry: _Entry) -> Iterator[tuple[str, str]]:
-    """Yield the names and types by which DDS carries an endpoint."""
+    """Yield the DDS topic names and types of an endpoint."""
     package, kind, name = entry.type.split("/")
     for prefix, suffix, part in DDS[entry.kind]:
         yield f"{prefix}{entry.name}{suffix}", f"{package}::{kind}::dds_::{name}{part}_"
@@ -94,7 +94,7 @@ def _topics(entries: Iterable[_Entry], *, no_demangle: bool) -> NamesAndTypes:
 
 
 def _split(node: str) -> tuple[str, str]:
-    """Return name and namespace of a node."""
+    """Return the name and namespace of a node."""
     namespace, _, name = node.rpartition("/")
     return name, namespace or "/"
 
@@ -102,9 +102,14 @@ def _split(node: str) -> tuple[str, str]:
 def _of_node(
     context: Context, kinds: Iterable[str], what: str, name: str, namespace: str
 ) -> list[_Entry]:
-    """Return those endpoints of a node; raises an RCLError that says `what` cannot be told."""
+    """Return the endpoints of these kinds of a node.
+
+    Raises:
+        RCLError: if the context has been shut down or a name is invalid.
+        NodeNameNonExistentError: if there is no such node.
+    """
     context.check(f"failed to get {what} names and types")
-    # An empty namespace passes below the check and is then that of no node, as in rcl.
+    # As in rcl, an empty namespace is not checked and matches no node.
     for fault in (
         namespace and names.rclpy_get_validation_error_for_namespace(namespace),
         names.rclpy_get_validation_error_for_node_name(name),
@@ -130,7 +135,7 @@ def _count(context: Context, kind: str, name: str, function: str, argument: str)
 
 
 def _actions(entries: Iterable[_Entry]) -> NamesAndTypes:
-    """Return the actions whose feedback is among `entries`."""
+    """Return the actions whose feedback topics are in `entries`."""
     return _names_and_types(
         (entry.name.removesuffix(FEEDBACK), entry.type.removesuffix(FEEDBACK_TYPE))
         for entry in entries
@@ -139,24 +144,24 @@ def _actions(entries: Iterable[_Entry]) -> NamesAndTypes:
 
 
 class GraphQueries:
-    """The questions that a node's handle answers, as long as its context has not ended."""
+    """The graph queries of a node; they raise an RCLError after its context has been shut down."""
 
     context: Context
 
     def get_count_publishers(self, topic_name: str) -> int:
-        """Return how many publishers a topic has."""
+        """Return the number of publishers of a topic."""
         return _count(self.context, "publisher", topic_name, "publishers", "topic")
 
     def get_count_subscribers(self, topic_name: str) -> int:
-        """Return how many subscriptions a topic has."""
+        """Return the number of subscriptions of a topic."""
         return _count(self.context, "subscription", topic_name, "subscribers", "topic")
 
     def get_count_clients(self, service_name: str) -> int:
-        """Return how many clients a service has."""
+        """Return the number of clients of a service."""
         return _count(self.context, "client", service_name, "clients", "service")
 
     def get_count_services(self, service_name: str) -> int:
-        """Return how many servers a service has."""
+        """Return the number of servers of a service."""
         return _count(self.context, "service", service_name, "services", "service")
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
@@ -165,21 +170,21 @@ class GraphQueries:
         return [_split(entry.node) for entry in _entries("node")]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
-        """Return all nodes; a page has one enclave."""
+        """Return all nodes, with the only enclave of a page."""
         self.context.check("Failed to get node names")
         return [(*_split(entry.node), "/") for entry in _entries("node")]
 
     def get_action_client_names_and_types_by_node(
         self, remote_node_name: str, remote_node_namespace: str
     ) -> NamesAndTypes:
-        """Return the actions that a node calls."""
+        """Return the actions for which a node has clients."""
         where = (remote_node_name, remote_node_namespace)
         return _actions(_of_action(self.context, "client", *where))
 
     def get_action_server_names_and_types_by_node(
         self, remote_node_name: str, remote_node_namespace: str
     ) -> NamesAndTypes:
-        """Return the actions that a node serves."""
+        """Return the actions for which a node has servers."""
         where = (remote_node_name, remote_node_namespace)
         return _actions(_of_action(self.context, "server", *where))
 
@@ -199,7 +204,7 @@ def _of_action(context: Context, side: str, name: str, namespace: str) -> list[_
 
 
 def rclpy_get_topic_names_and_types(node: Node, no_demangle: bool) -> NamesAndTypes:
-    """Return all topics; with `no_demangle` what DDS would have, services included."""
+    """Return all topics; with `no_demangle`, those of DDS, including services."""
     node.context.check("failed to get topic names and types")
     kinds = DDS if no_demangle else ENDPOINT_TYPES
     return _topics(_entries(*kinds), no_demangle=no_demangle)
@@ -216,7 +221,7 @@ def rclpy_get_publisher_names_and_types_by_node(
 def rclpy_get_subscriber_names_and_types_by_node(
     node: Node, no_demangle: bool, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
-    """Return the topics that a node hears."""
+    """Return the topics to which a node subscribes."""
     entries = _of_node(node.context, ["subscription"], "subscriber", node_name, node_namespace)
     return _topics(entries, no_demangle=no_demangle)
 
@@ -230,7 +235,7 @@ def rclpy_get_service_names_and_types(node: Node) -> NamesAndTypes:
 def rclpy_get_service_names_and_types_by_node(
     node: Node, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
-    """Return the services that a node serves."""
+    """Return the services for which a node has servers."""
     return _names_and_types(
         _plain(_of_node(node.context, ["service"], "service", node_name, node_namespace))
     )
@@ -239,7 +244,7 @@ def rclpy_get_service_names_and_types_by_node(
 def rclpy_get_client_names_and_types_by_node(
     node: Node, node_name: str, node_namespace: str
 ) -> NamesAndTypes:
-    """Return the services that a node calls."""
+    """Return the services for which a node has clients."""
     return _names_and_types(
         _plain(_of_node(node.context, ["client"], "client", node_name, node_namespace))
     )
@@ -248,7 +253,7 @@ def rclpy_get_client_names_and_types_by_node(
 def rclpy_get_publishers_info_by_topic(
     node: Node, topic_name: str, no_mangle: bool
 ) -> list[dict[str, Any]]:
-    """Describe the publishers of a topic; with `no_mangle` the name is that of DDS."""
+    """Describe the publishers of a topic; with `no_mangle`, the name is that of DDS."""
     node.context.check("Failed to get information by topic for publishers")
     return _describe("publisher", topic_name, no_mangle=no_mangle)
 
@@ -256,7 +261,7 @@ def rclpy_get_publishers_info_by_topic(
 def rclpy_get_subscriptions_info_by_topic(
     node: Node, topic_name: str, no_mangle: bool
 ) -> list[dict[str, Any]]:
-    """Describe the subscriptions of a topic; with `no_mangle` the name is that of DDS."""
+    """Describe the subscriptions of a topic; with `no_mangle`, the name is that of DDS."""
     node.context.check("Failed to get information by topic for subscriptions")
     return _describe("subscription", topic_name, no_mangle=no_mangle)
 
@@ -274,16 +279,16 @@ def _description(entry: _Entry) -> dict[str, Any]:
         "node_name": name,
         "node_namespace": namespace,
         "topic_type": entry.type,
-        # The graph knows types by their names alone.
+        # The graph identifies types by name only.
         "topic_type_hash": {"version": 0, "value": bytes(32)},
         "endpoint_type": ENDPOINT_TYPES[entry.kind],
-        "endpoint_gid": list(gid_of(entry.gid)),
+        "endpoint_gid": list(gid_bytes(entry.gid)),
         "qos_profile": _profile(entry.qos).to_dict(),
     }
 
 
 def _profile(qos: Any) -> rmw_qos_profile_t:
-    """Return the profile of an endpoint; how much it keeps is its own affair, as with DDS."""
+    """Return the profile of an endpoint; as with DDS, its history is not known to others."""
     return rmw_qos_profile_t(
         *(UNKNOWN, 0),
         RELIABLE if qos.reliable else BEST_EFFORT,

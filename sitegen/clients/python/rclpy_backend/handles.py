@@ -1,4 +1,4 @@
-"""What rclpy holds on to: things that live until nobody uses them, contexts, guard conditions."""
+"""Handles of rclpy: objects with a count of users, contexts and guard conditions."""
 
 from __future__ import annotations
 
@@ -17,12 +17,16 @@ _addresses = itertools.count(16, 16)
 
 
 class Destroyable:
-    """Is destroyed as soon as that was asked for and nobody uses it."""
+    """A handle that is destroyed on request, once it has no users.
+
+    Raises:
+        InvalidHandle: if it is used after destruction was requested.
+    """
 
     def __init__(self) -> None:
         self._users = 0
         self._unwanted = False
-        # In place of an address: a number that no other has.
+        # A unique number in place of a memory address.
         self.pointer = next(_addresses)
 
     def __enter__(self) -> Self:
@@ -37,7 +41,7 @@ class Destroyable:
             self._destroy()
 
     def destroy_when_not_in_use(self) -> None:
-        """Destroy it now, or when its last user is done."""
+        """Destroy the handle now, or when its last user has finished."""
         if self._unwanted:
             return
         self._unwanted = True
@@ -45,14 +49,14 @@ class Destroyable:
             self._destroy()
 
     def _destroy(self) -> None:
-        """Take it out of the graph."""
+        """Release the resources of the handle."""
 
 
 living_contexts: list[Context] = []
 
 
 class Context(Destroyable):
-    """One start of ROS, with its arguments."""
+    """A context: ROS from initialization to shutdown, with its arguments."""
 
     def __init__(self, pyargs: Sequence[str] | None, domain_id: int) -> None:
         super().__init__()
@@ -64,34 +68,50 @@ class Context(Destroyable):
         living_contexts.append(self)
 
     def get_domain_id(self) -> int:
-        """Return its domain; a page has one graph for all."""
+        """Return the domain ID; in the browser, all domains share one graph.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         if not self.ok():
             raise RCLError("Failed to get domain id: error not set")
         return self._domain_id
 
     def ok(self) -> bool:
-        """Return whether it was not shut down."""
+        """Return whether the context has not been shut down."""
         return self in living_contexts
 
     def check(self, doing: str, whose: str = "rcl node") -> None:
-        """Raise the RCLError of `doing` something with what belongs to it, if it has ended."""
+        """Check that the context is valid for `doing` something with an object of it.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         if not self.ok():
             raise RCLError(f"{doing}: {whose}'s context is invalid")
 
     def check_for_new(self, part: str) -> None:
-        """Raise the RCLError of making such a part, if it has ended."""
+        """Check that the context is valid for creating a `part`.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         if not self.ok():
             why = "either rcl_init() was not called or rcl_shutdown() was called."
             raise RCLError(f"failed to create {part}: the given context is not valid, {why}")
 
     def invalidate(self) -> None:
-        """End it, if it has not ended."""
+        """Make the context invalid, as a signal does."""
         if self in living_contexts:
             living_contexts.remove(self)
             ros_host.wake()
 
     def shutdown(self) -> None:
-        """End it; raises a RuntimeError the second time. That a signal ended it does not count."""
+        """Shut down the context; allowed after invalidate().
+
+        Raises:
+            RuntimeError: if shutdown() has been called before.
+        """
         if self._shut_down:
             raise RuntimeError("Context already shutdown.")
         self._shut_down = True
@@ -99,7 +119,7 @@ class Context(Destroyable):
 
 
 class GuardCondition(Destroyable):
-    """Ends a wait from within the program."""
+    """A condition that the program triggers to end a wait."""
 
     def __init__(self, context: Context) -> None:
         super().__init__()
@@ -107,14 +127,14 @@ class GuardCondition(Destroyable):
         self._triggered = False
 
     def trigger_guard_condition(self) -> None:
-        """End the wait of whoever waits for it, or the next."""
+        """Trigger the condition: end the current wait for it, or the next one."""
         self._triggered = True
         ros_host.wake()
 
     def is_ready(self) -> bool:
-        """Return whether it was triggered since the last time."""
+        """Return whether the condition has been triggered."""
         return self._triggered
 
     def taken(self) -> None:
-        """Wait for it again."""
+        """Reset the condition."""
         self._triggered = False

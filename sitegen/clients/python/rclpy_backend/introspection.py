@@ -1,4 +1,4 @@
-"""Telling on a topic what a service is asked and what it answers."""
+"""Service introspection: publish the calls of a service on a topic."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SECOND = 1_000_000_000
 
 
 class ServiceEvent(IntEnum):
-    """What happened to a request, as service_msgs/msg/ServiceEventInfo numbers it."""
+    """The event types of service_msgs/msg/ServiceEventInfo."""
 
     REQUEST_SENT = 0
     REQUEST_RECEIVED = 1
@@ -26,7 +26,7 @@ class ServiceEvent(IntEnum):
 
 
 class Introspection:
-    """Publishes the events of one client or server; with `contents` what was said, too."""
+    """Publishes the events of a client or server; with `contents`, including the messages."""
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Introspection:
         self._publisher = Publisher(node, self._event, f"{service_name}{POSTFIX}", profile)
 
     def tell(self, what: ServiceEvent, gid: bytes, sequence: int, **said: Any) -> None:
-        """Publish an event; `gid` is that of the client, `said` its `request` or `response`."""
+        """Publish an event; `gid` is that of the client, `said` has its `request` or `response`."""
         event = self._event()
         event.info.event_type = int(what)
         event.info.stamp.sec, event.info.stamp.nanosec = divmod(self._clock.now(), SECOND)
@@ -56,5 +56,5 @@ class Introspection:
         self._publisher.publish(event)
 
     def end(self) -> None:
-        """Take the topic back."""
+        """Destroy the publisher."""
         self._publisher.destroy_when_not_in_use()

@@ -1,4 +1,4 @@
-"""The states that a managed node goes through, and the services by which others see to it."""
+"""Managed nodes: the lifecycle state machine and its services."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rclpy_backend.node import Node
 
 State = tuple[int, str]
-# Number and name of the transition, then of the states before and after it.
+# ID and label of the transition, of its start state and of its goal state.
 Transition = tuple[int, str, int, str, int, str]
 
 STATES = {
@@ -25,8 +25,8 @@ STATES = {
     **{14: "deactivating", 15: "errorprocessing"},
 }
 UNCONFIGURED, ERROR_PROCESSING = 1, 15
-# For each state in which a callback runs: the transitions into it, by number, name and state
-# before; then the number of the first that lead on, and where success, failure and error lead.
+# For each transition state: the transitions into it, by ID, label and start state; then the ID of
+# the first transition out of it, and the goal states for success, failure and error.
 STEPS = [
     (10, [(1, "configure", 1)], 10, (2, 1, ERROR_PROCESSING)),
     (11, [(2, "cleanup", 2)], 20, (1, 2, ERROR_PROCESSING)),
@@ -50,7 +50,7 @@ TRANSITIONS = _transitions()
 
 
 class LifecycleStateMachine(Destroyable):
-    """The state of one node, open to others if `enable_com_interface`."""
+    """The state machine of a node, with services if `enable_com_interface`."""
 
     def __init__(self, node: Node, enable_com_interface: bool) -> None:
         super().__init__()
@@ -83,12 +83,12 @@ class LifecycleStateMachine(Destroyable):
 
     @property
     def initialized(self) -> bool:
-        """Whether it has a state: always."""
+        """Whether the state machine is initialized: always True."""
         return True
 
     @property
     def current_state(self) -> State:
-        """Number and name of the state."""
+        """ID and label of the current state."""
         return self._state, STATES[self._state]
 
     @property
@@ -98,7 +98,7 @@ class LifecycleStateMachine(Destroyable):
 
     @property
     def available_transitions(self) -> list[Transition]:
-        """The transitions from the present state."""
+        """The transitions from the current state."""
         return [transition for transition in TRANSITIONS if transition[2] == self._state]
 
     @property
@@ -107,18 +107,30 @@ class LifecycleStateMachine(Destroyable):
         return list(TRANSITIONS)
 
     def get_transition_by_label(self, label: str) -> int:
-        """Return the number of a transition from the present state; RCLError if there is none."""
+        """Return the ID of a transition from the current state.
+
+        Raises:
+            RCLError: if there is no such transition.
+        """
         transition = self._find(1, label)
         if transition is None:
             raise RCLError("Failed to get transition from label: error not set")
         return transition[0]
 
     def trigger_transition_by_id(self, transition_id: int, publish_update: bool) -> None:
-        """Go from the present state to the next; RCLError if it cannot be done now."""
+        """Start a transition from the current state.
+
+        Raises:
+            RCLError: if the transition is not valid in this state.
+        """
         self._trigger(0, transition_id, publish_update=publish_update)
 
     def trigger_transition_by_label(self, label: str, publish_update: bool) -> None:
-        """Go from the present state to the next; RCLError if it cannot be done now."""
+        """Start a transition from the current state.
+
+        Raises:
+            RCLError: if the transition is not valid in this state.
+        """
         self._trigger(1, label, publish_update=publish_update)
 
     def _trigger(self, column: int, wanted: int | str, *, publish_update: bool) -> None:
@@ -142,7 +154,7 @@ class LifecycleStateMachine(Destroyable):
         from lifecycle_msgs.msg import State, TransitionEvent
 
         _, _, start, start_name, goal, goal_name = transition
-        # As natively, the event has neither its time nor its transition.
+        # As natively, the event has neither a timestamp nor a transition.
         event = TransitionEvent(
             start_state=State(id=start, label=start_name),
             goal_state=State(id=goal, label=goal_name),
@@ -152,27 +164,27 @@ class LifecycleStateMachine(Destroyable):
 
     @property
     def service_change_state(self) -> Service | None:
-        """The service by which others change the state."""
+        """The service that changes the state."""
         return self._services.get("change_state")
 
     @property
     def service_get_state(self) -> Service | None:
-        """The service that tells the state."""
+        """The service that returns the state."""
         return self._services.get("get_state")
 
     @property
     def service_get_available_states(self) -> Service | None:
-        """The service that tells all states."""
+        """The service that returns all states."""
         return self._services.get("get_available_states")
 
     @property
     def service_get_available_transitions(self) -> Service | None:
-        """The service that tells the transitions from the present state."""
+        """The service that returns the transitions from the current state."""
         return self._services.get("get_available_transitions")
 
     @property
     def service_get_transition_graph(self) -> Service | None:
-        """The service that tells all transitions."""
+        """The service that returns all transitions."""
         return self._services.get("get_transition_graph")
 
 

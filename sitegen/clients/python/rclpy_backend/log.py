@@ -1,4 +1,4 @@
-"""Logging: levels of loggers, lines for the console, and messages on /rosout."""
+"""Logging: logger levels, console output, and messages on /rosout."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from rclpy_backend.qos import rmw_qos_profile_t
 if TYPE_CHECKING:
     from rclpy_backend.node import Node
 
-# What this middleware is called.
+# The name of this middleware.
 IDENTIFIER = "rmw_sitegen"
 
 SEPARATOR = "."
 _INFO = int(RCUTILS_LOG_SEVERITY.RCUTILS_LOG_SEVERITY_INFO)
 _ERROR = int(RCUTILS_LOG_SEVERITY.RCUTILS_LOG_SEVERITY_ERROR)
-# Of loggers, by name; that of "" is the level of all that have none.
+# Levels of loggers by name; "" is the default level.
 _levels: dict[str, int] = {"": _INFO}
-# Who publishes the lines of a logger, by its name.
+# The publishers of /rosout by logger name.
 _rosouts: dict[str, Rosout] = {}
 
 
 class Rosout:
-    """The publisher of a node for what it logs."""
+    """The publisher of a node's log messages."""
 
     def __init__(self, node: Node, profile: rmw_qos_profile_t) -> None:
         from rcl_interfaces.msg import Log
@@ -41,13 +41,13 @@ class Rosout:
         _rosouts.setdefault(node.logger_name(), self)
 
     def close(self) -> None:
-        """Publish no more."""
+        """Destroy the publisher."""
         for name in [name for name, rosout in _rosouts.items() if rosout is self]:
             del _rosouts[name]
         self._publisher.destroy_when_not_in_use()
 
     def publish(self, severity: int, name: str, text: str, where: tuple[str, str, int]) -> None:
-        """Publish a line; `where` is its function, its file and its line."""
+        """Publish a log message; `where` is its function, file and line."""
         from builtin_interfaces.msg import Time
         from rcl_interfaces.msg import Log
 
@@ -59,7 +59,7 @@ class Rosout:
         try:
             self._publisher.publish(message)
         except RCLError as error:
-            # The console has the line all the same.
+            # The console shows the message in any case.
             reason = str(error).removeprefix("Failed to publish: ")
             print(f"Failed to publish log message to rosout: {reason}", file=sys.stderr)
 
@@ -67,7 +67,7 @@ class Rosout:
 def rclpy_logging_rcutils_log(
     severity: int, name: str, message: str, function_name: str, file_name: str, line_number: int
 ) -> None:
-    """Log a line if its logger takes it."""
+    """Log a message if its logger is enabled for the severity."""
     if not rclpy_logging_logger_is_enabled_for(name, severity):
         return
     sys.stdout.flush()
@@ -82,7 +82,7 @@ def report(text: str) -> None:
 
 
 def rclpy_logging_rosout_add_sublogger(logger_name: str, sublogger_name: str) -> bool:
-    """Publish what a logger below that of a node logs; returns whether there is such a node."""
+    """Publish the messages of a node's child logger; return whether there is such a node."""
     rosout = _rosouts.get(logger_name)
     if rosout is None:
         return False
@@ -91,58 +91,62 @@ def rclpy_logging_rosout_add_sublogger(logger_name: str, sublogger_name: str) ->
 
 
 def rclpy_logging_rosout_remove_sublogger(logger_name: str, sublogger_name: str) -> None:
-    """Publish it no more."""
+    """Stop publishing the messages of a child logger."""
     _rosouts.pop(f"{logger_name}{SEPARATOR}{sublogger_name}", None)
 
 
 def rclpy_logging_configure(context: Context) -> None:
-    """Take the levels of the command line."""
+    """Set the logger levels of the command line."""
     _levels.update(context.arguments.log_levels)
 
 
 def rclpy_logging_fini() -> None:
-    """End what rclpy_logging_configure began: nothing, lines go to the page at once."""
+    """Do nothing: messages are passed to the page at once."""
 
 
 def rclpy_logging_initialize() -> None:
-    """Begin to log: the page always takes lines."""
+    """Do nothing: logging is always initialized."""
 
 
 def rclpy_logging_shutdown() -> None:
-    """Forget all levels."""
+    """Reset all logger levels."""
     _levels.clear()
     _levels[""] = _INFO
 
 
 def rclpy_logging_get_separator_string() -> str:
-    """Return what stands between the parts of a logger's name."""
+    """Return the separator of the parts of a logger name."""
     return SEPARATOR
 
 
 def rclpy_logging_set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
-    """Set from which level on a logger takes lines."""
+    """Set the level of a logger."""
     _levels[name] = int(level)
 
 
 def rclpy_logging_get_logger_level(name: str) -> int:
-    """Return the level of a logger, 0 if it has none of its own."""
+    """Return the level of a logger, 0 if unset."""
     return _levels.get(name, 0)
 
 
 def rclpy_logging_get_logger_effective_level(name: str) -> int:
-    """Return its level, or that of the nearest logger above."""
+    """Return the level of a logger or, if unset, of its nearest ancestor."""
     while name and not _levels.get(name):
         name = name.rpartition(SEPARATOR)[0]
     return _levels.get(name) or _INFO
 
 
 def rclpy_logging_logger_is_enabled_for(name: str, severity: int) -> bool:
-    """Return whether a logger takes lines of this level."""
+    """Return whether a logger is enabled for this severity."""
     return int(severity) >= rclpy_logging_get_logger_effective_level(name)
 
 
 def rclpy_logging_severity_level_from_string(log_level: str) -> int:
-    """Return the number of a level."""
+    """Return the number of a severity.
+
+    Raises:
+        RuntimeError: if the name is unknown.
+    """
     level = severities().get(log_level.upper())
     if level is None:
         raise RuntimeError(f"Failed to get log severity from name: {log_level}")
@@ -150,7 +154,7 @@ def rclpy_logging_severity_level_from_string(log_level: str) -> int:
 
 
 def rclpy_logging_get_logging_directory() -> str:
-    """Return where files of the log would be: the page writes none."""
+    """Return the directory for log files; the page writes none."""
     return "/root/.ros/log"
 
 

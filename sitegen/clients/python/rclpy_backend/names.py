@@ -1,4 +1,4 @@
-"""Names of nodes, topics and services: which are allowed, and what they are in full."""
+"""Names of nodes, topics and services: validation, expansion and remapping."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ if TYPE_CHECKING:
     from rclpy_backend.node import Node
 
 LONGEST_NODE = 255
-# Middlewares add up to eight letters of their own.
+# Middlewares add a prefix or suffix of up to eight characters.
 LONGEST_TOPIC = 255 - 8
 
-# What is wrong with a name, and at which letter.
+# The reason why a name is invalid, and the position of the fault.
 Fault = tuple[str, int]
 
 WORD = re.compile(r"\w", re.ASCII)
@@ -23,13 +23,13 @@ BRACES = re.compile(r"\{\w*\}", re.ASCII)
 
 
 def _first_other(name: str, allowed: str) -> int | None:
-    """Return where `name` has the first letter that is no word's and not in `allowed`."""
+    """Return the position of the first character that is not alphanumeric, `_` or in `allowed`."""
     odd = (i for i, c in enumerate(name) if not WORD.match(c) and c not in allowed)
     return next(odd, None)
 
 
 def rclpy_get_validation_error_for_node_name(node_name: str) -> Fault | None:
-    """Return what is wrong with the name of a node."""
+    """Return why the name of a node is invalid, or None."""
     if not node_name:
         return "node name must not be empty", 0
     if (at := _first_other(node_name, "")) is not None:
@@ -42,7 +42,7 @@ def rclpy_get_validation_error_for_node_name(node_name: str) -> Fault | None:
 
 
 def rclpy_get_validation_error_for_namespace(namespace_: str) -> Fault | None:
-    """Return what is wrong with a namespace."""
+    """Return why a namespace is invalid, or None."""
     if namespace_ == "/":
         return None
     if not namespace_:
@@ -63,7 +63,7 @@ def rclpy_get_validation_error_for_namespace(namespace_: str) -> Fault | None:
 
 
 def rclpy_get_validation_error_for_topic_name(topic_name: str) -> Fault | None:
-    """Return what is wrong with a name before it is expanded."""
+    """Return why a name is invalid before expansion, or None."""
     if not topic_name:
         return "topic name must not be empty string", 0
     if topic_name[-1] == "/":
@@ -92,7 +92,7 @@ def rclpy_get_validation_error_for_topic_name(topic_name: str) -> Fault | None:
 
 
 def rclpy_get_validation_error_for_full_topic_name(topic_name: str) -> Fault | None:
-    """Return what is wrong with an expanded name."""
+    """Return why an expanded name is invalid, or None."""
     if not topic_name:
         return "topic name must not be empty", 0
     if topic_name[0] != "/":
@@ -111,9 +111,10 @@ def rclpy_get_validation_error_for_full_topic_name(topic_name: str) -> Fault | N
 
 
 def rclpy_expand_topic_name(topic: str, node: str, node_namespace: str) -> str:
-    """Return the whole name of a topic or service, before remapping.
+    """Return the expanded name of a topic or service, before remapping.
 
-    Raises a ValueError if it cannot be one.
+    Raises:
+        ValueError: if the name is invalid.
     """
     fault = rclpy_get_validation_error_for_topic_name(topic)
     if fault:
@@ -133,9 +134,10 @@ def rclpy_expand_topic_name(topic: str, node: str, node_namespace: str) -> str:
 
 
 def rclpy_resolve_name(node: Node, topic_name: str, only_expand: bool, is_service: bool) -> str:
-    """Return the name that is in the graph: expanded, and remapped unless `only_expand`.
+    """Return the name in the graph: expanded, and remapped unless `only_expand`.
 
-    Raises an RCLError if it cannot be one.
+    Raises:
+        RCLError: if the name is invalid.
     """
     try:
         full = rclpy_expand_topic_name(topic_name, node.get_node_name(), node.get_namespace())
@@ -149,5 +151,5 @@ def rclpy_resolve_name(node: Node, topic_name: str, only_expand: bool, is_servic
 
 
 def rclpy_remap_topic_name(node: Node, topic_name: str) -> str:
-    """Return what the arguments make of a whole name."""
+    """Return the name after the remapping rules of the arguments."""
     return node.remap(topic_name, "topic")

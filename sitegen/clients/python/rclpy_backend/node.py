@@ -1,4 +1,4 @@
-"""Nodes: their names, the rules for names, and the values of their parameters."""
+"""Nodes: names, remapping rules and parameter overrides."""
 
 from __future__ import annotations
 
@@ -23,7 +23,12 @@ if TYPE_CHECKING:
 
 
 class Node(Destroyable, GraphQueries):
-    """A node of the graph; raises a ValueError if its name or namespace cannot be one."""
+    """A node of the graph.
+
+    Raises:
+        RCLError: if the context has been shut down.
+        ValueError: if the name or namespace is invalid.
+    """
 
     def __init__(
         self,
@@ -54,7 +59,7 @@ class Node(Destroyable, GraphQueries):
         self._rosout = log.Rosout(self, rosout_qos_profile) if enable_rosout else None
 
     def _create(self, profile: rmw_qos_profile_t) -> int:
-        # A node has no quality of service; the page asks for one with every endpoint.
+        # The page expects QoS with every entry, although a node has none.
         return create("node", self.get_fully_qualified_name(), "", "", profile, offers=False)
 
     def _destroy(self) -> None:
@@ -68,7 +73,7 @@ class Node(Destroyable, GraphQueries):
         return next(fits, name)
 
     def remap(self, name: str, kind: str) -> str:
-        """Return what the arguments make of the whole name of a topic or a service (`kind`)."""
+        """Return the remapped name of a topic or a service (`kind`)."""
         for rule in (rule for arguments in self._arguments for rule in arguments.remaps):
             applies = rule.node in ("", self._name) and rule.kind in ("", kind)
             if applies and not rule.old.startswith("__") and self._expand(rule.old) == name:
@@ -79,15 +84,15 @@ class Node(Destroyable, GraphQueries):
         return names.rclpy_expand_topic_name(name, self._name, self._namespace)
 
     def get_fully_qualified_name(self) -> str:
-        """Return the name with its namespace."""
+        """Return the name with the namespace."""
         return f"{self._namespace.removesuffix('/')}/{self._name}"
 
     def logger_name(self) -> str:
-        """Return the name of its logger."""
+        """Return the name of the node's logger."""
         return self.get_fully_qualified_name()[1:].replace("/", ".")
 
     def get_node_name(self) -> str:
-        """Return the name without its namespace."""
+        """Return the name without the namespace."""
         return self._name
 
     def get_namespace(self) -> str:
@@ -97,7 +102,7 @@ class Node(Destroyable, GraphQueries):
     def get_parameters(
         self, pyparamter_cls: Callable[..., Parameter[Any]]
     ) -> dict[str, Parameter[Any]]:
-        """Return the values that the arguments give its parameters, its own before all others."""
+        """Return the parameter overrides; those of the node precede those of its context."""
         values: dict[str, Any] = {}
         for arguments in reversed(self._arguments):
             values |= self._values(arguments)
@@ -116,7 +121,7 @@ class Node(Destroyable, GraphQueries):
         return values
 
     def _is_meant(self, pattern: str) -> bool:
-        """Return whether a name or a pattern with * and ** is that of this node."""
+        """Return whether a name or a pattern with * and ** matches this node."""
         if pattern == self._name:
             return True
         parts = re.escape(f"/{pattern.lstrip('/')}").replace(r"/\*\*", "(/.*)?")
@@ -124,7 +129,7 @@ class Node(Destroyable, GraphQueries):
 
 
 def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Yield the nodes of a file of parameters, with what it has for each."""
+    """Yield the nodes of a parameter file with their parameters."""
     for key, value in part.items():
         name = f"{path}/{key.strip('/')}"
         if isinstance(value, Mapping) and "ros__parameters" in value:

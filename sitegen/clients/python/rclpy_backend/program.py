@@ -1,4 +1,4 @@
-"""Run an entry point of a package as its console script does, or a program as Python does."""
+"""Run an entry point as a console script does, or a file as Python does."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from rclpy_backend import signals
 from rclpy_backend.system import exits, threads, turns
 from rclpy_backend.system.tracebacks import traceback_of
 
-# Where the page unpacks what runs in it.
+# Where the page unpacks archives.
 PREFIX = "/ros"
-# What Stop makes of a program that does not expect it.
+# Exceptions with which Stop ends a program.
 ENDS = {"KeyboardInterrupt", "ExternalShutdownException", "RCLError"}
 
 
 def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
-    """Call `attribute` of `module` with a command line, and return the exit code.
+    """Call `attribute` of `module` with command-line arguments and return the exit code.
 
-    Without an attribute, `module` is the place of a program. What leaves it is printed as Python
-    prints it.
+    Without an attribute, `module` is the path of a file to run. Uncaught exceptions are printed as
+    Python does.
     """
     sys.argv[:] = list(arguments)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
-    # Where libraries are that compiled modules share.
+    # Where compiled modules find shared libraries.
     os.environ["LD_LIBRARY_PATH"] = f"/usr/lib:{PREFIX}/lib"
     turns.running().signals = signals
     code = 0
@@ -38,7 +38,7 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     except BaseException as error:
         sys.stdout.flush()
         print(traceback_of(error), end="", file=sys.stderr)
-        # A program that Stop ended has not failed, whatever it prints: many shut down once more.
+        # A program that Stop ended has not failed, even if it raises: many call shutdown() twice.
         stopped = signals.received and type(error).__name__ in ENDS
         code = 0 if stopped else 1
     exits.run()
@@ -62,7 +62,7 @@ def _execute(file: str) -> int:
 
 
 def _code(result: object) -> int:
-    """Return what sys.exit() makes of `result`."""
+    """Return the exit code of `result`, as sys.exit() does."""
     if result is None or isinstance(result, int):
         return int(result or 0)
     print(result, file=sys.stderr)

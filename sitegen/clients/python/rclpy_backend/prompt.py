@@ -1,4 +1,4 @@
-"""A prompt: runs what a visitor types, with rclpy at hand."""
+"""A Python prompt with rclpy imported."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ import ros_host
 from rclpy_backend.system import blocking
 from rclpy_backend.system.tracebacks import traceback_of
 
-# More words than anybody reads.
+# The maximum number of completions.
 MOST_WORDS = 100
 
 
 class Console(code.InteractiveConsole):
-    """Runs what is typed; an interrupt is told as Python tells it."""
+    """Runs the input, and prints exceptions as Python does."""
 
     def showtraceback(self) -> None:
-        """Print the exception that was raised."""
+        """Print the current exception."""
         error = sys.exc_info()[1]
         if isinstance(error, KeyboardInterrupt):
             self.write(traceback_of(error))
@@ -30,11 +30,11 @@ class Console(code.InteractiveConsole):
 
 
 def main() -> None:
-    """Read, run and print until the program is ended."""
+    """Read, run and print until the program ends."""
     import rclpy
     from rclpy.signals import SignalHandlerOptions
 
-    # An interrupt ends what runs, and not ROS with it.
+    # An interrupt stops the running command without shutting down ROS.
     rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
     version = ".".join(map(str, sys.version_info[:3]))
     print(f"Python {version}, rclpy is imported. Try: node = rclpy.create_node('web_node')")
@@ -53,7 +53,7 @@ def main() -> None:
 
 
 def _serve(console: Console, completer: rlcompleter.Completer, more: bool) -> bool:
-    """Run the next line that comes; return whether what was typed goes on."""
+    """Run the next line; return whether the command is incomplete."""
     sys.stdout.flush()
     sys.stderr.flush()
     ros_host.ready(more)
@@ -72,7 +72,7 @@ def _words(completer: rlcompleter.Completer, text: str) -> Any:
     for state in count():
         try:
             word = completer.complete(text, state)
-        except Exception:  # of the properties of what stands before the dot
+        except Exception:  # raised by a property of the object before the dot
             break
         if word is None or len(found) == MOST_WORDS:
             break

@@ -18,7 +18,7 @@ from rclpy_backend.system import blocking
 if TYPE_CHECKING:
     from rclpy_backend.node import Node
 
-# How long a publisher that keeps all waits for room (s), as in C++.
+# How long a publisher with history KEEP_ALL waits for its subscriptions (s), as in C++.
 MAX_BLOCKING = 1.0
 
 
@@ -32,36 +32,57 @@ class Publisher(Endpoint):
         self._type = message_type
 
     def get_topic_name(self) -> str:
-        """Return the whole name of the topic."""
+        """Return the full name of the topic."""
         return self._full_name
 
     def get_subscription_count(self) -> int:
-        """Return how many subscriptions it has found."""
+        """Return the number of matched subscriptions.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         self.check("failed to get subscription count")
         return self.matched()
 
     def check(self, doing: str) -> None:
-        """Raise an RCLError if its context has ended: then it sends nothing more."""
+        """Check that the publisher can send.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         self.node.context.check(doing, "publisher")
 
     def publish(self, message: Any) -> None:
-        """Send a message; raises a TypeError if it is not of the publisher's type."""
+        """Send a message.
+
+        Raises:
+            TypeError: if the message is of another type.
+            RCLError: as publish_raw().
+        """
         self.publish_raw(cdr.serialize(message, self._type))
 
     def publish_raw(self, data: bytes) -> None:
-        """Send the bytes of a message."""
+        """Send the bytes of a message.
+
+        Raises:
+            RCLError: if the context has been shut down, or the queues stay full for too long.
+        """
         self.check("Failed to publish")
         message = to_js(data)
         end = time.monotonic() + MAX_BLOCKING
         while not ros_host.publish(self.id, message):
             left = end - time.monotonic()
             if left <= 0:
-                full = f"the subscriptions of '{self._full_name}' have no room for more"
+                full = f"the queues of the subscriptions to '{self._full_name}' are full"
                 raise RCLError(f"Failed to publish: {full}")
             blocking.wait(left)
 
     def wait_for_all_acked(self, timeout: rcl_duration_t) -> bool:
-        """Wait until reliable subscriptions have got all; returns whether they have."""
+        """Wait until reliable subscriptions have received all messages; return whether they have.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         self.check("Failed to wait for all acknowledgements")
         limited = timeout.nanoseconds >= 0
         end = time.monotonic() + timeout.nanoseconds / 1e9
@@ -74,6 +95,10 @@ class Publisher(Endpoint):
 
 
 def rclpy_assert_liveliness(publisher: Publisher) -> None:
-    """Say that a publisher lives, though it has nothing to send."""
+    """Assert the liveliness of a publisher.
+
+    Raises:
+        RCLError: if the context has been shut down.
+    """
     publisher.check("Failed to assert liveliness on the Publisher")
     ros_host.assertLiveliness(publisher.id)

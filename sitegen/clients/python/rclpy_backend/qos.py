@@ -1,4 +1,4 @@
-"""Quality of service: rclpy's profiles, what the page takes for them, and what suits what."""
+"""Quality of service: profiles, their form in the page, and compatibility."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _ACTION_STATUS = (KEEP_LAST, 1, RELIABLE, TRANSIENT_LOCAL, 0, 0, 0, 0, False)
 
 
 class rmw_qos_profile_t:
-    """A profile; times are in nanoseconds, 0 where none is given."""
+    """A QoS profile; durations are in nanoseconds, 0 if unspecified."""
 
     def __init__(
         self,
@@ -65,7 +65,7 @@ class rmw_qos_profile_t:
         self.avoid_ros_namespace_conventions = avoid_ros_namespace_conventions
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the policies by name, times as rclpy has them."""
+        """Return the policies by name, with durations of rclpy."""
         from rclpy.duration import Duration
 
         policies = {name: getattr(self, name) for name in POLICIES}
@@ -73,7 +73,11 @@ class rmw_qos_profile_t:
 
     @staticmethod
     def predefined(qos_profile_name: str) -> rmw_qos_profile_t:
-        """Return one of those that ROS knows by name."""
+        """Return a predefined profile.
+
+        Raises:
+            ValueError: if the name is unknown.
+        """
         values = _PREDEFINED.get(qos_profile_name.removeprefix("qos_profile_"))
         if values is None:
             raise ValueError(f"Requested unknown rmw_qos_profile: {qos_profile_name}")
@@ -85,16 +89,21 @@ def _nanoseconds(duration: Any) -> int:
 
 
 def rclpy_action_get_rmw_qos_profile(rmw_profile: str) -> dict[str, Any]:
-    """Return the profile of the status of an action."""
+    """Return the profile of an action's status topic.
+
+    Raises:
+        RuntimeError: if the name is unknown.
+    """
     if rmw_profile != "rcl_action_qos_profile_status_default":
         raise RuntimeError(f"Requested unknown rmw_qos_profile: {rmw_profile}")
     return rmw_qos_profile_t(*_ACTION_STATUS).to_dict()
 
 
 def host_qos(profile: rmw_qos_profile_t, *, offers: bool) -> dict[str, object]:
-    """Return what the page takes for a profile (Qos in protocol.js).
+    """Return a profile as Qos of protocol.js.
 
-    Where it is left to the system it is what Fast DDS has, which `offers` much and asks for little.
+    System defaults are those of Fast DDS: what an endpoint `offers` is stricter than what it
+    requests.
     """
     reliable = profile.reliability == RELIABLE or (offers and profile.reliability != BEST_EFFORT)
     kept = profile.durability == TRANSIENT_LOCAL or (offers and profile.durability != VOLATILE)
@@ -111,13 +120,13 @@ def host_qos(profile: rmw_qos_profile_t, *, offers: bool) -> dict[str, object]:
 
 
 def _limit(nanoseconds: int) -> float:
-    """Return a time that is not given, or as long as can be, as one without end."""
+    """Return a duration, infinite if it is unspecified or the maximum."""
     endless = nanoseconds == 0 or nanoseconds >= RMW_QOS_DEADLINE_BEST_AVAILABLE
     return math.inf if endless else nanoseconds
 
 
 class QoSCheckCompatibleResult:
-    """Whether two profiles suit each other, and why not."""
+    """Whether two profiles are compatible, and the reason if not."""
 
     def __init__(self) -> None:
         self.compatibility = QoSCompatibility.OK
@@ -127,7 +136,7 @@ class QoSCheckCompatibleResult:
 def rclpy_qos_check_compatible(
     publisher_qos_profile: rmw_qos_profile_t, subscription_qos_profile: rmw_qos_profile_t
 ) -> QoSCheckCompatibleResult:
-    """Compare what is offered with what is asked for."""
+    """Return whether the offered and the requested profile are compatible."""
     result = QoSCheckCompatibleResult()
     errors = list(_errors(publisher_qos_profile, subscription_qos_profile))
     warnings = list(_warnings(publisher_qos_profile, subscription_qos_profile))
@@ -166,7 +175,7 @@ def _time_errors(offered: int, asked: int, none: str, less: str) -> Iterator[str
 
 
 def _warnings(offered: rmw_qos_profile_t, asked: rmw_qos_profile_t) -> Iterator[str]:
-    """Yield what may go wrong: one side leaves to the system what the other needs."""
+    """Yield possible incompatibilities: policies that one side leaves to the system."""
     pairs = (
         ("reliability", "Reliable", "Best effort", RELIABLE, BEST_EFFORT),
         ("durability", "Transient local", "Volatile", TRANSIENT_LOCAL, VOLATILE),

@@ -1,4 +1,4 @@
-"""Messages, requests and responses as they wait at an endpoint."""
+"""Received messages, requests and responses."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from rclpy_backend.clock import MILLISECOND
 
 
 class Received(NamedTuple):
-    """The bytes of a message; the name its writer has in the page; its number; times in ns."""
+    """A received message, with the gid of its writer, sequence number and timestamps (ns)."""
 
     data: bytes
-    writer: int
+    writer_gid: int
     sequence: int
     source_timestamp: int
     received_timestamp: int
 
 
 def take(endpoint: int) -> Received | None:
-    """Remove the oldest message that waits at the endpoint with this id, and return it."""
+    """Take the oldest message of the endpoint with this id, or None."""
     sample = ros_host.take(endpoint)
     if sample is None:
         return None

@@ -1,4 +1,4 @@
-"""Servers and clients of services."""
+"""Service servers and clients."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pyodide.ffi import to_js
 
 from rclpy_backend import cdr, log
 from rclpy_backend.clock import Clock
-from rclpy_backend.endpoint import Endpoint, gid_of
+from rclpy_backend.endpoint import Endpoint, gid_bytes
 from rclpy_backend.enums import ServiceIntrospectionState
 from rclpy_backend.handles import Destroyable
 from rclpy_backend.introspection import Introspection, ServiceEvent
@@ -21,24 +21,24 @@ if TYPE_CHECKING:
 
 
 class rmw_request_id_t:
-    """Which request: the number that its client gave it, and the name of that client."""
+    """The identity of a request: its sequence number and the gid of its client."""
 
-    def __init__(self, sequence_number: int, writer: int) -> None:
+    def __init__(self, sequence_number: int, writer_gid: int) -> None:
         self.sequence_number = sequence_number
-        self.writer = writer
+        self.writer_gid = writer_gid
 
 
 class rmw_service_info_t:
-    """When a request or a response was sent and received, and which it is."""
+    """The identity and the timestamps of a request or a response."""
 
     def __init__(self, sample: Received) -> None:
-        self.request_id = rmw_request_id_t(sample.sequence, sample.writer)
+        self.request_id = rmw_request_id_t(sample.sequence, sample.writer_gid)
         self.source_timestamp = sample.source_timestamp
         self.received_timestamp = sample.received_timestamp
 
 
 class ServiceEndpoint(Endpoint):
-    """What servers and clients have in common."""
+    """The common part of servers and clients."""
 
     def __init__(
         self, kind: str, node: Node, service_type: Any, name: str, profile: rmw_qos_profile_t
@@ -53,7 +53,7 @@ class ServiceEndpoint(Endpoint):
         pyqos_service_event_pub: rmw_qos_profile_t,
         introspection_state: int,
     ) -> None:
-        """Publish from now on what the service is asked, or that it is asked, or nothing."""
+        """Set what the service publishes about its calls: contents, metadata or nothing."""
         self._end_introspection()
         if introspection_state == ServiceIntrospectionState.OFF:
             return
@@ -86,12 +86,12 @@ class ServiceEndpoint(Endpoint):
         try:
             return rmw_service_info_t(sample), cdr.deserialize(sample.data, message_type)
         except cdr.CdrError as error:
-            log.report(f"{len(sample.data)} bytes for '{self._full_name}': {error}")
+            log.report(f"dropped {len(sample.data)} bytes for '{self._full_name}': {error}")
             return None
 
 
 class Client(ServiceEndpoint):
-    """Asks a service."""
+    """A service client."""
 
     def __init__(
         self, node: Node, service_type: Any, service_name: str, profile: rmw_qos_profile_t
@@ -100,16 +100,24 @@ class Client(ServiceEndpoint):
 
     @property
     def service_name(self) -> str:
-        """Its whole name."""
+        """The full name of the service."""
         return self._full_name
 
     def service_server_is_available(self) -> bool:
-        """Return whether a server is there."""
+        """Return whether a server is available.
+
+        Raises:
+            RCLError: if the context has been shut down.
+        """
         self.node.context.check("failed to check service availability")
         return self.matched() > 0
 
     def send_request(self, request: Any) -> int:
-        """Send a request and return its number."""
+        """Send a request and return its sequence number.
+
+        Raises:
+            TypeError: if the request is of another type.
+        """
         data = cdr.serialize(request, self._type.Request)
         sequence = int(ros_host.request(self.id, to_js(data)))
         self._tell(ServiceEvent.REQUEST_SENT, self.gid(), sequence, request=request)
@@ -118,7 +126,7 @@ class Client(ServiceEndpoint):
     def take_response(
         self, response_type: type
     ) -> tuple[rmw_service_info_t, Any] | tuple[None, None]:
-        """Return the oldest response and which request it is for."""
+        """Return the oldest response and its identity, or two Nones."""
         taken = self._take(response_type)
         if not taken:
             return None, None
@@ -128,7 +136,7 @@ class Client(ServiceEndpoint):
 
 
 class Service(ServiceEndpoint):
-    """Answers requests."""
+    """A service server."""
 
     def __init__(
         self, node: Node, service_type: Any, name: str, profile: rmw_qos_profile_t
@@ -137,40 +145,44 @@ class Service(ServiceEndpoint):
 
     @property
     def name(self) -> str:
-        """Its whole name."""
+        """The full name of the service."""
         return self._full_name
 
     @property
     def qos(self) -> dict[str, Any]:
-        """Its quality of service."""
+        """The QoS policies by name."""
         return self.profile.to_dict()
 
     def service_take_request(
         self, request_type: type
     ) -> tuple[Any, rmw_service_info_t] | tuple[None, None]:
-        """Return the oldest request and who asks."""
+        """Return the oldest request and its identity, or two Nones."""
         taken = self._take(request_type)
         if not taken:
             return None, None
         info, request = taken
         asked = info.request_id
-        gid = gid_of(asked.writer)
+        gid = gid_bytes(asked.writer_gid)
         self._tell(ServiceEvent.REQUEST_RECEIVED, gid, asked.sequence_number, request=request)
         return request, info
 
     def service_send_response(
         self, response: Any, header: rmw_service_info_t | rmw_request_id_t
     ) -> None:
-        """Answer a request."""
+        """Send a response.
+
+        Raises:
+            TypeError: if the response is of another type.
+        """
         request = header.request_id if isinstance(header, rmw_service_info_t) else header
         data = cdr.serialize(response, self._type.Response)
-        ros_host.respond(self.id, request.writer, request.sequence_number, to_js(data))
-        gid = gid_of(request.writer)
+        ros_host.respond(self.id, request.writer_gid, request.sequence_number, to_js(data))
+        gid = gid_bytes(request.writer_gid)
         self._tell(ServiceEvent.RESPONSE_SENT, gid, request.sequence_number, response=response)
 
 
 class TypeDescriptionService(Destroyable):
-    """The service of a node that describes its types; here it says that it cannot."""
+    """The type description service of a node, which always reports failure."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -183,6 +195,6 @@ class TypeDescriptionService(Destroyable):
         self.impl.destroy_when_not_in_use()
 
     def handle_request(self, request: Any, response_type: Any, node: Node) -> Any:
-        """Return a response without a description."""
-        reason = "the page has no type descriptions"
+        """Return a response that reports failure."""
+        reason = "type descriptions are not available in the browser"
         return response_type(successful=False, failure_reason=reason)

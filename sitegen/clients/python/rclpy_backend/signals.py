@@ -1,4 +1,4 @@
-"""Signals: the Stop button is SIGINT, and rclpy wants to know of it first."""
+"""Signals: Stop sends SIGINT, which rclpy handles before Python."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 _options = SignalHandlerOptions.NO
 _guards: list[GuardCondition] = []
-# The signal that the program has not handled yet, 0 if none.
+# The signal that is pending, 0 if none.
 _pending = 0
-# The last that came: how a program ended is judged by it.
+# The last signal, by which program.run() determines why the program ended.
 received = 0
 
 
 def arrive(number: int) -> None:
-    """Take a signal from the page; the thread of the program will handle it."""
+    """Receive a signal from the page; the main thread of the program will handle it."""
     global _pending, received
     _pending = received = number
     if _options & SignalHandlerOptions.SIGINT:
@@ -35,7 +35,7 @@ def arrive(number: int) -> None:
 
 
 def handle(*, main: bool) -> None:
-    """Call the handler of a signal that came, as Python does between two instructions."""
+    """Call the handler of a pending signal, as Python does between two instructions."""
     global _pending
     if _pending and main:
         number, _pending = _pending, 0
@@ -45,29 +45,33 @@ def handle(*, main: bool) -> None:
 
 
 def register_sigint_guard_condition(guard_condition: GuardCondition) -> None:
-    """Trigger it whenever SIGINT comes."""
+    """Trigger a guard condition on each SIGINT."""
     _guards.append(guard_condition)
 
 
 def unregister_sigint_guard_condition(guard_condition: GuardCondition) -> None:
-    """Trigger it no more."""
+    """Stop triggering a guard condition.
+
+    Raises:
+        ValueError: if it is not registered.
+    """
     if guard_condition not in _guards:
         raise ValueError("Guard condition was not registered")
     _guards.remove(guard_condition)
 
 
 def install_signal_handlers(options: SignalHandlerOptions) -> None:
-    """Let signals end what waits, beside what Python does."""
+    """Install rclpy's signal handlers, which end waits."""
     global _options
     _options = SignalHandlerOptions(options)
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Return what is installed."""
+    """Return which handlers are installed."""
     return _options
 
 
 def uninstall_signal_handlers() -> None:
-    """Leave signals to Python alone."""
+    """Uninstall rclpy's signal handlers."""
     global _options
     _options = SignalHandlerOptions.NO

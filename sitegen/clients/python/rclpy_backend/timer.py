@@ -9,7 +9,7 @@ from rclpy_backend.system import blocking
 
 
 class Timer(Destroyable):
-    """Is ready each `period_nsec` of its clock."""
+    """A timer that is ready every `period_nsec` nanoseconds of its clock."""
 
     def __init__(
         self, clock: Clock, context: Context, period_nsec: int, autostart: bool = True
@@ -23,38 +23,46 @@ class Timer(Destroyable):
         self._next = self._last + self._period
 
     def is_timer_ready(self) -> bool:
-        """Return whether its time has come."""
+        """Return whether the timer is due."""
         return not self._canceled and self.clock.now() >= self._next
 
     def is_ready(self) -> bool:
-        """Return whether a wait for it is over."""
+        """Return whether the timer is due, for a wait set."""
         return self.is_timer_ready()
 
     def call_timer(self) -> None:
-        """Note that it is being called."""
+        """Start the next period.
+
+        Raises:
+            TimerCancelledError: if the timer is canceled.
+        """
         self.call_timer_with_info()
 
     def call_timer_with_info(self) -> dict[str, int]:
-        """Note that it is being called; return when it should be and when it is."""
+        """Start the next period; return the expected and the actual time of this call.
+
+        Raises:
+            TimerCancelledError: if the timer is canceled.
+        """
         if self._canceled:
             raise TimerCancelledError("Failed to call timer: timer is canceled")
         now, expected = self.clock.now(), self._next
         self._last = now
         self._next += self._period
         if self._next < now:
-            # Calls that are over are left out, the rhythm stays.
+            # Skip missed calls, and keep the phase.
             missed = (now - self._next) // self._period + 1 if self._period else 0
             self._next = self._next + missed * self._period if self._period else now
         return {"expected_call_time": expected, "actual_call_time": now}
 
     def reset_timer(self) -> None:
-        """Begin a period now."""
+        """Start a new period now."""
         self._canceled = False
         self._next = self.clock.now() + self._period
         blocking.wake()
 
     def change_timer_period(self, period_nsec: int) -> None:
-        """Take another period from the next call on."""
+        """Change the period, from the next call on."""
         self._period = period_nsec
 
     def get_timer_period(self) -> int:
@@ -62,17 +70,17 @@ class Timer(Destroyable):
         return self._period
 
     def time_until_next_call(self) -> int | None:
-        """Return nanoseconds, below 0 if it is late; None if it was cancelled."""
+        """Return the time until the next call (ns), negative if late; None if canceled."""
         return None if self._canceled else self._next - self.clock.now()
 
     def time_since_last_call(self) -> int:
-        """Return nanoseconds."""
+        """Return the time since the last call (ns)."""
         return self.clock.now() - self._last
 
     def cancel_timer(self) -> None:
-        """Be ready no more."""
+        """Cancel the timer."""
         self._canceled = True
 
     def is_timer_canceled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the timer is canceled."""
         return self._canceled

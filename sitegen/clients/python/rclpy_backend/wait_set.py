@@ -1,4 +1,4 @@
-"""The wait set: what an executor waits for."""
+"""The wait set: the entities that an executor waits for."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ KINDS = (*ENDPOINTS, "guard_condition", "timer", "event", "part")
 
 
 class Waitable(Protocol):
-    """Something that becomes ready."""
+    """An entity that becomes ready."""
 
     pointer: int
 
     def is_ready(self) -> bool:
-        """Return whether a wait for it is over."""
+        """Return whether the entity is ready."""
 
 
 class WaitSet(Destroyable):
-    """Waits until one of many is ready; what was found is kept until the next wait."""
+    """Waits until an entity is ready; the result is kept until the next wait."""
 
     def __init__(
         self,
@@ -46,54 +46,54 @@ class WaitSet(Destroyable):
         self.clear_entities()
 
     def clear_entities(self) -> None:
-        """Wait for nothing."""
-        # By what they are, as rclpy names it; "part" is what belongs to something larger.
+        """Remove all entities."""
+        # By rclpy's names of their kinds; "part" is an entity of an action.
         self._entities: dict[str, list[Any]] = {kind: [] for kind in KINDS}
         self._ready: set[int] = set()
 
     def add(self, entity: Waitable) -> None:
-        """Wait for a part of something larger."""
+        """Add an entity of an action."""
         self._entities["timer" if isinstance(entity, Timer) else "part"].append(entity)
 
-    # These are called for everything that a node has, for each message: so they call nothing else.
+    # Called for each entity and each message, so these make no further calls.
     def add_service(self, service: Service) -> int:
-        """Wait for requests; returns the index among the services."""
+        """Add a service; return its index."""
         entities = self._entities["service"]
         entities.append(service)
         return len(entities) - 1
 
     def add_subscription(self, subscription: Subscription) -> int:
-        """Wait for messages; returns the index among the subscriptions."""
+        """Add a subscription; return its index."""
         entities = self._entities["subscription"]
         entities.append(subscription)
         return len(entities) - 1
 
     def add_client(self, client: Client) -> int:
-        """Wait for responses; returns the index among the clients."""
+        """Add a client; return its index."""
         entities = self._entities["client"]
         entities.append(client)
         return len(entities) - 1
 
     def add_guard_condition(self, guard_condition: GuardCondition) -> int:
-        """Wait for a trigger; returns the index among the guard conditions."""
+        """Add a guard condition; return its index."""
         entities = self._entities["guard_condition"]
         entities.append(guard_condition)
         return len(entities) - 1
 
     def add_timer(self, timer: Timer) -> int:
-        """Wait for a time; returns the index among the timers."""
+        """Add a timer; return its index."""
         entities = self._entities["timer"]
         entities.append(timer)
         return len(entities) - 1
 
     def add_event(self, event: EventHandle) -> int:
-        """Wait for an event; returns the index among the events."""
+        """Add an event; return its index."""
         entities = self._entities["event"]
         entities.append(event)
         return len(entities) - 1
 
     def is_ready(self, entity_type: str, index: int) -> bool:
-        """Return whether the last wait found that one ready."""
+        """Return whether the last wait found the entity at `index` ready."""
         return self._entities[entity_type][index].pointer in self._ready
 
     def found(self, entity: Waitable) -> bool:
@@ -101,11 +101,11 @@ class WaitSet(Destroyable):
         return entity.pointer in self._ready
 
     def get_ready_entities(self, entity_type: str) -> list[int]:
-        """Return the pointers of those that the last wait found ready."""
+        """Return the pointers of the entities that the last wait found ready."""
         return [e.pointer for e in self._entities[entity_type] if e.pointer in self._ready]
 
     def wait(self, timeout: int) -> None:
-        """Wait for at most so many nanoseconds, without a limit if it is below 0."""
+        """Wait up to `timeout` nanoseconds, without a limit if negative."""
         end = None if timeout < 0 else time.monotonic() + timeout / 1e9
         blocking.breathe()
         while not (ready := self._find_ready()) and self._context.ok():
@@ -122,7 +122,7 @@ class WaitSet(Destroyable):
                 entity.taken()
 
     def _find_ready(self) -> list[Waitable]:
-        # The page is asked once, and not for each: that takes as long as all else here.
+        # One call for all endpoints: a call takes as long as everything else here.
         events, *ids = map(int, ros_host.filled().split())
         filled = set(ids)
         ready: list[Waitable] = []
@@ -138,7 +138,7 @@ class WaitSet(Destroyable):
         return ready
 
     def _until_next_timer(self, limit: float | None) -> float | None:
-        """Return how long nothing will be ready by itself (s)."""
+        """Return the time until the next timer is due, up to `limit` (s)."""
         times = [] if limit is None else [limit]
         for timer in self._entities["timer"]:
             if isinstance(timer, Timer) and not timer.clock.simulated:

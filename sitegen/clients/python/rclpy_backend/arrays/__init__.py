@@ -1,4 +1,4 @@
-"""The arrays of message classes: numpy's where it is on the page, else ours for want of them."""
+"""The arrays of message classes: numpy's if the page has it, fixed_array's otherwise."""
 
 try:
     import numpy

@@ -1,7 +1,7 @@
-"""Arrays of a fixed number of numbers, as far as message classes need numpy for them.
+"""Arrays of fixed length: the part of numpy that generated message classes use.
 
-The generated classes import this module by the name of numpy, which is megabytes to load. So do
-programs that use no more of numpy than `__all__` has; what an array cannot do here, it refuses.
+numpy takes megabytes to load, so generated classes import this module under its name. So do
+programs that use only the names in `__all__`. Other operations on arrays raise an error.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ __all__ = ["array", "empty", "float32", "float64", "ndarray", "pi", "zeros"]
 
 
 class dtype:
-    """A type of numbers."""
+    """A type of elements."""
 
     def __init__(self, name: str, code: str) -> None:
         self.name = name
@@ -42,23 +42,23 @@ _NAMED = {
 
 
 def named(name: str) -> dtype:
-    """Return the type that IDL calls so."""
+    """Return the type with this name in IDL."""
     return _NAMED[name]
 
 
 class ndarray(numbers.array[Any]):
-    """Numbers of one type, in one row."""
+    """A one-dimensional array of numbers."""
 
     dtype: dtype
 
     @property
     def size(self) -> int:
-        """How many they are."""
+        """Number of elements."""
         return len(self)
 
     @property
     def shape(self) -> tuple[int]:
-        """How many they are, as numpy says it."""
+        """Number of elements, as a tuple."""
         return (len(self),)
 
     def __eq__(self, other: object) -> Any:
@@ -68,7 +68,7 @@ class ndarray(numbers.array[Any]):
         return self._compare(other, equal=False)
 
     __hash__ = None
-    # Those of numpy's arrays go through all numbers; the ones of Python's would join arrays.
+    # numpy's operators work by element; those of Python's arrays would concatenate.
     __add__: Any = None
     __iadd__: Any = None
     __mul__: Any = None
@@ -103,7 +103,7 @@ def array(values: Iterable[Any], dtype: dtype | None = None) -> ndarray:
 
 
 def zeros(shape: int | tuple[int], dtype: dtype = float64) -> ndarray:
-    """Return an array of zeros, in one row."""
+    """Return a one-dimensional array of zeros."""
     [size] = shape if isinstance(shape, tuple) else (shape,)
     return array([0] * size, dtype)
 

@@ -1,8 +1,8 @@
-"""Threads that only spin, where there can be none: they go on in the waits of the main program.
+"""Run threads that only spin during the waits of the main thread, without JSPI.
 
-The commonest thread of a program runs rclpy.spin() or the spin() of an executor. What it would do,
-a wait of the program does: it runs a callback that is ready, and the program looks whether it still
-has to wait. So callbacks run where the program waits, and nowhere else.
+Most threads of ROS programs run rclpy.spin() or the spin() of an executor. Where a browser cannot
+suspend stacks, a wait of the main thread does this: it runs one callback that is ready and then
+checks whether it still has to wait. So callbacks run only while the main thread waits.
 """
 
 from __future__ import annotations
@@ -16,31 +16,31 @@ from rclpy_backend.system import turns
 
 
 class Handle(Protocol):
-    """What ends when a thread does."""
+    """The handle of a thread, set to done when the thread ends."""
 
     def _set_done(self) -> None: ...
 
 
 class Spinner(NamedTuple):
-    """A thread's executor, and what a thread leaves behind."""
+    """A thread that spins, with its executor."""
 
     executor: Any
     handle: Handle
     thread: threading.Thread
 
 
-# What ends a thread, and not the program.
+# Exceptions that end a thread but not the program.
 ENDS = (Exception, SystemExit)
 
 _spinners: list[Spinner] = []
-# Those whose callback runs now: another one has to wait for its end.
+# Those whose callback is running, the innermost last.
 _busy: list[Spinner] = []
 
 
 def takes(function: Callable[[], object], handle: Handle) -> bool:
-    """Take over a thread that is being started, if all that it does is to spin.
+    """Take over a thread that is being started if it only spins; return whether it does.
 
-    `function` is its _bootstrap(), which then has nothing to do but to say that the thread began.
+    `function` is its _bootstrap(), which then only reports that the thread has started.
     """
     thread: Any = getattr(function, "__self__", None)
     executor = _executor(thread)
@@ -52,7 +52,7 @@ def takes(function: Callable[[], object], handle: Handle) -> bool:
 
 
 def _executor(thread: Any) -> Any:
-    """Return what a thread would spin, with its node, or None if it does anything else."""
+    """Return the executor that a thread would spin, or None if it does anything else."""
     target = getattr(thread, "_target", None)
     if type(thread).run is not threading.Thread.run or target is None:
         return None
@@ -69,17 +69,17 @@ def _executor(thread: Any) -> Any:
 
 
 def begin(ident: int) -> None:
-    """Keep the thread that was taken over last among those that run, though its body has ended."""
+    """Keep the thread taken over last in the list of live threads, although its body has ended."""
     threading._active[ident] = _spinners[-1].thread  # type: ignore[attr-defined]
 
 
 def any_idle() -> bool:
-    """Return whether there is such a thread that could go on."""
+    """Return whether one of these threads could run."""
     return len(_spinners) > len(_busy)
 
 
 def run_one() -> bool:
-    """Run a callback that is ready, if one is; return whether anything has changed."""
+    """Run one callback that is ready, if any; return whether anything has changed."""
     for spinner in [one for one in _spinners if one not in _busy]:
         _busy.append(spinner)
         try:
@@ -119,7 +119,7 @@ def _run(spinner: Spinner) -> bool:
 
 
 def until_next(seconds: float | None) -> float | None:
-    """Return how long to wait at most (s): until the next timer of those that could run."""
+    """Return the longest time to wait (s): until the next timer of the threads that could run."""
     idle = [spinner for spinner in _spinners if spinner not in _busy]
     nodes = [node for spinner in idle for node in spinner.executor.get_nodes()]
     timers = [timer for node in nodes for timer in node.timers]

@@ -1,4 +1,4 @@
-"""Waiting: the one place where Python stands still, and the page goes on."""
+"""Waiting: the only place where Python blocks while the page continues."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ import time
 
 from rclpy_backend.system import beside, collecting, pool, turns
 
-# A program that never waits lets the event loop turn this often (s): often enough for a Stop
-# button, seldom enough to cost nothing.
+# How often a program that never waits yields to the event loop (s): often enough for the Stop
+# button, rarely enough to cost nothing.
 BREATH = 0.004
 
 _waiting: dict[turns.Program, int] = {}
@@ -16,10 +16,11 @@ _last_turn = time.monotonic()
 
 
 def wait(seconds: float | None) -> None:
-    """Let the page go on until something happens, at most so long; 0 is one turn of its loop.
+    """Suspend the program until something happens or `seconds` pass; 0 is one turn of the loop.
 
-    Raises what a handler of a signal raises, KeyboardInterrupt by default; in threads of a program
-    that is over, SystemExit.
+    Raises:
+    KeyboardInterrupt: on Stop, or whatever another signal handler raises.
+        SystemExit: in the threads of a program that has ended.
     """
     global _last_turn
     program, me = turns.running(), turns.current_thread()
@@ -34,7 +35,7 @@ def wait(seconds: float | None) -> None:
     try:
         program.host.wait(-1 if seconds is None else seconds * 1000)
         if program.stacks:
-            select.poll().poll()  # the others stood still in wait()
+            select.poll().poll()  # suspends the stack; without stacks, host.wait() has blocked
     finally:
         _waiting[program] -= 1
         if not _waiting[program]:
@@ -51,19 +52,23 @@ def wait(seconds: float | None) -> None:
 
 
 def breathe() -> None:
-    """Let the event loop turn if it has not for a while."""
+    """Yield to the event loop if the program has not done so for a while."""
     if time.monotonic() - _last_turn > BREATH:
         wait(0)
 
 
 def wake() -> None:
-    """End the waits of all other threads: something has changed."""
+    """Wake up all other threads: something has changed."""
     for program in _waiting:
         program.host.wake()
 
 
 def sleep(seconds: float) -> None:
-    """Stand in for time.sleep()."""
+    """Replace time.sleep().
+
+    Raises:
+        ValueError: if `seconds` is negative.
+    """
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
     end = time.monotonic() + seconds

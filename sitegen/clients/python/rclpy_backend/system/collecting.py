@@ -1,17 +1,17 @@
-"""Collecting garbage while stacks are set aside.
+"""Collect garbage while stacks are suspended.
 
-By itself, Python 3.14 does that in steps which begin at the frames of all stacks. Of two stacks one
-lies where the other was, so such a step follows what is not there: it never ends, or breaks all. A
-collection that is asked for, of what is young or of everything, does not look at frames.
+Python 3.14 collects in steps that start from the frames of all stacks. A suspended stack is not in
+memory where its frames point, since another stack has taken its place. So such a step may loop
+forever or corrupt memory. An explicit collection, of young or of all objects, ignores frames.
 """
 
 from __future__ import annotations
 
 import gc
 
-# So many new objects (beside those that went) are looked through at once.
+# Number of new objects, less those freed, that starts a collection of the young generation.
 YOUNG = 5000
-# All of them are, when so many more have stayed than there were; less is not worth it.
+# A full collection starts when the surviving objects have grown by this share, from FEW on.
 GROWTH = 0.25
 FEW = 50_000
 
@@ -22,7 +22,7 @@ _stayed = 0
 
 
 def begin() -> None:
-    """One more stack begins; called before it does."""
+    """Count a new stack; call this before it starts."""
     global _stacks, _ours
     _stacks += 1
     if _stacks > 1 and gc.isenabled():
@@ -31,13 +31,13 @@ def begin() -> None:
 
 
 def end() -> None:
-    """A stack ends. What is left may be set aside, so nothing is collected yet."""
+    """Count the end of a stack. The others may be suspended, so collect nothing yet."""
     global _stacks
     _stacks -= 1
 
 
 def look() -> None:
-    """Collect what has become much; called by a stack that goes on."""
+    """Collect garbage if there are enough new objects; call this from a stack that resumes."""
     global _ours, _old, _stayed
     if not _ours:
         return

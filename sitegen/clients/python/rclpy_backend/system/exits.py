@@ -1,4 +1,4 @@
-"""What programs want done when they end: `atexit`, for each program by itself."""
+"""Exit handlers: `atexit`, separately for each program."""
 
 from __future__ import annotations
 
@@ -12,25 +12,25 @@ from rclpy_backend.system.tracebacks import traceback_of
 
 
 def install() -> None:
-    """Take the place of Python's, whose time comes when the page is gone."""
+    """Replace Python's own functions, whose handlers would run only when the page closes."""
     atexit.register = register
     atexit.unregister = unregister
 
 
 def register(function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Callable[..., Any]:
-    """Stand in for atexit.register()."""
+    """Replace atexit.register()."""
     turns.running().exits.append((function, args, kwargs))
     return function
 
 
 def unregister(function: Callable[..., Any], /) -> None:
-    """Stand in for atexit.unregister()."""
+    """Replace atexit.unregister()."""
     exits = turns.running().exits
     exits[:] = [each for each in exits if each[0] != function]
 
 
 def run() -> None:
-    """Call what was registered, the last first; errors are printed and change nothing."""
+    """Call the registered functions, the last one first, and print their exceptions."""
     exits = turns.running().exits
     while exits:
         function, args, kwargs = exits.pop()

@@ -1,4 +1,4 @@
-"""Run programs in this interpreter, one or several at a time."""
+"""Run programs in this interpreter, several at a time if needed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _begun = False
 def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Sequence[str]) -> int:
     """Run a program to its end and return its exit code; see Program and program.run().
 
-    Before, collecting.begin() is called from a stack that is there already.
+    The caller calls collecting.begin() first, from an existing stack.
     """
     global _begun
     if not _begun:
@@ -35,7 +35,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
         keyboard.install()
         exits.install()
         outside.install()
-        # From here on they belong to programs.
+        # Each program imports its own copy of these.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if not turns.SHARED.fullmatch(name):
                 del sys.modules[name]

@@ -1,6 +1,6 @@
-"""Interrupts: what makes a program listen to the page that computes and never waits.
+"""Interrupts: let a program that computes without waiting receive messages from the page.
 
-The page sets a byte in memory that it shares with the worker, and Python looks there now and then.
+The page sets a byte in memory shared with the worker, and Python checks that byte regularly.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from pyodide.ffi import can_run_sync
 from rclpy_backend.system import turns
 from rclpy_backend.system.blocking import wait
 
-# As runtime/interrupt.js has it.
+# As in runtime/interrupt.js.
 HEAR = signal.SIGUSR2
-# What the page said stands before the byte is set, and is here by then (s).
+# The page posts its message before it sets the byte; the message arrives within this time (s).
 LIMIT = 0.1
-OURS = __file__.rpartition("/")[0]
+OURS = __file__.rpartition("/system/")[0]
 
 
 def install() -> None:
-    """Listen when the page wants it."""
+    """Install the handler of the page's interrupt."""
     signal.signal(HEAR, _hear)
 
 
@@ -31,7 +31,7 @@ def _hear(number: int, frame: FrameType | None) -> None:
     if program is None or frame is None:
         return
     if frame.f_code.co_filename.startswith(f"{OURS}/"):
-        # Nobody else may have a turn there but where it waits; then again, after the next step.
+        # This layer must not be suspended outside of its own waits: try again after the next step.
         signal.raise_signal(number)
         return
     end = time.monotonic() + LIMIT

@@ -1,4 +1,4 @@
-"""The keyboard of programs: what a visitor types in their consoles."""
+"""Standard input: the text that a visitor types in the console of a program."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from rclpy_backend.system import turns
 from rclpy_backend.system.blocking import wait
 
 STDIN = 0
-# What would be read there is not what a visitor types. Without it, programs read from STDIN.
+# Opening the terminal device would not read the console; without it, programs read from STDIN.
 TERMINAL = Path("/dev/tty")
-# How a terminal is set when a program starts, as termios.tcgetattr() gives it: four numbers, two
-# speeds, and its special characters.
+# Terminal attributes at the start of a program, as termios.tcgetattr() returns them: four flags,
+# two speeds, and the control characters.
 LOCAL = 3
 ATTRIBUTES = [termios.ICRNL, 0, 0, termios.ICANON | termios.ECHO | termios.ISIG, 0, 0]
 CHARACTERS = 32
@@ -28,31 +28,31 @@ _select = select.select
 
 
 class Keyboard(io.RawIOBase):
-    """What is typed for `program`, as a stream of bytes."""
+    """The input of `program`, as a stream of bytes."""
 
     def __init__(self, program: turns.Program) -> None:
         self._program = program
-        # What came and was not read; an empty piece is the end.
+        # Input that has not been read; an empty piece is the end of input.
         self._typed: list[bytes] = []
         self.attributes: list[Any] = [*ATTRIBUTES, [b"\0"] * CHARACTERS]
         self._told = ""
 
     def readable(self) -> bool:
-        """Return that it can be read from."""
+        """Return True."""
         return True
 
     def isatty(self) -> bool:
-        """Return that somebody types."""
+        """Return True: the console is a terminal."""
         return True
 
     def fileno(self) -> int:
-        """Return what the system would read from."""
+        """Return the file descriptor of standard input."""
         return STDIN
 
     def readinto(self, buffer: Any) -> int:
-        """Wait for what somebody types."""
+        """Read into `buffer`, waiting for input."""
         for output in self._program.outputs:
-            output.end()  # a question has no end of line
+            output.end()  # print a question that has no end of line
         self.look(None)
         first = self._typed.pop(0)
         taken = min(len(first), len(buffer))
@@ -62,13 +62,13 @@ class Keyboard(io.RawIOBase):
         return taken
 
     def look(self, seconds: float | None) -> bool:
-        """Wait until something was typed, at most so long; return whether something was."""
+        """Wait up to `seconds` for input; return whether there is some."""
         end = None if seconds is None else time.monotonic() + seconds
         if not self._take():
             self._tell(anew=seconds is None)
         while not self._take():
             left = None if end is None else end - time.monotonic()
-            # Who looks again and again lets the page go on.
+            # A program that polls must yield to the page.
             wait(None if left is None else max(left, 0))
             if left is not None and left <= 0:
                 return self._take()
@@ -76,7 +76,7 @@ class Keyboard(io.RawIOBase):
 
     def _take(self) -> bool:
         while (typed := self._program.host.typed()) is not None:
-            if typed.op != "complete":  # a prompt has its lines without an end
+            if typed.op != "complete":  # completion is for prompts only
                 text = typed.text if typed.op == "keys" else f"{typed.text}\n"
                 self._typed.append(text.encode())
         return bool(self._typed)
@@ -99,7 +99,7 @@ def opened(program: turns.Program) -> TextIO:
 
 
 def install() -> None:
-    """Let programs set their terminal, and look whether there is something to read."""
+    """Replace the functions of termios, os and select that programs read the keyboard with."""
     replaced = {
         "tcgetattr": lambda _: [*_mine().attributes[:-1], list(_mine().attributes[-1])],
         "tcsetattr": lambda _, __, attributes: _set(attributes),
@@ -122,7 +122,7 @@ def _set(attributes: list[Any]) -> None:
 
 
 def _bytes(file: int, size: int) -> bytes:
-    """Stand in for os.read()."""
+    """Replace os.read()."""
     if file != STDIN:
         return _read(file, size)
     buffer = bytearray(size)
@@ -135,7 +135,7 @@ def _look(
     others: Sequence[Any],
     timeout: float | None = None,
 ) -> tuple[list[Any], list[Any], list[Any]]:
-    """Stand in for select.select()."""
+    """Replace select.select()."""
     keys = [one for one in readers if _number(one) == STDIN]
     if not keys or len(keys) < len(readers) or writers or others:
         rest = [one for one in readers if one not in keys]

@@ -1,4 +1,4 @@
-"""Loops of asyncio: Python's own, which wait as everything else does."""
+"""Event loops of asyncio: Python's own, waiting by `blocking.wait`."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ Words = TypeVarTuple("Words")
 
 
 class Selector:
-    """What a loop waits with. Nothing but messages and times ends a wait in a page."""
+    """The selector of a loop. In the browser, only messages and timeouts end a wait."""
 
     def __init__(self) -> None:
         self._woken = False
         self._waits = False
 
     def select(self, timeout: float | None) -> list[object]:
-        """Wait until something happens, at most so long (s)."""
+        """Wait until something happens or `timeout` seconds pass."""
         if self._woken or timeout == 0:
             blocking.breathe()
         else:
@@ -37,17 +37,17 @@ class Selector:
         return []
 
     def wake(self) -> None:
-        """End the wait, or the next one before it begins."""
+        """End the current wait, or the next one at once."""
         self._woken = True
         if self._waits:
             blocking.wake()
 
     def close(self) -> None:
-        """There is nothing to close."""
+        """Do nothing: there is nothing to close."""
 
 
 class Loop(base_events.BaseEventLoop):
-    """A loop that lets the page go on while it waits."""
+    """An event loop that lets the page continue while it waits."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -56,7 +56,7 @@ class Loop(base_events.BaseEventLoop):
     def call_soon(
         self, callback: Callable[[*Words], object], *args: *Words, context: Context | None = None
     ) -> asyncio.Handle:
-        """Call something in the next round; the promises of the page do that while it waits."""
+        """Schedule a callback; promises of the page do so while the loop waits."""
         handle = super().call_soon(callback, *args, context=context)
         self._write_to_self()
         return handle
@@ -64,11 +64,11 @@ class Loop(base_events.BaseEventLoop):
     def add_signal_handler(
         self, sig: int, callback: Callable[[*Words], object], *args: *Words
     ) -> None:
-        """Call something when a signal comes."""
+        """Call `callback` when the signal arrives."""
         signal.signal(sig, lambda *_: self.call_soon_threadsafe(callback, *args))
 
     def remove_signal_handler(self, sig: int) -> bool:
-        """Let the signal do what it does by itself; return whether it was another thing."""
+        """Restore the default handler; return whether there was another one."""
         before = signal.getsignal(sig)
         default = signal.default_int_handler if sig == signal.SIGINT else signal.SIG_DFL
         signal.signal(sig, default)
@@ -82,7 +82,7 @@ class Loop(base_events.BaseEventLoop):
 
 
 class Policy(events._BaseDefaultEventLoopPolicy):  # type: ignore[name-defined, misc]
-    """Gives each thread such loops."""
+    """The policy that gives each thread such loops."""
 
     _loop_factory = Loop
 
@@ -91,7 +91,7 @@ class Policy(events._BaseDefaultEventLoopPolicy):  # type: ignore[name-defined, 
         self._loops: dict[int, asyncio.AbstractEventLoop | None] = {}
 
     def get_event_loop(self) -> asyncio.AbstractEventLoop:
-        """Return the thread's loop. A main thread gets one, as it did before Python 3.14."""
+        """Return the thread's loop; create one in the main thread, as Python before 3.14 did."""
         thread = turns.current_thread()
         if thread == turns.running().ident and thread not in self._loops:
             self._loops[thread] = Loop()
@@ -102,17 +102,17 @@ class Policy(events._BaseDefaultEventLoopPolicy):  # type: ignore[name-defined, 
         return loop
 
     def set_event_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
-        """Give the thread that loop."""
+        """Set the thread's loop."""
         self._loops[turns.current_thread()] = loop
 
 
 def none_runs() -> None:
-    """Begin a stack: Pyodide says in each that its own loop runs there."""
+    """Clear the running loop of a new stack, where Pyodide sets its own."""
     asyncio._set_running_loop(None)
 
 
 def install() -> None:
-    """Take the place of the loop that Pyodide brings, which is one for all and never ends."""
+    """Replace Pyodide's loop, of which there is only one and which never ends."""
     with warnings.catch_warnings(action="ignore"):
         asyncio.set_event_loop_policy(Policy())
     asyncio.run = runners.run

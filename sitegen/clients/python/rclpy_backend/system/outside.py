@@ -1,6 +1,6 @@
-"""What a page has none of, other programs and sockets: who asks for some is told so at once.
+"""Make processes and sockets, which are not available in the browser, raise an error at once.
 
-Left alone, connections would seem to be there, and never carry anything.
+Otherwise, connections would appear to succeed and never carry data.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import subprocess
 from collections.abc import Callable
 from typing import Any, Never
 
-NO_PROGRAMS = "a page cannot start other programs"
-NO_SOCKETS = "a page has no sockets; its nodes have topics, services and actions"
+NO_PROGRAMS = "other programs are not available in the browser"
+NO_SOCKETS = "sockets are not available in the browser; use topics, services or actions"
 
 
 def install() -> None:
-    """Refuse these."""
+    """Replace the functions that need a process or a socket."""
     subprocess.Popen.__init__ = _start  # type: ignore[assignment]
     for name in ("connect", "connect_ex", "bind", "listen", "sendto", "sendmsg"):
         setattr(socket.socket, name, _refusing(OSError, errno.ENETUNREACH))

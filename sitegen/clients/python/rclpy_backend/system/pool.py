@@ -1,7 +1,7 @@
-"""Pools of threads where there can be none: work is done when it is handed over.
+"""Thread pools without threads: work runs when it is submitted.
 
-A callback of a MultiThreadedExecutor may wait for another one. So the executor goes on in its
-waits, and what would run beside it runs inside of it.
+A callback of a MultiThreadedExecutor may wait for another callback. So the executor continues
+inside such a wait, and callbacks nest instead of running in parallel.
 """
 
 from __future__ import annotations
@@ -11,23 +11,23 @@ from concurrent.futures import Future
 from concurrent.futures.thread import ThreadPoolExecutor
 from typing import Any
 
-# The executors whose callbacks run now, the innermost last; None while one looks for the next.
+# The executors whose callbacks are running, the innermost last; None while one selects the next.
 _running: list[Any] = []
 
 
 def install() -> None:
-    """Take the place of what hands work to threads."""
+    """Replace ThreadPoolExecutor.submit()."""
     ThreadPoolExecutor.submit = _submit  # type: ignore[method-assign]
 
 
 def has_room() -> bool:
-    """Return whether the innermost callback is of an executor that would have more threads."""
+    """Return whether the executor of the innermost callback would have a free thread."""
     executor: Any = _running[-1] if _running else None
     return executor is not None and _running.count(executor) < executor._executor._max_workers
 
 
 def spin(seconds: float | None) -> None:
-    """Let that executor wait at most so long, and run one more callback."""
+    """Let that executor wait up to `seconds` and run one more callback."""
     executor = _running[-1]
     _running.append(None)
     try:
@@ -38,7 +38,7 @@ def spin(seconds: float | None) -> None:
 
 def _submit(_: object, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
     future: Future[Any] = Future()
-    # A task of rclpy has a weak reference to its executor.
+    # An rclpy task holds a weak reference to its executor.
     executor = getattr(function, "_executor", None)
     _running.append(executor and executor())
     try:

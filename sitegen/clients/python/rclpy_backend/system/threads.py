@@ -1,7 +1,7 @@
-"""Threads: each is a stack that is set aside while it waits, and only then another one runs.
+"""Threads: each is a stack that is suspended while it waits; only then does another one run.
 
-The classes of Python's own `threading` stay; what they are made of is replaced. Where the browser
-can set no stacks aside, a program has one thread.
+Python's own `threading` stays; this module replaces the functions of `_thread` that it uses. Where
+the browser cannot suspend stacks, a program has one thread.
 """
 
 from __future__ import annotations
@@ -21,20 +21,20 @@ from pyodide.ffi import create_proxy
 from rclpy_backend.system import beside, collecting, loops, pool, turns
 from rclpy_backend.system.blocking import breathe, sleep, wait, wake
 
-# What a program is told that the machine has, by which it decides how many threads it starts. They
-# are stacks here and take turns, and one that waits for another must not be the only one.
+# The number of processors that programs see, by which they choose a number of threads. These are
+# stacks that take turns; more than one, so that a thread may wait for another.
 PROCESSORS = 4
 
 NO_STACKS = (
-    "this browser lacks JavaScript Promise Integration, which threads in a page need; "
-    "Chrome 137, Edge 137, Firefox 153 and newer have it"
+    "this browser lacks JavaScript Promise Integration, which threads need; "
+    "use Chrome 137, Edge 137, Firefox 153 or newer"
 )
-# The programs that were told that they wait for a thread that cannot be.
+# The programs that have been warned.
 _warned: set[turns.Program] = set()
 
 
 class Lock:
-    """Stands in for the lock of a real thread."""
+    """A lock; replaces `_thread.lock`."""
 
     __slots__ = ("__weakref__", "_locked", "_wanted")
 
@@ -43,7 +43,7 @@ class Lock:
         self._wanted = 0
 
     def acquire(self, blocking: bool = True, timeout: float | None = -1) -> bool:
-        """Take it; return False if that was not possible in `timeout` seconds."""
+        """Acquire the lock; return False if that was not possible within `timeout` seconds."""
         end = None if timeout is None or timeout < 0 else time.monotonic() + timeout
         while self._locked:
             left = None if end is None else end - time.monotonic()
@@ -60,7 +60,11 @@ class Lock:
         return True
 
     def release(self) -> None:
-        """Let another one take it."""
+        """Release the lock.
+
+        Raises:
+            RuntimeError: if it is not locked.
+        """
         if not self._locked:
             raise RuntimeError("release unlocked lock")
         self._locked = False
@@ -68,10 +72,10 @@ class Lock:
             wake()
 
     def locked(self) -> bool:
-        """Return whether somebody has it."""
+        """Return whether the lock is held."""
         return self._locked
 
-    # An executor passes through two dozen of these for each message, so no call more than needed.
+    # An executor takes two dozen locks for each message, so these avoid every needless call.
     def __enter__(self) -> bool:
         if self._locked:
             return self.acquire()
@@ -88,15 +92,15 @@ class Lock:
 
 
 class Handle:
-    """Stands in for the handle of a real thread."""
+    """The handle of a thread; replaces `_thread._ThreadHandle`."""
 
     def __init__(self) -> None:
         self.ident: int | None = None
         self._done = False
 
     def is_done(self) -> bool:
-        """Return whether it has ended."""
-        breathe()  # a loop may ask for this and nothing else
+        """Return whether the thread has ended."""
+        breathe()  # a loop may poll this and nothing else
         return self._done
 
     def _set_done(self) -> None:
@@ -104,7 +108,7 @@ class Handle:
         wake()
 
     def join(self, timeout: float | None = None) -> None:
-        """Wait for its end."""
+        """Wait until the thread ends, up to `timeout` seconds."""
         end = None if timeout is None or timeout < 0 else time.monotonic() + timeout
         while not self._done:
             left = None if end is None else end - time.monotonic()
@@ -114,12 +118,12 @@ class Handle:
 
 
 def _warn() -> None:
-    """Say it once when a program waits for another thread and there can be none."""
+    """Warn once if a program waits for another thread in a browser without threads."""
     program = turns.running()
     if program.stacks or program in _warned:
         return
     _warned.add(program)
-    print(f"Waiting for another thread, but {NO_STACKS}", file=sys.stderr)
+    print(f"Waiting for another thread, which cannot run: {NO_STACKS}", file=sys.stderr)
 
 
 def _start(
@@ -156,7 +160,7 @@ def _start(
 
 
 def install(*, stacks: bool) -> None:
-    """Let `threading`, and what is made of it, work with such threads."""
+    """Make `threading` and the modules based on it use these threads."""
     if not stacks:
         pool.install()
     replaced: dict[str, Any] = {
@@ -171,7 +175,7 @@ def install(*, stacks: bool) -> None:
     }
     for name, replacement in replaced.items():
         setattr(threading, name, replacement)
-    # Made before: the thread that stands for the interpreter, which runs no program.
+    # Remove the interpreter's own main thread, which runs no program.
     threading._active.clear()  # type: ignore[attr-defined]
     queue.SimpleQueue = queue._PySimpleQueue  # type: ignore[attr-defined, misc]
     multiprocessing.Lock = Lock  # type: ignore[assignment]
@@ -181,7 +185,7 @@ def install(*, stacks: bool) -> None:
 
 
 def join_all() -> None:
-    """Wait for the threads that the program must not end before."""
+    """Wait for the program's non-daemon threads."""
     own = turns.running().threads
     for thread in threading.enumerate():
         if thread is not threading.main_thread() and not thread.daemon and thread.ident in own:

@@ -1,4 +1,4 @@
-"""Tracebacks as Python writes them on a robot."""
+"""Format tracebacks as native Python does."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import importlib
 import traceback
 from collections.abc import Iterator
 
-# What starts programs, and what stands in for a library in C++.
+# This layer, which natively is a library in C++, and the modules that start programs.
 OURS = __file__.rpartition("/system/")[0]
 BELOW = "rclpy._rclpy_pybind11"
 STARTERS = (code.__file__, importlib.__file__, "<frozen runpy>")
@@ -16,8 +16,8 @@ STARTERS = (code.__file__, importlib.__file__, "<frozen runpy>")
 def traceback_of(error: BaseException) -> str:
     """Return the traceback of an exception that left a program.
 
-    It begins in the program, and so do those of the exceptions before it. What is raised below
-    rclpy does not tell where, as natively, and an interrupt not where in a page Python waits.
+    It starts in the program, and so do those of its causes. As natively, an exception raised below
+    rclpy shows no frames there, and an interrupt none of the wait.
     """
     told = traceback.TracebackException.from_exception(error)
     _shorten(told, error)

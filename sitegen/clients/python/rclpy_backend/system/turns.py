@@ -1,8 +1,8 @@
-"""Whose turn it is: the programs that share an interpreter, and what each sees of it.
+"""Switch between the programs that share an interpreter.
 
-A program has modules of its own: rclpy, what stands below it, and those of its workspace. They are
-in sys.modules while it runs. Everything else is there once for all: Python's own modules, message
-classes, what came from elsewhere, and what is named here.
+Each program has its own copies of some modules: rclpy, the layer below it, and those of its
+workspace. They are in sys.modules while it runs. All other modules are shared: the standard
+library, message classes, wheels, and the packages named in SHARED.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from types import ModuleType
 from typing import Any, Protocol
 
 OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
-# All that is in these packages has one state for all programs.
+# Modules of this layer with one state for all programs.
 SHARED = re.compile(r"rclpy_backend\.(system|arrays)(\..*)?")
 
 PATH = list(sys.path)
@@ -27,17 +27,17 @@ _idents = itertools.count()
 
 
 class Signals(Protocol):
-    """What a program does when a signal comes."""
+    """How a program handles signals."""
 
     def arrive(self, number: int) -> None:
-        """Take it."""
+        """Receive a signal."""
 
     def handle(self, *, main: bool) -> None:
-        """Call its handler, from the thread of the program."""
+        """Call the handler of the signal received, in the thread of the program."""
 
 
 class Output(io.RawIOBase):
-    """A stream of bytes that becomes lines of a console."""
+    """A stream of bytes that is printed to a console line by line."""
 
     def __init__(self, host: Any, name: str) -> None:
         self._host = host
@@ -45,32 +45,32 @@ class Output(io.RawIOBase):
         self._rest = b""
 
     def writable(self) -> bool:
-        """Return that it can be written to."""
+        """Return True."""
         return True
 
     def fileno(self) -> int:
-        """Return what the system would write to."""
+        """Return the file descriptor: 1 or 2."""
         return ("stdout", "stderr").index(self._name) + 1
 
     def write(self, data: Any) -> int:
-        """Print the lines that are complete."""
+        """Print the complete lines."""
         *lines, self._rest = (self._rest + bytes(data)).split(b"\n")
         for line in lines:
             self._host.print(self._name, line.decode(errors="replace"))
         return len(data)
 
     def end(self) -> None:
-        """Print what has no end of line."""
+        """Print the last line, which has no end of line."""
         if self._rest:
             self.write(b"\n")
 
 
 class Program:
-    """A program with its threads; `host` is the page's side of it, `own` names its packages."""
+    """A program with its threads; `host` is its worker's host object, `own` names its packages."""
 
     def __init__(self, host: Any, own: Iterable[str]) -> None:
         self.host = host
-        # Whether its threads are stacks that the browser sets aside. Otherwise there is one.
+        # Whether its threads are stacks that the browser suspends. Otherwise it has one thread.
         self.stacks = bool(host.stacks)
         self.ident = next(_idents)
         self.threads = {self.ident}
@@ -78,7 +78,7 @@ class Program:
         self.over = False
         self.signals: Signals | None = None
         self.keyboard: Any = None
-        # What is called when it ends, each with its arguments.
+        # Exit handlers, each with its arguments.
         self.exits: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._own = {*OWN, *own}
         self._modules: dict[str, ModuleType] = {
@@ -92,7 +92,7 @@ class Program:
         main = copy.copy(threading.main_thread())
         main._ident = self.ident  # type: ignore[attr-defined]
         threading._active[self.ident] = main  # type: ignore[attr-defined]
-        # What it finds in `sys` and elsewhere.
+        # Its values of attributes of shared modules.
         self._state: dict[tuple[ModuleType, str], Any] = {
             (sys, "argv"): [],
             (sys, "path"): list(PATH),
@@ -103,13 +103,13 @@ class Program:
         }
 
     def enter(self) -> None:
-        """Let it see what is its own."""
+        """Install the program's own modules and attributes."""
         sys.modules.update(self._modules)
         for (module, name), value in self._state.items():
             setattr(module, name, value)
 
     def leave(self) -> None:
-        """Take out of sight what is its own."""
+        """Save and remove the program's own modules and attributes."""
         for module, name in self._state:
             self._state[module, name] = getattr(module, name)
         names = [name for name in sys.modules if self._is_own(name)]
@@ -119,9 +119,9 @@ class Program:
         return name.partition(".")[0] in self._own and not SHARED.fullmatch(name)
 
     def end(self) -> None:
-        """Let none of its threads go on."""
+        """End the program: none of its threads resumes."""
         self.over = True
-        # The others take themselves out of the list, when they end.
+        # The other threads remove themselves when they end.
         threading._active.pop(self.ident, None)  # type: ignore[attr-defined]
         self.host.wake()
 
@@ -131,23 +131,23 @@ _thread = 0
 
 
 def running() -> Program:
-    """Return the program that runs."""
+    """Return the running program."""
     assert _running
     return _running
 
 
 def current() -> tuple[Program | None, int]:
-    """Return who runs: the program, if one does, and the number of its thread."""
+    """Return the running program, if any, and the number of its thread."""
     return _running, _thread
 
 
 def current_thread() -> int:
-    """Return the number of the thread that runs."""
+    """Return the number of the running thread."""
     return _thread
 
 
 def enter(program: Program | None, thread: int = 0) -> None:
-    """Say who runs from now on."""
+    """Switch to a program and its thread."""
     global _running, _thread
     _thread = thread
     if program is _running:
@@ -160,7 +160,7 @@ def enter(program: Program | None, thread: int = 0) -> None:
 
 
 def new_thread() -> int:
-    """Return a number for a thread of the program that runs."""
+    """Return a number for a new thread of the running program."""
     ident = next(_idents)
     running().threads.add(ident)
     return ident
