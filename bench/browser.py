@@ -14,7 +14,7 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")

@@ -16,11 +16,11 @@ from statistics import median
 from bench.browser import Progress
 from bench.figure import Figure, Target
 from sitegen import config
-from sitegen.build import jobs_of, nodes_of
 from sitegen.cache.folder import cache_folder
 from sitegen.model import Site
 from sitegen.nodes.cpp import compiler
 from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.nodes.programs import jobs_of, nodes_of
 
 DEMO01 = Path(__file__).parent.parent / "demos" / "demo01"
 REPEATS = 5
@@ -100,7 +100,7 @@ def _copy(folder: Path) -> Path:
 
 def _compile(site: Site) -> None:
     """Compile the node of a site for one engine, or find it in the cache."""
-    jobs = jobs_of(site, nodes_of(site))
+    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     compiler.compile_nodes(jobs, ["jspi"], root=site.root, cache=cache_folder(), report=Progress())
 
 

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser
 from bench.browser import Progress, chromium, serving, serving_site
 from bench.figure import Figure, Target
 from sitegen import config
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.model import Page, Widget
 
 ROOT = Path(__file__).parent.parent

@@ -54,23 +54,23 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _build(arguments: argparse.Namespace) -> None:
-    from sitegen.cache import unchanged
-    from sitegen.cache.folder import cache_folder
     from sitegen.report import Report
 
-    if arguments.single_file:
-        from sitegen.build import build_single
-
-        page, output = arguments.single_file, arguments.output
-        build_single(arguments.folder, page, output=output, report=Report())
-        return
     folder, output, debug = arguments.folder, arguments.output, arguments.debug
+    if arguments.single_file:
+        from sitegen.commands.single import build_single
+
+        build_single(folder, arguments.single_file, output=output, report=Report())
+        return
+    from sitegen.cache import unchanged
+    from sitegen.cache.folder import cache_folder
+
     said = unchanged.recall(folder, output, cache_folder(), debug=debug)
     if said is not None:
-        print(*said, f"nothing has changed since → {arguments.output}", sep="\n")
+        print(*said, f"nothing has changed since → {output}", sep="\n")
         return
-    # The rest takes longer to load than a glance at what is there.
-    from sitegen.build import build
+    # Importing the rest takes longer than finding out that nothing has changed.
+    from sitegen.commands.build import build
 
     build(folder, output=output, report=Report(), debug=debug)
 
@@ -90,9 +90,8 @@ def _init(arguments: argparse.Namespace) -> None:
 
 
 def _check(arguments: argparse.Namespace) -> None:
-    from sitegen.build import count
     from sitegen.commands.check import check
-    from sitegen.report import Report
+    from sitegen.report import Report, count
 
     site, warnings = check(arguments.folder, Report(sys.stderr), strict=arguments.strict)
     print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)

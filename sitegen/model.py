@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol
 
 from sitegen.errors import Place
 
@@ -18,23 +19,45 @@ class Artifact:
 
 
 @dataclass(frozen=True)
-class Ros2wasm:
-    """A program that the ROS2WASM project compiled: its worker script, and the files that needs.
-
-    `types` says what its topics and services carry: `package/msg/Name` or `package/srv/Name`.
-    """
-
-    script: Path
-    files: tuple[Path, ...]
-    types: Mapping[str, str]
+class Cpp:
+    """A C++ executable of the workspace."""
 
 
 @dataclass(frozen=True)
-class Compiled:
-    """A node that was compiled elsewhere: an archive, at an address or below the site's folder.
+class Python:
+    """A Python executable of the workspace: `setup` says what its package installs."""
 
-    `sha256` is the hash that it must have, `package` and `executable` say which of its nodes is
-    meant; all three may be empty. `place` and `key` are where the author wrote it.
+    setup: Setup
+
+
+@dataclass(frozen=True)
+class Component:
+    """A component that a container loads: its class, and the arguments of the node it becomes."""
+
+    package: str
+    plugin: str
+    arguments: tuple[str, ...]
+    place: Place
+
+    @property
+    def words(self) -> list[str]:
+        """Return what the container's command line says about it."""
+        return ["--component", self.plugin, str(len(self.arguments)), *self.arguments]
+
+
+@dataclass(frozen=True)
+class Container:
+    """A component container: a C++ program that is linked with its components."""
+
+    components: tuple[Component, ...]
+
+
+@dataclass(frozen=True)
+class Prebuilt:
+    """A C++ program from an archive, at an address or below the site's folder.
+
+    `sha256` is the hash that the archive must have; `package` and `executable` choose one of its
+    programs. All three may be empty. `place` and `key` are where the author wrote it.
     """
 
     source: str | Path
@@ -46,27 +69,28 @@ class Compiled:
 
 
 @dataclass(frozen=True)
-class Component:
-    """A class of a package that a component container makes a node of, with its arguments."""
+class Ros2wasm:
+    """A program that the ROS2WASM project compiled: its worker script, and the files that needs.
 
-    package: str
-    plugin: str
-    arguments: tuple[str, ...]
-    place: Place
+    `types` names the interfaces of its topics and services: `package/msg/Name` or
+    `package/srv/Name`.
+    """
 
-    @property
-    def words(self) -> list[str]:
-        """Return what a container's command line says about it."""
-        return ["--component", self.plugin, str(len(self.arguments)), *self.arguments]
+    script: Path
+    files: tuple[Path, ...]
+    types: Mapping[str, str]
+
+
+# What a node is, which the configuration decides once.
+Kind = Cpp | Python | Container | Prebuilt | Ros2wasm
 
 
 @dataclass(frozen=True)
 class Node:
     """A program that a page runs: which executable, and what it is started with.
 
-    One of the ROS2WASM project has no package and no executable; one that was compiled elsewhere
-    has them when its archive has been read. A component container has `components`, and is linked
-    for them. Python nodes of a `group` share an interpreter.
+    A ROS2WASM program has no package and no executable; a prebuilt one gets them when its archive
+    has been read. Python nodes of a `group` share an interpreter.
     """
 
     name: str
@@ -78,9 +102,15 @@ class Node:
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
     group: str = ""
-    ros2wasm: Ros2wasm | None = None
-    compiled: Compiled | None = None
-    components: tuple[Component, ...] = ()
+    kind: Kind = Cpp()
+
+    @property
+    def program(self) -> tuple[str, ...]:
+        """What identifies the program: nodes that agree in it share one."""
+        if isinstance(self.kind, Ros2wasm):
+            types = (f"{name} {kind}" for name, kind in sorted(self.kind.types.items()))
+            return ("ros2wasm", str(self.kind.script), *types)
+        return (self.package, self.executable)
 
     def command_line(self) -> list[str]:
         """Return the arguments that `ros2 run` would be given for this node."""
@@ -91,7 +121,41 @@ class Node:
         for name, value in self.parameters.items():
             ros += ["-p", f"{name}:={value}"]
         own = [*self.arguments, *(["--ros-args", *ros] if ros else [])]
-        return [*own, *(word for component in self.components for word in component.words)]
+        components = self.kind.components if isinstance(self.kind, Container) else ()
+        return [*own, *(word for component in components for word in component.words)]
+
+
+class Program(Protocol):
+    """A program that is ready to be served: one class implements this for each kind."""
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+
+    @property
+    def worker(self) -> str:
+        """The worker of the runtime that runs it, a module below `runtime/workers/`."""
+
+    @property
+    def files(self) -> Sequence[Artifact]:
+        """What it needs in `dist/`; programs may share files."""
+
+    @property
+    def size(self) -> str:
+        """How large it is, for people."""
+
+    def types(self, node: Node) -> Mapping[str, object]:
+        """Return the message types that it uses as `node` (MessageType in protocol.js), by name."""
+
+    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
+        """Return how page.json describes `node` (NodeEntry in protocol.js).
+
+        `link` turns a path inside `dist/` into an address.
+        """
+
+
+# By what identifies them.
+Programs = Mapping[tuple[str, ...], Program]
 
 
 @dataclass(frozen=True)
@@ -241,12 +305,6 @@ class Site:
     offline: bool | None = None
     isolate: bool | None = None
     pyodide: Pyodide = field(default_factory=lambda: Pyodide())
-
-    def setup_of(self, node: Node) -> Setup | None:
-        """Return the setup of the package of a Python node, None for all others."""
-        package = None if node.compiled else self.packages.get(node.package)
-        setup = package.setup if package else None
-        return setup if setup and node.executable in setup.scripts else None
 
 
 @dataclass(frozen=True)

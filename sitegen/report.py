@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
+from pathlib import Path
 from typing import TextIO
 
 
@@ -58,3 +59,15 @@ class Report:
 def size(count: int) -> str:
     """Write a number of bytes as a person would."""
     return f"{count / 1000:.0f} kB" if count < 1_000_000 else f"{count / 1_000_000:.1f} MB"
+
+
+def count(number: int, noun: str) -> str:
+    """Write `number` of `noun`."""
+    return f"{number} {noun}{'s'[: number != 1]}"
+
+
+def shown(folder: Path) -> str:
+    """Write a path as one would type it in the current folder."""
+    here = Path.cwd()
+    path = folder.resolve()
+    return f"{path.relative_to(here)}" if path.is_relative_to(here) and path != here else str(path)

@@ -17,6 +17,7 @@ from webkit import Window, webkit
 
 from sitegen.build import make, write
 from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.options import Options
 from sitegen.report import Report
 
 TESTS = Path(__file__).parent
@@ -161,7 +162,10 @@ def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
         if folder not in sites:
             output = tmp_path_factory.mktemp(folder.name) / "dist"
             draft = TESTS in folder.parents
-            write(make(folder, Report(), output=output, draft=draft).artifacts, output)
+            write(
+                make(folder, Report(), output=output, options=Options(draft=draft)).artifacts,
+                output,
+            )
             sites[folder] = output
         return sites[folder]
 

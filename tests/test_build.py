@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.build import MARKER, build, check_paths
+from sitegen.build import MARKER, check_paths
+from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.report import Report, size

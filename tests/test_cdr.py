@@ -11,7 +11,7 @@ from browser import serving
 from native import Native, copy_test_msgs, differences
 from playwright.sync_api import Browser
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 SITE = Path(__file__).parent / "sites" / "cdr"

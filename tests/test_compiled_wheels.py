@@ -14,7 +14,7 @@ from browser import Serve
 from playwright.sync_api import Browser
 from test_rclpy import printed, run
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.nodes.python import wheels

@@ -10,7 +10,7 @@ from browser import Serve
 from panel import Panel
 from playwright.sync_api import BrowserContext
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 ROOT = Path(__file__).parent.parent

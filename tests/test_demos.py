@@ -11,7 +11,7 @@ from browser import Built, Serve
 from panel import Panel, expect_nothing_left, graph, numbers
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 pytestmark = pytest.mark.firefox

@@ -10,6 +10,7 @@ import pytest
 from sitegen.build import make
 from sitegen.commands.serve.edited import edited
 from sitegen.commands.serve.live import LiveSite
+from sitegen.options import Options
 from sitegen.report import Report
 
 SITE = """\
@@ -67,7 +68,7 @@ def test_an_edit_makes_what_a_build_makes(site: Path, edit: str) -> None:
     live.rebuild()
     before = served(live)
     assert {"search.en.json", "search.de.json"} <= before.keys()
-    made = make(site, Report(), edited=True)
+    made = make(site, Report(), options=Options(live=True))
     file.write_text(text)
     assert bool(edited(made, [file])) == alone
     live.rebuild([file])

@@ -10,7 +10,7 @@ from browser import Built, Serve
 from panel import Panel
 from playwright.sync_api import Browser, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.report import Report
 

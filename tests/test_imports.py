@@ -14,7 +14,7 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "report", "model", "cache", "workspace", "launch", "config"),
+    *("errors", "shipped", "report", "options", "model", "cache", "workspace", "launch", "config"),
     *("interfaces", "nodes", "site", "build", "commands", "__main__"),
 )
 

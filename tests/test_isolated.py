@@ -17,7 +17,7 @@ from test_offline import READY, until
 from test_rclpy import SITE, printed, run
 from webkit import Window, WindowPanel
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.server import Server
 from sitegen.report import Report

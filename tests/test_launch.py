@@ -13,7 +13,7 @@ from sitegen import workspace
 from sitegen.config import load
 from sitegen.errors import Problems, SiteError
 from sitegen.launch import launched
-from sitegen.model import Node
+from sitegen.model import Container, Node
 
 SITE = Path(__file__).parent / "sites" / "launch"
 PACKAGE = "<package format='3'><name>{}</name><version>1.0.0</version></package>"
@@ -100,8 +100,9 @@ def test_a_container_is_one_node_with_its_components(root: Path, kind: str) -> N
     (root / f"x.launch.{kind}").write_text(CONTAINERS[kind])
     [box], wrong = nodes(root, f"x.launch.{kind}")
     assert wrong == []
+    assert isinstance(box.kind, Container)
     assert box.executable.startswith("component_container-")
-    assert [component.package for component in box.components] == ["parts", "parts"]
+    assert [component.package for component in box.kind.components] == ["parts", "parts"]
     assert " ".join(box.command_line()) == (
         "--ros-args -r __node:=box -r __ns:=/robot "
         "--component parts::Eye 9 --ros-args -r __node:=eye -r __ns:=/robot -r image:=/image "

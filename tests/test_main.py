@@ -18,9 +18,9 @@ Build = Callable[..., None]
 @pytest.fixture
 def build_with(monkeypatch: pytest.MonkeyPatch) -> Callable[[Build], None]:
     def replace(build: Build) -> None:
-        module = ModuleType("sitegen.build")
+        module = ModuleType("sitegen.commands.build")
         vars(module).update(build=build, Report=object)
-        monkeypatch.setitem(sys.modules, "sitegen.build", module)
+        monkeypatch.setitem(sys.modules, "sitegen.commands.build", module)
 
     return replace
 

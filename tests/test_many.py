@@ -15,7 +15,7 @@ from memory import held, resident
 from panel import expect_nothing_left
 from playwright.sync_api import Browser, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 SITE = Path(__file__).parent / "sites" / "many"

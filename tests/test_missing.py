@@ -10,7 +10,7 @@ import pytest
 from browser import Serve
 from playwright.sync_api import Browser, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.server import Server
 from sitegen.report import Report

@@ -17,7 +17,7 @@ from panel import Panel
 from PIL import Image
 from playwright.sync_api import Browser, Error, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.server import Server
 from sitegen.report import Report

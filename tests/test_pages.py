@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import io
 import json
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -14,11 +16,22 @@ from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 
 from sitegen.errors import Place, SiteError
-from sitegen.model import Artifact, Markdown, Node, Page, Site, Widget
-from sitegen.site.pages import Programs, render
+from sitegen.model import Artifact, Build, Markdown, Node, Page, Site, Widget
+from sitegen.nodes.cpp.program import CppProgram
+from sitegen.nodes.programs import programs_of
+from sitegen.options import Options
+from sitegen.report import Report
+from sitegen.shipped import RUNTIME
+from sitegen.site.pages import render
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
 THEME = Path(__file__).parent.parent / "themes/default"
+
+
+def render_site(site: Site) -> list[Artifact]:
+    """Render a site whose programs were not compiled."""
+    options, report = Options(compile=False), Report(io.StringIO())
+    return render(site, programs_of(site, {}, options=options, cache=site.root, report=report))
 
 
 class Author:
@@ -67,7 +80,7 @@ class Author:
     def built(self, **more: object) -> dict[str, str]:
         return {
             artifact.path: artifact.source.decode()
-            for artifact in render(self.site(**more))  # type: ignore[arg-type]
+            for artifact in render_site(self.site(**more))  # type: ignore[arg-type]
             if isinstance(artifact.source, bytes)
         }
 
@@ -86,13 +99,18 @@ def write(artifacts: list[Artifact], folder: Path) -> Path:
     return folder
 
 
+def data(artifacts: list[Artifact]) -> dict[str, bytes]:
+    """The bytes of those artifacts that sitegen wrote."""
+    return {a.path: a.source for a in artifacts if isinstance(a.source, bytes)}
+
+
 def addresses(html: str) -> list[str]:
     return re.findall(r'\b(?:href|src)="([^"]*)"', html)
 
 
 def problems(author: Author) -> list[str]:
     with pytest.raises(SiteError) as raised:
-        render(author.site())
+        render_site(author.site())
     return raised.value.lines
 
 
@@ -158,17 +176,26 @@ def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:
 
 def test_another_program_has_another_address(author: Author) -> None:
     author.page("a/", author.widget("console", "talker"))
-    versions = {("cpp_pubsub", "talker", "jspi"): "0123456789"}
-    sources = {
-        a.path: a.source for a in render(author.site(asyncify=False), Programs(versions=versions))
-    }
-    entry = sources["a/page.json"]
-    assert isinstance(entry, bytes)
-    stem = "../nodes/cpp_pubsub/talker.jspi"
-    assert json.loads(entry)["nodes"]["talker"]["builds"]["jspi"] == {
-        "script": f"{stem}.js?v=0123456789",
-        "wasm": f"{stem}.wasm?v=0123456789",
-    }
+    site = author.site(asyncify=False)
+    script, wasm, types = (author.root / name for name in ("a.js", "a.wasm", "a.json"))
+    script.touch()
+    types.write_text("{}")
+
+    def addresses(content: str) -> dict[str, str]:
+        wasm.write_text(content)
+        builds = [Build("jspi", script, wasm, types)]
+        program = CppProgram("cpp_pubsub", "talker", ["jspi"], builds)
+        sources = data(render(site, {("cpp_pubsub", "talker"): program}))
+        entry = json.loads(sources["a/page.json"])
+        found: dict[str, str] = entry["nodes"]["talker"]["builds"]["jspi"]
+        return found
+
+    one, other = addresses("one"), addresses("other")
+    stem = re.escape("../nodes/cpp_pubsub/talker.jspi")
+    assert re.fullmatch(rf"{stem}\.js\?v=[0-9a-f]{{10}}", one["script"])
+    assert re.fullmatch(rf"{stem}\.wasm\?v=[0-9a-f]{{10}}", one["wasm"])
+    assert one == addresses("one")
+    assert not {*one.values()} & {*other.values()}
 
 
 def test_buttons_may_ask_for_a_start(author: Author) -> None:
@@ -214,10 +241,7 @@ def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> 
     page = author.page(path, "[c](c/) [home](/)", author.widget("console", "talker"))
     (html,) = (
         artifact.source.decode()
-        for artifact in render(
-            author.site(url="https://me.github.io/robots/"),
-            Programs(modules={path: ["runtime/page/graph.js"]}),
-        )
+        for artifact in render_site(author.site(url="https://me.github.io/robots/"))
         if artifact.path == f"{page.path}index.html" and isinstance(artifact.source, bytes)
     )
     found = addresses(html)
@@ -251,7 +275,7 @@ def test_images_get_a_name_for_good_and_a_size(author: Author) -> None:
     digest = hashlib.sha256(SVG.encode()).hexdigest()[:10]
     source = '![x](img/a%20b.svg)\n\n<img alt="a > b" src="img/a b.svg" width="20">'
     author.page("demo/", author.text(source, "text/page.md"))
-    artifacts = {artifact.path: artifact.source for artifact in render(author.site())}
+    artifacts = {artifact.path: artifact.source for artifact in render_site(author.site())}
     name = f"media/a-b.{digest}.svg"
     assert artifacts[name] == author.root / "text/img/a b.svg"
     html = artifacts["demo/index.html"]
@@ -261,13 +285,13 @@ def test_images_get_a_name_for_good_and_a_size(author: Author) -> None:
     assert f'<img alt="a > b" src="../{name}" width="20" height="15" {lazy}>' in html.decode()
     # Other content has another name, so browsers may keep this one for ever.
     (author.root / "text/img/a b.svg").write_text(SVG + " ")
-    assert name not in {artifact.path for artifact in render(author.site())}
+    assert name not in {artifact.path for artifact in render_site(author.site())}
 
 
 def test_files_that_a_page_links_to_are_copied_beside_it(author: Author) -> None:
     (author.root / "notes.pdf").write_bytes(b"2")
     author.page("demo/", author.text("[pdf](../notes.pdf)", "text/page.md"))
-    artifacts = {artifact.path: artifact.source for artifact in render(author.site())}
+    artifacts = {artifact.path: artifact.source for artifact in render_site(author.site())}
     assert artifacts["demo/notes.pdf"] == author.root / "notes.pdf"
     html = artifacts["demo/index.html"]
     assert isinstance(html, bytes)
@@ -371,8 +395,8 @@ def test_a_page_from_a_subfolder_of_a_server(
     (author.root / "x.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
     author.page("", "![x](x.svg)")
     author.page("a/", "Text", author.widget("console", "talker"), level="I1")
-    dist = write(render(author.site()), tmp_path / "dist")
-    (dist / "runtime").mkdir()
+    dist = write(render_site(author.site()), tmp_path / "dist")
+    shutil.copytree(RUNTIME, dist / "runtime")
     (dist / "runtime/rosMain.js").write_text(
         'const page = await fetch(document.getElementById("ros-page").href);\n'
         "document.body.dataset.nodes = Object.keys((await page.json()).nodes).join();\n"
@@ -395,7 +419,7 @@ def test_long_names_stay_where_they_belong(
 ) -> None:
     author.page("", "Text")
     author.page("a/", "Text", title="all_that_this_robot_has_to_say_about_itself_cpp")
-    url = serve(write(render(author.site()), tmp_path / "dist"))
+    url = serve(write(render_site(author.site()), tmp_path / "dist"))
     tab.goto(f"{url}a/")
     current = tab.locator(".menu a[aria-current]")
     expect(current).to_be_visible()
@@ -408,7 +432,7 @@ def test_a_page_opened_as_a_file_says_what_to_do(
     author: Author, browser: Browser, tmp_path: Path
 ) -> None:
     author.page("", "Text", author.widget("console", "talker"))
-    dist = write(render(author.site()), tmp_path / "dist")
+    dist = write(render_site(author.site()), tmp_path / "dist")
     tab = browser.new_page()
     tab.goto((dist / "index.html").as_uri())
     assert "python -m http.server --directory dist" in tab.inner_text("#file-note")

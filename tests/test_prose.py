@@ -9,7 +9,7 @@ import pytest
 from browser import Serve
 from playwright.sync_api import Page as Tab
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.report import Report

@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 
 from sitegen import config, workspace
-from sitegen.build import build, nodes_of
+from sitegen.commands.build import build
 from sitegen.errors import SiteError
+from sitegen.nodes.programs import nodes_of
 from sitegen.nodes.python import archives
 from sitegen.report import Report
 from sitegen.workspace import setupfiles

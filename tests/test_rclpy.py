@@ -14,7 +14,7 @@ from native import Native, copy_test_msgs, differences
 from panel import Panel, expect_nothing_left
 from playwright.sync_api import Browser, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 HERE = Path(__file__).parent

@@ -11,11 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.config import load
 from sitegen.model import Artifact
 from sitegen.report import Report
-from sitegen.site.pages import Programs, Renderer, render
+from sitegen.site.pages import Renderer, render
 
 EVERYTHING = Path(__file__).parent / "sites/prose"
 
@@ -59,7 +59,7 @@ def data(artifacts: list[Artifact]) -> dict[str, bytes | Path]:
 
 
 def test_several_processes_make_what_one_makes(many: Path) -> None:
-    renderer = Renderer(load(many), Programs())
+    renderer = Renderer(load(many), {})
     shared = renderer.every_page()
     alone = [renderer.page(page) for page in reversed(renderer.site.pages)][::-1]
     assert shared == alone
@@ -76,7 +76,7 @@ def test_problems_of_all_processes_are_told(many: Path) -> None:
 
 def test_one_edit_costs_one_page(many: Path) -> None:
     site = load(many)
-    renderer = Renderer(site, Programs())
+    renderer = Renderer(site, {})
     rendered = renderer.every_page()
     before = data([*renderer.site_artifacts(rendered), *renderer.index(rendered)])
     many.with_name("page42.md").write_text("# Page 42\n\n## One\n\nEdited.\n")

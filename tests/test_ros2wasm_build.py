@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.report import Report
 

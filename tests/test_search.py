@@ -10,7 +10,7 @@ from browser import Serve
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 GUIDE = """\

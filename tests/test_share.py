@@ -13,7 +13,7 @@ from browser import Built, Serve
 from panel import Panel
 from playwright.sync_api import Browser, Locator, Page, expect
 
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.report import Report
 
 pytestmark = pytest.mark.firefox

@@ -13,7 +13,7 @@ from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 
 from sitegen.__main__ import main
-from sitegen.build import build
+from sitegen.commands.build import build
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.report import Report

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.build import nodes_of
 from sitegen.config import load
 from sitegen.errors import SiteError
+from sitegen.nodes.programs import nodes_of
 from sitegen.nodes.python import archives, imports, wheels
 
 SHA256 = "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0"

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sitegen.build import jobs_of, make, nodes_of
+from sitegen.build import make
 from sitegen.cache.folder import cache_folder
 from sitegen.commands import wiring
 from sitegen.errors import Problems, SiteError
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Markdown, Site
+from sitegen.nodes.programs import jobs_of, nodes_of
+from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.site.prose import without_text
 
@@ -19,7 +21,7 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
 
     What a build would refuse is a SiteError here too; so are warnings where `strict`.
     """
-    site = make(folder, report, compiling=False).site
+    site = make(folder, report, options=Options(compile=False)).site
     warnings = [*site.notes, *_definitions(site), *_images(site), *wiring.warnings(site)]
     warnings = list(dict.fromkeys(warnings))
     if strict and warnings:
@@ -32,7 +34,7 @@ def _definitions(site: Site) -> list[str]:
 
     It may be that no program needs them, so this stops no build.
     """
-    jobs = jobs_of(site, nodes_of(site))
+    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     names = [job.package.name for job in jobs if job.package.name in site.packages]
     try:
         described(site, names, cache=cache_folder())

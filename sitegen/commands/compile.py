@@ -7,13 +7,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from sitegen import workspace
-from sitegen.build import count
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Package
 from sitegen.nodes.cpp import compiler
 from sitegen.nodes.prebuilt import archive
-from sitegen.report import Report, size
+from sitegen.report import Report, count, size
 
 
 def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report) -> None:

@@ -9,11 +9,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sitegen import config
-from sitegen.build import build, count, make, shown, write
+from sitegen.build import make, write
+from sitegen.commands.build import build
 from sitegen.commands.git import Repository
 from sitegen.errors import SiteError
 from sitegen.model import Site
-from sitegen.report import Report, size
+from sitegen.report import Report, count, shown, size
 
 # Of each kind of changes, a dry run lists so many files.
 LISTED = 20

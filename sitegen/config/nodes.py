@@ -7,12 +7,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
-from sitegen.config import compiled, parameters, ros2wasm
+from sitegen.config import parameters, prebuilt, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Place, Problems, nearest
-from sitegen.model import Node, Package
+from sitegen.model import Container, Cpp, Node, Package, Python
 from sitegen.workspace import containers
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
@@ -51,13 +51,14 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
             problems.add(entry.place, entry.key, message)
         section = check(entry, _keys(entry), problems)
         if section.keys is ROS2WASM:
-            node = Node(name, "", "", entry.place, ros2wasm=ros2wasm.read(section, problems))
+            script = ros2wasm.read(section, problems)
+            node = Node(name, "", "", entry.place, kind=script or Cpp())
         else:
             _check_names(section, problems)
             node = _node(name, section, problems)
         if section.keys is COMPILED:
-            archive = compiled.read(section, problems)
-            node = replace(node, package="", executable="", compiled=archive)
+            archive = prebuilt.read(section, problems)
+            node = replace(node, package="", executable="", kind=archive or Cpp())
         declared[name] = Declared(node, section)
     return declared
 
@@ -73,12 +74,13 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     node, section = declared
     if section and section.keys is ROS2WASM:
         ros2wasm.check_types(section, packages, problems)
-    for component in node.components:
+    components = node.kind.components if isinstance(node.kind, Container) else ()
+    for component in components:
         if component.package not in packages:
             advice = nearest(component.package, packages)
             message = f"no package '{component.package}' in the workspace; {advice}"
             problems.add(component.place, "composable_node", message)
-    if not node.package or node.components:
+    if not node.package or components:
         return
     package = packages.get(node.package)
     if package is None and node.package == containers.PACKAGE:
@@ -107,6 +109,15 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     elif node.group and not (package.setup and node.executable in package.setup.scripts):
         message = "only Python nodes can share an interpreter, and this one is in C++; leave it out"
         problems.add(*declared.where("group"), message)
+
+
+def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
+    """Return `node` as what it is: of executables, the workspace knows which are in Python."""
+    package = packages.get(node.package)
+    setup = package.setup if package else None
+    if isinstance(node.kind, Cpp) and setup and node.executable in setup.scripts:
+        return replace(node, kind=Python(setup))
+    return node
 
 
 def _has_executable(package: Package, executable: str) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -14,7 +15,7 @@ from sitegen.config.document import Value, parse, read
 from sitegen.config.location import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
-from sitegen.config.nodes import Declared, check_package, declare
+from sitegen.config.nodes import Declared, check_package, declare, with_kind
 from sitegen.config.page import PageReader
 from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
@@ -56,6 +57,8 @@ def _site(file: Section, problems: Problems) -> Site:
     scanned = cache(lambda: workspace.scan(folder, problems=problems) if folder else {})
     reader = PageReader(problems, declared, themes, languages, scanned)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
+    packages = _packages(scanned, reader.declared, problems) if folder else {}
+    pages = tuple(_with_kinds(page, packages) for page in pages)
     nav = file.get("nav")
     return Site(
         root=root,
@@ -67,7 +70,7 @@ def _site(file: Section, problems: Problems) -> Site:
         workspace=folder or root,
         asyncify=bool(site.option("asyncify")),
         pages=pages,
-        packages=_packages(scanned, reader.declared, problems) if folder else {},
+        packages=packages,
         notes=(*_notes(pages, reader.declared, root), *reader.notes.lines),
         look=look(site, problems),
         nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
@@ -157,6 +160,10 @@ def _packages(
     for each in declared:
         check_package(each, packages, problems)
     return packages
+
+
+def _with_kinds(page: Page, packages: Mapping[str, Package]) -> Page:
+    return replace(page, nodes={name: with_kind(n, packages) for name, n in page.nodes.items()})
 
 
 def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from sitegen.launch import commandline, processes, python, without, xacro, xml, 
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
-from sitegen.model import Component, Node, Package
+from sitegen.model import Component, Container, Node, Package
 from sitegen.workspace import containers, parameterfiles
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
@@ -306,7 +306,7 @@ class _Launch:
             replace(
                 node,
                 executable=containers.executable(node.executable, loaded[node.name]),
-                components=tuple(loaded[node.name]),
+                kind=Container(tuple(loaded[node.name])),
             )
             if loaded.get(node.name)
             else node

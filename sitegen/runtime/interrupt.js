@@ -1,7 +1,7 @@
 // @ts-check
 // Interrupts: how the page reaches a Python program that computes and never waits, where they share memory.
 
-// As rclpy_backend/interrupts.py has it: SIGUSR2.
+// As rclpy_backend/system/interrupts.py has it: SIGUSR2.
 const HEAR = 12;
 
 /** Whether page and workers can share memory here: in isolated pages of browsers that have it. */

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable
 from pathlib import Path
 
-from sitegen.cache.digest import digest_of
-from sitegen.model import Artifact, Build, Node, Page, Site, Widget
+from sitegen.model import Artifact, Page, Programs, Site, Widget
+from sitegen.nodes.python import pyodide
 from sitegen.shipped import RUNTIME, VENDOR
-
-# What browsers load of Pyodide, by the end of its name.
-PYTHON = {".json", ".mjs", ".wasm", ".zip"}
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
-# A compiled form of a node: its package, its executable, its engine.
-Form = tuple[str, str, str]
 IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)
 
 
@@ -25,7 +20,7 @@ def takes_part(page: Page) -> bool:
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
 
 
-def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
+def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Artifact]:
     """Return the runtime's files, with only those widgets that a page shows and what they import.
 
     A site without nodes needs none of them; `debug` adds what tells where programs are.
@@ -33,7 +28,8 @@ def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
     files = {file for page in site.pages for file in _modules(site, page)}
     if not files:
         return []
-    workers = {_worker(site, node) for page in site.pages for node in page.nodes.values()}
+    nodes = (node for page in site.pages for node in page.nodes.values())
+    workers = {programs[node.program].worker for node in nodes}
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
     if "cpp/cppNode" in workers:
         # Loaded by programs that use content filters.
@@ -45,17 +41,10 @@ def runtime(site: Site, *, debug: bool = False) -> list[Artifact]:
         files |= set(_with_imports([RUNTIME / "ui" / "keyboard.js"]))
     if "python/pythonNode" in workers:
         files |= set(_with_imports([RUNTIME / "workers" / "python" / "pythonSync.js"]))
-        parts = (VENDOR / "pyodide").iterdir()
-        files |= {file for file in parts if file.suffix in PYTHON}
+        files |= set(pyodide.files())
     if any(file.is_relative_to(VENDOR) for file in files):
         files.add(VENDOR / "licenses.txt")
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
-
-
-def python_size() -> int:
-    """Return how much a page fetches of Python itself (bytes): its modules in JavaScript aside."""
-    files = (VENDOR / "pyodide").iterdir()
-    return sum(file.stat().st_size for file in files if file.suffix in PYTHON - {".mjs"})
 
 
 def search(site: Site) -> list[Artifact]:
@@ -107,56 +96,6 @@ def _with_imports(files: Iterable[Path]) -> list[Path]:
             names = IMPORT.findall(file.read_text(encoding="utf-8"))
             waiting += [(file.parent / name).resolve() for name in names]
     return list(found)
-
-
-def versions(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> dict[Form, str]:
-    """Return a digest of each compiled form of a node."""
-    return {
-        (package, executable, build.engine): digest_of([build.script, build.wasm])[:10]
-        for (package, executable), forms in builds
-        for build in forms
-    }
-
-
-def lines(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> set[Form]:
-    """Return those compiled forms of nodes that come with their lines."""
-    return {(*name, build.engine) for name, forms in builds for build in forms if build.lines}
-
-
-def programs(builds: Iterable[tuple[tuple[str, str], Sequence[Build]]]) -> list[Artifact]:
-    """Return the compiled nodes."""
-    artifacts = []
-    for (package, executable), forms in builds:
-        for build in forms:
-            stem = f"nodes/{package}/{executable}.{build.engine}"
-            artifacts.append(Artifact(f"{stem}.js", build.script))
-            artifacts.append(Artifact(f"{stem}.wasm", build.wasm))
-            if build.lines:
-                artifacts.append(Artifact(f"{stem}.lines.json", build.lines))
-    return artifacts
-
-
-def scripts(site: Site) -> list[Artifact]:
-    """Return the nodes that the ROS2WASM project compiled, each below its place in the site."""
-    files = {
-        file
-        for page in site.pages
-        for node in page.nodes.values()
-        for file in (node.ros2wasm.files if node.ros2wasm else ())
-    }
-    return [Artifact(f"ros2wasm/{f.relative_to(site.root).as_posix()}", f) for f in sorted(files)]
-
-
-def archives(data: Mapping[str, bytes]) -> list[Artifact]:
-    """Return the archives of Python nodes, given by their path."""
-    return [Artifact(path, content) for path, content in data.items()]
-
-
-def _worker(site: Site, node: Node) -> str:
-    """Return which worker of the runtime runs `node`."""
-    if site.setup_of(node):
-        return "python/pythonNode"
-    return "ros2wasm/ros2wasmNode" if node.ros2wasm else "cpp/cppNode"
 
 
 def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:

@@ -6,7 +6,7 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
-from sitegen.model import Component, Node, Package
+from sitegen.model import Component, Container, Package
 
 PACKAGE = "rclcpp_components"
 # The executables of upstream's package, and the executor of each. Where each component would have a
@@ -32,14 +32,16 @@ def executable(container: str, components: list[Component]) -> str:
     return f"{container}-{digest}"
 
 
-def package(node: Node, packages: Mapping[str, Package], cache: Path) -> Package:
-    """Return a package with the executable of the container `node`, written to the cache."""
-    names = sorted({component.package for component in node.components})
+def package(
+    name: str, container: Container, packages: Mapping[str, Package], cache: Path
+) -> Package:
+    """Return a package with the executable `name` of `container`, written to the cache."""
+    names = sorted({component.package for component in container.components})
     text = LIST.format(
-        find="\n".join(f"find_package({name} REQUIRED)" for name in names),
-        name=node.executable,
-        executor=EXECUTORS[node.executable.partition("-")[0]],
-        components=" ".join(f'"{item}"' for item in _classes(node.components)),
+        find="\n".join(f"find_package({each} REQUIRED)" for each in names),
+        name=name,
+        executor=EXECUTORS[name.partition("-")[0]],
+        components=" ".join(f'"{item}"' for item in _classes(container.components)),
     )
     folder = cache / "containers" / hashlib.sha256(text.encode()).hexdigest()[:20]
     file = folder / "CMakeLists.txt"
@@ -48,8 +50,8 @@ def package(node: Node, packages: Mapping[str, Package], cache: Path) -> Package
         draft = file.with_suffix(".draft")
         draft.write_text(text)
         draft.replace(file)
-    depends = tuple(name for name in names if name in packages)
-    return Package(PACKAGE, folder, "ament_cmake", depends, (node.executable,), ())
+    depends = tuple(each for each in names if each in packages)
+    return Package(PACKAGE, folder, "ament_cmake", depends, (name,), ())
 
 
 def _classes(components: tuple[Component, ...] | list[Component]) -> list[str]:

@@ -12,11 +12,12 @@ from fnmatch import fnmatch
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from sitegen.build import Made, count, make
+from sitegen.build import Made, make
 from sitegen.commands.serve.edited import edited
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
-from sitegen.report import Report
+from sitegen.options import Options
+from sitegen.report import Report, count
 from sitegen.site.pages import search
 
 # An idle connection says something this often (s), so that one that broke is noticed.
@@ -29,7 +30,7 @@ class LiveSite:
     def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
         self._folder = folder
         self._report = report
-        self._debug = debug
+        self._options = Options(live=True, draft=True, debug=debug)
         self._made: Made | None = None
         # Where its 404.html takes it to live.
         self.base = "/"
@@ -70,7 +71,7 @@ class LiveSite:
         self._tell("built", sorted(different))
 
     def _make(self) -> Made:
-        return make(self._folder, self._report, edited=True, draft=True, debug=self._debug)
+        return make(self._folder, self._report, options=self._options)
 
     def file(self, path: str) -> Artifact | None:
         """Return the file at `path` of the site."""

@@ -16,7 +16,7 @@ from sitegen.commands.wiring.endpoint import (
 )
 from sitegen.commands.wiring.names import resolved
 from sitegen.errors import Problems, nearest
-from sitegen.model import Node, Page, Site, Widget
+from sitegen.model import Node, Page, Prebuilt, Python, Ros2wasm, Site, Widget
 
 # Every node and the tools of ROS have these.
 _TOPICS = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
@@ -72,11 +72,10 @@ def _look_at(
 
 def _program(site: Site, node: Node) -> Program:
     package = site.packages.get(node.package)
-    if node.ros2wasm or node.compiled or package is None:
+    if isinstance(node.kind, Prebuilt | Ros2wasm) or package is None:
         return Program(open=True)
-    setup = site.setup_of(node)
-    if setup:
-        return python.read(setup, node.executable)
+    if isinstance(node.kind, Python):
+        return python.read(node.kind.setup, node.executable)
     return cpp.read(package, node.executable)
 
 

@@ -1,4 +1,4 @@
-"""Turn archives of nodes that were compiled elsewhere into builds like those of this computer."""
+"""Fetch the archives of prebuilt programs, and choose the builds that nodes name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from sitegen.cache.fetch import FetchError, fetch, mismatch
 from sitegen.errors import Problems
-from sitegen.model import Build, Compiled, Node, Site
+from sitegen.model import Build, Node, Prebuilt, Site
 from sitegen.nodes.prebuilt.archive import LARGEST, ArchiveError, Member, described, members, unpack
 from sitegen.report import Report
 
@@ -23,14 +23,14 @@ def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
     Raises one SiteError with all archives that cannot be had or are not as they should be.
     """
     problems = Problems(site.root)
-    all_of_them = [node for page in site.pages for node in page.nodes.values()]
-    own = {(node.package, node.executable) for node in all_of_them if not node.compiled}
+    nodes = [node for page in site.pages for node in page.nodes.values()]
+    own = {node.program for node in nodes if not isinstance(node.kind, Prebuilt)}
     builds: dict[tuple[str, str], Sequence[Build]] = {}
-    found: dict[Compiled, Node] = {}
+    found: dict[Prebuilt, Node] = {}
     folders: dict[tuple[str | Path, str], Path | None] = {}
-    for node in all_of_them:
-        given = node.compiled
-        if not given or given in found:
+    for node in nodes:
+        given = node.kind
+        if not isinstance(given, Prebuilt) or given in found:
             continue
         origin = (given.source, given.sha256)
         if origin not in folders:
@@ -55,15 +55,15 @@ def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
     return replace(site, pages=pages), builds
 
 
-def _named(node: Node, found: Mapping[Compiled, Node]) -> Node:
-    if node.compiled is None:
+def _named(node: Node, found: Mapping[Prebuilt, Node]) -> Node:
+    if not isinstance(node.kind, Prebuilt):
         return node
-    same = found[node.compiled]
+    same = found[node.kind]
     return replace(node, package=same.package, executable=same.executable)
 
 
 def _unpacked(
-    given: Compiled, root: Path, cache: Path, problems: Problems, report: Report
+    given: Prebuilt, root: Path, cache: Path, problems: Problems, report: Report
 ) -> Path | None:
     """Return where the archive is unpacked; its hash is that of the author, or its own."""
     try:
@@ -96,7 +96,7 @@ def _unpacked(
 
 
 def _chosen(
-    given: Compiled, nodes: Sequence[Member], site: Site, problems: Problems
+    given: Prebuilt, nodes: Sequence[Member], site: Site, problems: Problems
 ) -> Member | None:
     """Return the one node of an archive that the author means."""
     fitting = [

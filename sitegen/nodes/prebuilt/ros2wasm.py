@@ -1,47 +1,87 @@
-"""Turn the types that nodes of the ROS2WASM project name into what their pages need of them."""
+"""Describe the programs of the ROS2WASM project to the pages that run them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from sitegen.interfaces import messages
 from sitegen.interfaces.descriptions import described
-from sitegen.interfaces.messages import MessageType
-from sitegen.model import Node, Ros2wasm, Site
+from sitegen.model import Artifact, Node, Ros2wasm, Site
+from sitegen.report import size
 
-# On /rosout the page repeats what such a node logs.
+# The page publishes on /rosout what such a program logs.
 LOG = "rcl_interfaces/msg/Log"
 
-# The message types that each node needs, by the page's path and the node's name.
-Types = Mapping[str, Mapping[str, dict[str, MessageType]]]
 
+@dataclass(frozen=True)
+class Ros2wasmProgram:
+    """A ROS2WASM program: `root` is the site's folder, `messages` the types that it uses."""
 
-def types_of(site: Site, *, cache: Path) -> Types:
-    """Return the message types of the site's nodes of that project, with all that they nest.
+    program: Ros2wasm
+    root: Path
+    messages: Mapping[str, object]
 
-    Raises a SiteError that says what is wrong with the definitions of the workspace.
-    """
-    nodes = [node for page in site.pages for node in _nodes(page.nodes)]
-    named = {name.partition("/")[0] for node in nodes for name in node.types.values()}
-    prefixes = [described(site, sorted(named), cache=cache)] if nodes else []
-    return {
-        page.path: {
-            name: messages.types(_parts(node.ros2wasm), prefixes)
-            for name, node in page.nodes.items()
-            if node.ros2wasm
+    worker = "ros2wasm/ros2wasmNode"
+
+    @property
+    def name(self) -> str:
+        """Return its script, relative to the site's folder."""
+        return self.program.script.relative_to(self.root).as_posix()
+
+    @property
+    def files(self) -> Sequence[Artifact]:
+        """Return its files, which keep their places: they look for each other."""
+        return [Artifact(self._path(file), file) for file in self.program.files]
+
+    @property
+    def size(self) -> str:
+        """Return the size of its files."""
+        return f"ROS2WASM {size(sum(file.stat().st_size for file in self.program.files))}"
+
+    def types(self, node: Node) -> Mapping[str, object]:
+        """Return the message types that the author names."""
+        return self.messages
+
+    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
+        """Return the NodeEntry of `node`, with the address of its script."""
+        return {
+            "package": "ros2wasm",
+            "executable": self.program.script.name,
+            "arguments": [],
+            "ros2wasm": {
+                "script": link(self._path(self.program.script)),
+                "topics": dict(self.program.types),
+                "types": self.messages,
+            },
         }
-        for page in site.pages
+
+    def _path(self, file: Path) -> str:
+        return f"ros2wasm/{file.relative_to(self.root).as_posix()}"
+
+
+def ros2wasm_programs(
+    site: Site, nodes: Sequence[Node], *, cache: Path
+) -> dict[tuple[str, ...], Ros2wasmProgram]:
+    """Return those programs of `nodes` that the ROS2WASM project compiled.
+
+    Raises: SiteError if interface definitions of the workspace are wrong.
+    """
+    found = {node.program: node.kind for node in nodes if isinstance(node.kind, Ros2wasm)}
+    if not found:
+        return {}
+    packages = {name.partition("/")[0] for one in found.values() for name in one.types.values()}
+    prefixes = [described(site, sorted(packages), cache=cache)]
+    return {
+        program: Ros2wasmProgram(one, site.root, messages.types(_parts(one), prefixes))
+        for program, one in found.items()
     }
 
 
-def _nodes(nodes: Mapping[str, Node]) -> Iterator[Ros2wasm]:
-    return (node.ros2wasm for node in nodes.values() if node.ros2wasm)
-
-
-def _parts(node: Ros2wasm) -> Iterator[str]:
-    """Yield the messages that travel on the topics and services of `node`."""
+def _parts(program: Ros2wasm) -> Iterator[str]:
+    """Yield the messages that travel on the topics and services of `program`."""
     yield LOG
-    for name in node.types.values():
+    for name in program.types.values():
         parts = ("_Request", "_Response") if "/srv/" in name else ("",)
         yield from (f"{name}{part}" for part in parts)

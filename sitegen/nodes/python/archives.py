@@ -13,8 +13,9 @@ from sitegen import workspace
 from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
-from sitegen.model import Node, Package, Site
+from sitegen.model import Node, Package, Python, Site
 from sitegen.nodes.python import bytecode, imports, wheels
+from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
 
@@ -38,7 +39,7 @@ COMMON = "nodes/ros.zip"
 # Our arrays by the name of numpy, for programs that need no more of it.
 NUMPY = "nodes/numpy.zip"
 ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
-NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.fixed_array import *\n"}
+NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
 # What Pyodide brings beside Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
@@ -57,9 +58,28 @@ class Bundles:
     own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
     types: Mapping[str, dict[str, MessageType]] = field(default_factory=dict)
 
-    def sizes(self) -> dict[str, int]:
-        """Return how large each archive is (bytes)."""
-        return {path: len(data) for path, data in self.archives.items()}
+
+def python_programs(
+    site: Site, nodes: Sequence[Node], *, cache: Path, say: Callable[[str], None]
+) -> dict[tuple[str, ...], PythonProgram]:
+    """Return those programs of `nodes` that are written in Python.
+
+    Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
+    """
+    bundles = bundle(site, nodes, cache=cache, say=say)
+    archives = {path: Archive(path, data) for path, data in bundles.archives.items()}
+    found = {}
+    for node in nodes:
+        if isinstance(node.kind, Python):
+            key = (node.package, node.executable)
+            found[node.program] = PythonProgram(
+                *key,
+                target=node.kind.setup.scripts[node.executable],
+                archives=[archives[path] for path in bundles.needed[key]],
+                modules=bundles.own[key],
+                messages=bundles.types[node.package],
+            )
+    return found
 
 
 def bundle(
@@ -70,7 +90,7 @@ def bundle(
     Raises a SiteError that says what is wrong with the definitions of the workspace, or which
     modules are missing.
     """
-    programs = {(node.package, node.executable) for node in nodes if site.setup_of(node)}
+    programs = {(node.package, node.executable) for node in nodes if isinstance(node.kind, Python)}
     if not programs:
         return Bundles()
     names = sorted({package for package, _ in programs})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sitegen.errors import Problems, nearest, relative
-from sitegen.model import Node, Package, Page, Setup, Site, Widget
+from sitegen.model import Node, Package, Page, Python, Setup, Site, Widget
 from sitegen.site.pages.blocks import slots_of
 
 _LARGEST = 200_000
@@ -27,7 +27,8 @@ def edited(site: Site, page: Page, problems: Problems) -> dict[str, dict[str, st
 
 
 def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[str, str] | None:
-    setup, package = site.setup_of(node), site.packages.get(node.package)
+    package = site.packages.get(node.package)
+    setup = node.kind.setup if isinstance(node.kind, Python) else None
     if not setup or not package or not package.path.is_relative_to(site.root):
         message = f"'{node.name}' has no Python source in this workspace; show it with 'source'"
         problems.add(widget.place, "editor", message)

@@ -12,11 +12,12 @@ from pathlib import Path
 from markupsafe import Markup
 
 from sitegen.errors import Problems, nearest
-from sitegen.model import Artifact, Page, Site
+from sitegen.model import Artifact, Page, Programs, Site
+from sitegen.site import assets
 from sitegen.site.pages import app, discovery, preview, search, tags
 from sitegen.site.pages.blocks import Block, blocks, slots_of
 from sitegen.site.pages.editor import edited
-from sitegen.site.pages.entry import Programs, page_json
+from sitegen.site.pages.entry import page_json
 from sitegen.site.pages.history import changed_days, edit_link
 from sitegen.site.pages.missing import missing
 from sitegen.site.pages.nav import Link, Navigation
@@ -48,7 +49,7 @@ class Rendered:
 
 def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
     """Return the artifacts of all pages and of the themes."""
-    renderer = Renderer(site, programs or Programs())
+    renderer = Renderer(site, programs or {})
     rendered = renderer.every_page()
     return [*renderer.site_artifacts(rendered), *renderer.index(rendered)]
 
@@ -59,6 +60,7 @@ class Renderer:
     def __init__(self, site: Site, programs: Programs) -> None:
         self.site = tags.with_tags(site)
         self._programs = programs
+        self._modules = assets.preloads(self.site)
         self._library = Library.of(self.site)
         self._navigation = Navigation(site)
         self._tags = tags.links(self.site)
@@ -203,7 +205,7 @@ class Renderer:
             logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
             footer=Markup(footer),
             runtime=address(page, "runtime/"),
-            modules=[address(page, path) for path in self._programs.modules.get(page.path, ())],
+            modules=[address(page, path) for path in self._modules.get(page.path, ())],
             search=address(page, search.path(language)) if searched else "",
             share=live and not alone,
             feed=address(page, discovery.FEED) if site.feed else "",

@@ -20,27 +20,27 @@ endif()
 add_compile_options(${_exceptions} $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++17>)
 add_link_options(
   ${_exceptions}
-  "SHELL:--js-library ${SITEGEN_CPP}/src/host.js" "SHELL:--pre-js ${SITEGEN_CPP}/src/host_pre.js")
+  "SHELL:--js-library ${SITEGEN_CPP}/src/platform/host.js" "SHELL:--pre-js ${SITEGEN_CPP}/src/platform/host_pre.js")
 foreach(_setting IN LISTS _settings)
   add_link_options("SHELL:-s ${_setting}")
 endforeach()
-# Threads are ours (src/threads.cpp): what is said here is never asked of the C library.
+# Threads are ours (src/platform/threads.cpp): what is said here is never asked of the C library.
 set(_threads
   create join detach self mutexattr_init mutexattr_settype mutex_init mutex_lock mutex_timedlock mutex_trylock mutex_unlock
   cond_init cond_wait cond_timedwait cond_signal cond_broadcast
   key_create key_delete getspecific setspecific)
 list(TRANSFORM _threads PREPEND pthread_ OUTPUT_VARIABLE _wrapped)
-# So is the keyboard (src/input.cpp).
+# So is the keyboard (src/platform/input.cpp).
 list(APPEND _wrapped abort __assert_fail __wasi_fd_read fcntl poll select)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
 endif()
 if(SITEGEN_DEBUG)
-  # Names and lines, and what programs are checked for: src/debug.cpp says what is wrong with them.
+  # Names and lines, and what programs are checked for: src/platform/debug.cpp says what is wrong with them.
   add_compile_options(
     -gline-tables-only -fno-inline
     -fsanitize=null,bounds,integer-divide-by-zero,return -fno-sanitize-recover=all
-    -fsanitize-minimal-runtime "SHELL:-include ${SITEGEN_CPP}/src/checks.h")
+    -fsanitize-minimal-runtime "SHELL:-include ${SITEGEN_CPP}/src/platform/checks.h")
   add_link_options(-gsource-map --profiling-funcs "SHELL:--source-map-base /")
   list(APPEND _wrapped __cxa_throw ros_fail)
 endif()

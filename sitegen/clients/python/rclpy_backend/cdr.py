@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from rosidl_parser import definition
 
-from rclpy_backend import fixed_array
+from rclpy_backend.arrays import fixed_array
 
 HEADER = b"\x00\x01\x00\x00"
 PADS = [bytes(size) for size in range(8)]

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import ros_host
 
-from rclpy_backend import blocking
 from rclpy_backend.enums import ClockChange, ClockType
 from rclpy_backend.handles import Destroyable
+from rclpy_backend.system import blocking
 
 if TYPE_CHECKING:
     from rclpy.clock import JumpHandle

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import ros_host
 
-from rclpy_backend import blocking, names
+from rclpy_backend import names
 from rclpy_backend.endpoint import gid_of
 from rclpy_backend.enums import RMW_DURATION_INFINITE
 from rclpy_backend.errors import NodeNameNonExistentError, RCLError
@@ -22,6 +22,7 @@ from rclpy_backend.qos import (
     VOLATILE,
     rmw_qos_profile_t,
 )
+from rclpy_backend.system import blocking
 
 if TYPE_CHECKING:
     from rclpy_backend.handles import Context

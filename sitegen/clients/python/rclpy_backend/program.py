@@ -8,8 +8,9 @@ import runpy
 import sys
 from collections.abc import Sequence
 
-from rclpy_backend import exits, signals, threads, turns
-from rclpy_backend.tracebacks import traceback_of
+from rclpy_backend import signals
+from rclpy_backend.system import exits, threads, turns
+from rclpy_backend.system.tracebacks import traceback_of
 
 # Where the page unpacks what runs in it.
 PREFIX = "/ros"

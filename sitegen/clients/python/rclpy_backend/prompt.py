@@ -10,8 +10,8 @@ from typing import Any
 
 import ros_host
 
-from rclpy_backend import blocking
-from rclpy_backend.tracebacks import traceback_of
+from rclpy_backend.system import blocking
+from rclpy_backend.system.tracebacks import traceback_of
 
 # More words than anybody reads.
 MOST_WORDS = 100

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any
 import ros_host
 from pyodide.ffi import to_js
 
-from rclpy_backend import blocking, cdr
+from rclpy_backend import cdr
 from rclpy_backend.clock import rcl_duration_t
 from rclpy_backend.endpoint import Endpoint
 from rclpy_backend.errors import RCLError
 from rclpy_backend.qos import rmw_qos_profile_t
+from rclpy_backend.system import blocking
 
 if TYPE_CHECKING:
     from rclpy_backend.node import Node

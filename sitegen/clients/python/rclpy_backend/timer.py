@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rclpy_backend import blocking
 from rclpy_backend.clock import Clock
 from rclpy_backend.errors import TimerCancelledError
 from rclpy_backend.handles import Context, Destroyable
+from rclpy_backend.system import blocking
 
 
 class Timer(Destroyable):

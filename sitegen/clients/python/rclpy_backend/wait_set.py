@@ -7,12 +7,12 @@ from typing import Any, Protocol
 
 import ros_host
 
-from rclpy_backend import blocking
 from rclpy_backend.endpoint import Endpoint
 from rclpy_backend.events import EventHandle
 from rclpy_backend.handles import Context, Destroyable, GuardCondition
 from rclpy_backend.service import Client, Service
 from rclpy_backend.subscription import Subscription
+from rclpy_backend.system import blocking
 from rclpy_backend.timer import Timer
 
 ENDPOINTS = ("subscription", "service", "client")

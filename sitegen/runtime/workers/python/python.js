@@ -53,8 +53,8 @@ export class Python {
    */
   async run({ name, program, arguments: args }, host) {
     const python = await this.#loading;
-    this.#run ??= python.pyimport("rclpy_backend.interpreter").run;
-    this.#begin ??= python.pyimport("rclpy_backend.collecting").begin;
+    this.#run ??= python.pyimport("rclpy_backend.system.interpreter").run;
+    this.#begin ??= python.pyimport("rclpy_backend.system.collecting").begin;
     this.#begin();
     const { module, attribute, own } = program;
     const words = [host, python.toPy(own), module, attribute, python.toPy([`${PREFIX}/lib/${name}`, ...args])];

@@ -1,5 +1,5 @@
 /* The host functions: all that a compiled node asks of the page. docs/protocol.md describes them.
- * JavaScript's side is src/host.js, which passes each call to the worker that runs the node. */
+ * JavaScript's side is src/platform/host.js, which passes each call to the worker that runs the node. */
 #ifndef RCLCPP__DETAIL__HOST_H_
 #define RCLCPP__DETAIL__HOST_H_
 

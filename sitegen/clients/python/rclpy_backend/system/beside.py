@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable
 from typing import Any, NamedTuple, Protocol
 
-from rclpy_backend import turns
+from rclpy_backend.system import turns
 
 
 class Handle(Protocol):

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, TextIO
 
-from rclpy_backend import turns
-from rclpy_backend.blocking import wait
+from rclpy_backend.system import turns
+from rclpy_backend.system.blocking import wait
 
 STDIN = 0
 # What would be read there is not what a visitor types. Without it, programs read from STDIN.

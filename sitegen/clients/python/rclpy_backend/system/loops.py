@@ -11,7 +11,7 @@ from collections.abc import Callable
 from contextvars import Context
 from typing import TypeVarTuple
 
-from rclpy_backend import blocking, turns
+from rclpy_backend.system import blocking, turns
 
 Words = TypeVarTuple("Words")
 

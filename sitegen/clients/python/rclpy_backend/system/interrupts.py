@@ -11,8 +11,8 @@ from types import FrameType
 
 from pyodide.ffi import can_run_sync
 
-from rclpy_backend import turns
-from rclpy_backend.blocking import wait
+from rclpy_backend.system import turns
+from rclpy_backend.system.blocking import wait
 
 # As runtime/interrupt.js has it.
 HEAR = signal.SIGUSR2

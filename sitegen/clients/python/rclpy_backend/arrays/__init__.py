@@ -3,6 +3,6 @@
 try:
     import numpy
 except ImportError:
-    from rclpy_backend import fixed_array as numpy
+    from rclpy_backend.arrays import fixed_array as numpy
 
 __all__ = ["numpy"]

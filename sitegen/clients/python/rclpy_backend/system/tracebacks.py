@@ -8,7 +8,7 @@ import traceback
 from collections.abc import Iterator
 
 # What starts programs, and what stands in for a library in C++.
-OURS = __file__.rpartition("/")[0]
+OURS = __file__.rpartition("/system/")[0]
 BELOW = "rclpy._rclpy_pybind11"
 STARTERS = (code.__file__, importlib.__file__, "<frozen runpy>")
 

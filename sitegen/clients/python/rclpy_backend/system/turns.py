@@ -10,6 +10,7 @@ from __future__ import annotations
 import copy
 import io
 import itertools
+import re
 import sys
 import threading
 from collections.abc import Callable, Iterable
@@ -17,13 +18,8 @@ from types import ModuleType
 from typing import Any, Protocol
 
 OWN = ("__main__", "ros_host", "rclpy", "rclpy_backend")
-COMMON = {
-    f"rclpy_backend.{name}"
-    for name in (
-        *("arrays", "beside", "blocking", "collecting", "exits", "fixed_array", "interrupts"),
-        *("keyboard", "loops", "outside", "pool", "threads", "turns"),
-    )
-}
+# All that is in these packages has one state for all programs.
+SHARED = re.compile(r"rclpy_backend\.(system|arrays)(\..*)?")
 
 PATH = list(sys.path)
 
@@ -120,7 +116,7 @@ class Program:
         self._modules = {name: sys.modules.pop(name) for name in names}
 
     def _is_own(self, name: str) -> bool:
-        return name not in COMMON and name.partition(".")[0] in self._own
+        return name.partition(".")[0] in self._own and not SHARED.fullmatch(name)
 
     def end(self) -> None:
         """Let none of its threads go on."""

@@ -7,8 +7,8 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from rclpy_backend import turns
-from rclpy_backend.tracebacks import traceback_of
+from rclpy_backend.system import turns
+from rclpy_backend.system.tracebacks import traceback_of
 
 
 def install() -> None:

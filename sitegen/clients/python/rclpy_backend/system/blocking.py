@@ -5,7 +5,7 @@ from __future__ import annotations
 import select
 import time
 
-from rclpy_backend import beside, collecting, pool, turns
+from rclpy_backend.system import beside, collecting, pool, turns
 
 # A program that never waits lets the event loop turn this often (s): often enough for a Stop
 # button, seldom enough to cost nothing.

@@ -18,8 +18,8 @@ from typing import Any
 
 from pyodide.ffi import create_proxy
 
-from rclpy_backend import beside, collecting, loops, pool, turns
-from rclpy_backend.blocking import breathe, sleep, wait, wake
+from rclpy_backend.system import beside, collecting, loops, pool, turns
+from rclpy_backend.system.blocking import breathe, sleep, wait, wake
 
 # What a program is told that the machine has, by which it decides how many threads it starts. They
 # are stacks here and take turns, and one that waits for another must not be the only one.

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rclpy_backend import (
+from rclpy_backend.system import (
     collecting,
     exits,
     interrupts,
@@ -37,7 +37,7 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
         outside.install()
         # From here on they belong to programs.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
-            if name not in turns.COMMON:
+            if not turns.SHARED.fullmatch(name):
                 del sys.modules[name]
     importlib.invalidate_caches()
     program = turns.Program(host, own)

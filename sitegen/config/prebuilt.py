@@ -1,4 +1,4 @@
-"""Turn what the author wrote about a node that was compiled elsewhere into a Compiled."""
+"""Turn what the author wrote about a prebuilt program into a Prebuilt."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from sitegen.cache.fetch import allowed
 from sitegen.config.location import locate
 from sitegen.config.section import Section
 from sitegen.errors import Problems
-from sitegen.model import Compiled
+from sitegen.model import Prebuilt
 
 
-def read(section: Section, problems: Problems) -> Compiled | None:
-    """Return the archive that is meant, noting an address that is not safe or lacks a hash."""
+def read(section: Section, problems: Problems) -> Prebuilt | None:
+    """Return the archive that the author names, noting an unsafe address or a missing hash."""
     given = section.get("compiled")
     if given is None:
         return None
@@ -31,4 +31,4 @@ def read(section: Section, problems: Problems) -> Compiled | None:
     if source is None:
         return None
     sha256, package, executable = map(section.text, ("sha256", "package", "executable"))
-    return Compiled(source, sha256, package, executable, given.place, given.key)
+    return Prebuilt(source, sha256, package, executable, given.place, given.key)

@@ -1,0 +1,83 @@
+"""Describe a C++ program to the pages that run it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sitegen.cache.digest import digest_of
+from sitegen.model import Artifact, Build, Node
+from sitegen.report import size
+
+
+@dataclass(frozen=True)
+class CppProgram:
+    """A C++ program, compiled here or elsewhere.
+
+    `builds` has one build for each of `engines`, or none if the programs were only checked.
+    """
+
+    package: str
+    executable: str
+    engines: Sequence[str]
+    builds: Sequence[Build] = ()
+
+    worker = "cpp/cppNode"
+
+    @property
+    def name(self) -> str:
+        """Return its name as `ros2 run` takes it."""
+        return f"{self.package}/{self.executable}"
+
+    @cached_property
+    def files(self) -> Sequence[Artifact]:
+        """Return the module, the WebAssembly and, if there are any, the lines of each build."""
+        artifacts = []
+        for build in self.builds:
+            stem = self._stem(build.engine)
+            artifacts.append(Artifact(f"{stem}.js", build.script))
+            artifacts.append(Artifact(f"{stem}.wasm", build.wasm))
+            if build.lines:
+                artifacts.append(Artifact(f"{stem}.lines.json", build.lines))
+        return artifacts
+
+    @property
+    def size(self) -> str:
+        """Return the size of its WebAssembly for each engine."""
+        return ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in self.builds)
+
+    def types(self, node: Node) -> Mapping[str, object]:
+        """Return the message types that its WebAssembly names, none if there is none."""
+        if not self.builds:
+            return {}
+        found: dict[str, object] = json.loads(self.builds[0].types.read_text())
+        return found
+
+    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
+        """Return the NodeEntry of `node`, with the addresses of each build."""
+        return {
+            "package": self.package,
+            "executable": self.executable,
+            "arguments": node.command_line(),
+            "builds": {engine: self._addresses(engine, link) for engine in self.engines},
+        }
+
+    def _addresses(self, engine: str, link: Callable[[str], str]) -> dict[str, str]:
+        stem = link(self._stem(engine))
+        version, has_lines = self._versions.get(engine, ("", False))
+        # A changed program gets another address, so that browsers may keep this one for good.
+        query = f"?v={version}" if version else ""
+        found = {"script": f"{stem}.js{query}", "wasm": f"{stem}.wasm{query}"}
+        return found | ({"lines": f"{stem}.lines.json{query}"} if has_lines else {})
+
+    @cached_property
+    def _versions(self) -> dict[str, tuple[str, bool]]:
+        return {
+            build.engine: (digest_of([build.script, build.wasm])[:10], build.lines is not None)
+            for build in self.builds
+        }
+
+    def _stem(self, engine: str) -> str:
+        return f"nodes/{self.package}/{self.executable}.{engine}"

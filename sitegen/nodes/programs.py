@@ -1,0 +1,85 @@
+"""Turn the nodes of a site into programs that its pages can run."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.model import Container, Cpp, Node, Prebuilt, Programs, Site
+from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.program import CppProgram
+from sitegen.nodes.prebuilt.ros2wasm import ros2wasm_programs
+from sitegen.nodes.python.archives import python_programs
+from sitegen.options import Options
+from sitegen.report import Report
+from sitegen.workspace import containers
+
+
+def programs_of(
+    site: Site,
+    prebuilt: compiler.Builds,
+    *,
+    options: Options,
+    cache: Path,
+    report: Report,
+) -> Programs:
+    """Return the programs of all nodes of `site`; `prebuilt` has the builds from archives.
+
+    Raises: SiteError if a program cannot be made.
+    """
+    nodes = nodes_of(site)
+    # What is wrong with a Python program is reported before compiling takes minutes.
+    ros2wasm = ros2wasm_programs(site, nodes, cache=cache)
+    python = python_programs(site, nodes, cache=cache, say=report.say)
+
+    engines = engines_of(site)
+    own = compiler.compile_nodes(
+        jobs_of(site, nodes, cache=cache) if options.compile else [],
+        engines,
+        root=site.root,
+        cache=cache,
+        report=report,
+        debug=options.debug,
+        draft=options.draft and not options.debug,
+    )
+    builds = {**own, **prebuilt}
+    cpp = {
+        node.program: CppProgram(
+            node.package,
+            node.executable,
+            engines,
+            builds.get((node.package, node.executable), ()),
+        )
+        for node in nodes
+        if isinstance(node.kind, Cpp | Container | Prebuilt)
+    }
+    return {**ros2wasm, **python, **cpp}
+
+
+def nodes_of(site: Site) -> list[Node]:
+    """Return the nodes that the pages run, one for each program."""
+    return list({n.program: n for page in site.pages for n in page.nodes.values()}.values())
+
+
+def engines_of(site: Site) -> Sequence[str]:
+    """Return the engines that C++ programs of `site` are built for."""
+    return ("jspi", "asyncify") if site.asyncify else ("jspi",)
+
+
+def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[compiler.Job]:
+    """Return what to compile, one job for each package."""
+    executables: dict[str, list[str]] = {}
+    jobs = []
+    for node in nodes:
+        if isinstance(node.kind, Container):
+            made = containers.package(node.executable, node.kind, site.packages, cache)
+            needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
+            needs = {package.name: package for each in needed for package in each}
+            jobs.append(compiler.Job(made, (node.executable,), tuple(needs.values())))
+        elif isinstance(node.kind, Cpp):
+            executables.setdefault(node.package, []).append(node.executable)
+    for name, wanted in executables.items():
+        *before, package = workspace.with_plugins(site.packages, name)
+        jobs.append(compiler.Job(package, tuple(wanted), tuple(before)))
+    return jobs

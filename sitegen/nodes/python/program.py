@@ -1,0 +1,86 @@
+"""Describe a Python program to the pages that run it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from sitegen.model import Artifact, Node
+from sitegen.nodes.python.pyodide import download_size
+from sitegen.report import size
+
+
+@dataclass(frozen=True)
+class Archive:
+    """An archive that pages unpack: its path inside `dist/` and its bytes."""
+
+    path: str
+    data: bytes
+
+    @cached_property
+    def version(self) -> str:
+        """Return a digest of its bytes."""
+        return hashlib.sha256(self.data).hexdigest()[:10]
+
+
+@dataclass(frozen=True)
+class PythonProgram:
+    """A Python program.
+
+    `target` is its entry point ("module:function") or the place of its script; `archives` are
+    unpacked in this order; `modules` names those of the workspace among them; `messages` are the
+    message types that it may use.
+    """
+
+    package: str
+    executable: str
+    target: str
+    archives: Sequence[Archive]
+    modules: Sequence[str]
+    messages: Mapping[str, object]
+
+    worker = "python/pythonNode"
+
+    @property
+    def name(self) -> str:
+        """Return its name as `ros2 run` takes it."""
+        return f"{self.package}/{self.executable}"
+
+    @property
+    def files(self) -> Sequence[Artifact]:
+        """Return its archives."""
+        return [Artifact(archive.path, archive.data) for archive in self.archives]
+
+    @property
+    def size(self) -> str:
+        """Return the size of its archives."""
+        return f"Python {size(self._archived)}"
+
+    @property
+    def _archived(self) -> int:
+        return sum(len(archive.data) for archive in self.archives)
+
+    def types(self, node: Node) -> Mapping[str, object]:
+        """Return the message types that its modules import."""
+        return self.messages
+
+    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
+        """Return the NodeEntry of `node`, with the addresses of its archives."""
+        module, _, attribute = self.target.partition(":")
+        python = {
+            # A changed archive gets another address, so that browsers may keep this one for good.
+            "bundles": [f"{link(one.path)}?v={one.version}" for one in self.archives],
+            "size": download_size() + self._archived,
+            "module": module,
+            "attribute": attribute,
+            "own": list(self.modules),
+            **({"group": node.group} if node.group else {}),
+        }
+        return {
+            "package": self.package,
+            "executable": self.executable,
+            "arguments": node.command_line(),
+            "python": python,
+        }
