@@ -12,8 +12,8 @@ from scenario import player
 pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 SETTING = """
-const { Graph } = await import("./graph.js");
-const { PageClient } = await import("./pageClient.js");
+const { Graph } = await import("./page/graph.js");
+const { PageClient } = await import("./page/pageClient.js");
 const field = (name, type) => ({ name, type });
 const type = (...fields) => ({ fields, constants: [] });
 const types = {

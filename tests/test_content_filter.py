@@ -65,7 +65,7 @@ VALUES = {
 }
 KINDS = {name: f"{name} = {str(value).upper()}" for name, value in VALUES.items()}
 RUN = """async ([definition, types, type, message, expressions, parameters]) => {
-  const { contentFilter } = await import("./runtime/filter/contentFilter.js");
+  const { contentFilter } = await import("./runtime/messages/filter/contentFilter.js");
   const { Codec } = await import("./runtime/messages/codec.js");
   const bytes = new Codec(types).write(type, message);
   return expressions.map((expression) => {

@@ -13,7 +13,7 @@ pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
 
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """
-const { Graph } = await import("./graph.js");
+const { Graph } = await import("./page/graph.js");
 const { Participant } = await import("./participant/participant.js");
 const { DEFAULT_QOS: QOS } = await import("./protocol.js");
 const graph = new Graph();

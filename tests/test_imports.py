@@ -18,61 +18,15 @@ ROOMS = (
     *("launch", "config", "interfaces", "nodes", "site", "build", "commands", "__main__"),
 )
 
-# The same for the browser's modules; a folder stands for all that is in it.
-RUNTIME_ALLOWED = {
-    "rosMain.js": {
-        *{"graph.js", "isolation.js", "nodeProcess.js", "pageClient.js", "place.js", "protocol.js"},
-        *{"sharing.js", "workerGroup.js"},
-    },
-    "interrupt.js": set(),
-    "isolation.js": {"elements.js", "place.js", "words.js"},
-    "place.js": set(),
-    "sharing.js": {"elements.js", "protocol.js", "words.js"},
-    "words.js": {"place.js"},
-    "words": set(),
-    "filter": {"filter"},
-    "pageClient.js": {"graph.js", "messages", "participant", "protocol.js", "words.js"},
-    "messages": {"elements.js", "messages", "protocol.js", "vendor", "words.js"},
-    "participant": {"participant", "protocol.js"},
-    "nodeProcess.js": {
-        *{"graph.js", "interrupt.js", "isolation.js", "place.js", "protocol.js", "workerGroup.js"},
-    },
-    "workerGroup.js": {"interrupt.js", "place.js", "protocol.js"},
-    "graph.js": {"protocol.js"},
-    "protocol.js": set(),
-    "workers": {
-        "filter",
-        "interrupt.js",
-        "messages",
-        "participant",
-        "place.js",
-        "protocol.js",
-        "vendor",
-        "workers",
-    },
-    "codeView.js": {"vendor"},
-    "drawing.js": {"elements.js", "words.js"},
-    "elements.js": set(),
-    "looking.js": set(),
-    "keyboard.js": {"elements.js", "protocol.js", "words.js"},
-    "lines.js": {"elements.js", "protocol.js", "words.js"},
-    "searchIndex.js": {"vendor"},
-    "robots": {"drawing.js", "elements.js", "protocol.js", "robots", "words.js"},
-    "widgets": {
-        *{
-            "codeView.js",
-            "drawing.js",
-            "elements.js",
-            "lines.js",
-            "looking.js",
-            "messages",
-            "place.js",
-            "protocol.js",
-            "robots",
-        },
-        *{"vendor", "words.js"},
-    },
-}
+# The same for the browser's modules. Rooms that stand together in a line do not know one another.
+RUNTIME_ROOMS = (
+    {"protocol.js", "place.js", "interrupt.js", "vendor"},
+    {"ui"},
+    {"messages"},
+    {"participant"},
+    {"page", "workers", "widgets"},
+    {"rosMain.js"},
+)
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 
 
@@ -114,14 +68,19 @@ def test_every_module_is_in_a_room() -> None:
     assert {room(file) for file in generator_modules()} == {*ROOMS}
 
 
-@pytest.mark.parametrize("file", MODULES, ids=lambda file: file.name)
-def test_runtime_imports_only_what_it_may(file: Path) -> None:
-    def runtime_room(path: Path) -> str:
-        return path.relative_to(RUNTIME).parts[0]
+def runtime_room(file: Path) -> str:
+    """The room of a module of the browser: its folder, or the file itself."""
+    return file.relative_to(RUNTIME).parts[0]
 
+
+@pytest.mark.parametrize("file", MODULES, ids=lambda file: file.name)
+def test_runtime_imports_only_rooms_before_its_own(file: Path) -> None:
+    # Types count too: a reader has to follow those of a comment as well.
     paths = re.findall(r'(?:from|import)\(?\s*"(\.[^"]+)"', file.read_text())
-    used = {runtime_room((file.parent / path).resolve()) for path in paths}
-    assert used <= RUNTIME_ALLOWED[runtime_room(file)]
-    # Types count too: one of a comment is one that a reader has to follow.
-    widgets = [path for path in paths if runtime_room(file) == "widgets" and path.startswith("./")]
-    assert widgets == [], "widgets do not know one another"
+    found = [(file.parent / path).resolve() for path in paths]
+    own = runtime_room(file)
+    [place] = (at for at, rooms in enumerate(RUNTIME_ROOMS) if own in rooms)
+    assert {runtime_room(path) for path in found} <= {own}.union(*RUNTIME_ROOMS[:place])
+    widgets = RUNTIME / "widgets"
+    others = [path.name for path in found if file.parent == path.parent == widgets]
+    assert others == [], "widgets do not know one another"

@@ -58,7 +58,7 @@ def hidden(isolated: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same, with JSPI hidden from its workers."""
     folder = tmp_path_factory.mktemp("hidden") / "dist"
     shutil.copytree(isolated, folder)
-    for worker in (folder / "runtime" / "workers").glob("python*.js"):
+    for worker in (folder / "runtime" / "workers" / "python").glob("python*.js"):
         worker.write_text(WITHOUT_JSPI + worker.read_text())
     return folder
 

@@ -246,7 +246,8 @@ def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> 
     )
     found = addresses(html)
     assert f'<a href="{up}c/">c</a> <a href="{up or "./"}">home</a>' in html
-    for file in ("theme/style.css", "theme/favicon.svg", "runtime/rosMain.js", "runtime/graph.js"):
+    module = "runtime/page/graph.js"
+    for file in ("theme/style.css", "theme/favicon.svg", "runtime/rosMain.js", module):
         assert up + file in found
     absolute = f"https://me.github.io/robots/{path}"
     assert f'<link rel="canonical" href="{absolute}">' in html

@@ -208,7 +208,7 @@ def test_a_site_of_python_nodes_needs_no_compiler(
         build(package.parents[1], output=tmp_path / f"dist{number}", report=Report())
     dist = tmp_path / "dist1"
     assert (dist / "runtime" / "vendor" / "pyodide" / "pyodide.asm.wasm").exists()
-    assert not (dist / "runtime" / "workers" / "cppNode.js").exists()
+    assert not (dist / "runtime" / "workers" / "cpp").exists()
     for name in ("nodes/ros.zip", "nodes/py_pubsub/python.zip", "page.json"):
         assert (dist / name).read_bytes() == (tmp_path / "dist2" / name).read_bytes()
 

@@ -174,7 +174,7 @@ SCENES = {
 
 # The page's side: two participants of one graph, in one page.
 PLAY = """async (scenes) => {
-  const { Graph } = await import("./graph.js");
+  const { Graph } = await import("./page/graph.js");
   const { Participant } = await import("./participant/participant.js");
   const { DEFAULT_QOS } = await import("./protocol.js");
   const graph = new Graph();

@@ -15,7 +15,7 @@ from stage import hide_tab, stop_clock
 from sitegen.config.schema import ROBOTS, WIDGETS
 
 ROOT = Path(__file__).parent.parent
-ROBOT_FILES = ROOT / "sitegen/runtime/robots"
+ROBOT_FILES = ROOT / "sitegen/runtime/widgets/robots"
 
 # The family
 
@@ -29,7 +29,7 @@ def test_every_kind_is_a_file_and_every_option_is_a_key() -> None:
 def test_arcs_are_driven_exactly(stage: Tab) -> None:
     ends = stage.evaluate(
         """async () => {
-          const { drive } = await import("./runtime/robots/parts/motion.js");
+          const { drive } = await import("./runtime/widgets/robots/parts/motion.js");
           const start = { x: 0, y: 0, heading: 0 };
           const quarter = drive(start, Math.PI / 2, Math.PI / 2, 1);
           let steps = start;
@@ -121,7 +121,7 @@ def test_a_differential_drive_stands_where_odometry_says(stage: Tab) -> None:
 def test_power_of_the_motors(stage: Tab, x: float, z: float, a: int, b: int) -> None:
     found = stage.evaluate(
         """async ([x, z]) =>
-          (await import("./runtime/robots/vernie.js")).motorPower(x, z)""",
+          (await import("./runtime/widgets/robots/vernie.js")).motorPower(x, z)""",
         [x, z],
     )
     assert found == [a, b]

@@ -18,7 +18,7 @@ RUNTIME = ROOT / "sitegen/runtime"
 SAID = re.compile(
     r"""\bsay\(\s*((?:"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')(?:\s*\+\s*"(?:[^"\\]|\\.)*")*)"""
 )
-TRANSLATIONS = sorted((RUNTIME / "words").glob("*.js"))
+TRANSLATIONS = sorted((RUNTIME / "ui/words").glob("*.js"))
 
 
 def plain(literal: str) -> str:
@@ -53,7 +53,7 @@ def test_a_language_has_all_words_and_no_others(file: Path) -> None:
     for english, text in table.items():
         assert text
         assert text.count("{}") == english.count("{}"), english
-    assert f'"{file.stem}"' in (RUNTIME / "words.js").read_text()
+    assert f'"{file.stem}"' in (RUNTIME / "ui/words.js").read_text()
 
 
 def test_panels_speak_the_language_of_the_page(stage: Tab, tmp_path: Path, serve: Serve) -> None:

@@ -11,7 +11,7 @@
  *   ros2wasm?: Ros2wasmEntry,
  * }} NodeEntry with one of the last three
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` tell where it is in its sources:
- *   see Lines in workers/stackTrace.js
+ *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
  *   group?: string}} PythonEntry a Python node: archives to unpack in its interpreter, how much it loads with
  *   them (bytes), and what it calls; without `attribute` the place of a program. `own` are the modules that

@@ -2,12 +2,12 @@
 // The page: read page.json, make the nodes and their graph, mount the widgets, start what starts by
 // itself.
 
-import { Graph } from "./graph.js";
-import { isolate } from "./isolation.js";
-import { NodeProcess } from "./nodeProcess.js";
+import { Graph } from "./page/graph.js";
+import { isolate } from "./page/isolation.js";
+import { NodeProcess } from "./page/nodeProcess.js";
 import { place } from "./place.js";
-import { Sharing } from "./sharing.js";
-import { WorkerGroups } from "./workerGroup.js";
+import { Sharing } from "./page/sharing.js";
+import { WorkerGroups } from "./page/workerGroup.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
@@ -40,7 +40,7 @@ for (const [name, entry] of Object.entries(page.nodes)) {
 }
 
 // Only pages with panels take part in the graph themselves; the others do not load what that needs.
-const client = page.types && new (await import(place("pageClient.js"))).PageClient(graph, page.types);
+const client = page.types && new (await import(place("page/pageClient.js"))).PageClient(graph, page.types);
 
 /** The page's ROS, for widgets and for scripts of the page. */
 export const ros = {

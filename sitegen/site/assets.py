@@ -31,14 +31,16 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     nodes = (node for page in site.pages for node in page.nodes.values())
     workers = {programs[node.program].worker for node in nodes}
     files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
-    if "cppNode" in workers:
-        files |= set((RUNTIME / "filter").iterdir())  # loaded by those programs that filter
+    if "cpp/cppNode" in workers:
+        # Loaded by programs that use content filters.
+        files |= set((RUNTIME / "messages" / "filter").iterdir())
     if debug:
-        files.add(RUNTIME / "workers" / "stackTrace.js")
+        files.add(RUNTIME / "workers" / "cpp" / "stackTrace.js")
     if any(widget.kind == "console" for widget in _widgets(site.pages)):
-        files |= set(_with_imports([RUNTIME / "keyboard.js"]))  # by those whose program reads
-    if "pythonNode" in workers:
-        files |= set(_with_imports([RUNTIME / "workers" / "pythonSync.js"]))
+        # Loaded by consoles whose program reads its input.
+        files |= set(_with_imports([RUNTIME / "ui" / "keyboard.js"]))
+    if "python/pythonNode" in workers:
+        files |= set(_with_imports([RUNTIME / "workers" / "python" / "pythonSync.js"]))
         files |= set(pyodide.files())
     if any(file.is_relative_to(VENDOR) for file in files):
         files.add(VENDOR / "licenses.txt")
@@ -49,7 +51,7 @@ def search(site: Site) -> list[Artifact]:
     """Return the modules that the search of a site needs: one that has more than one page."""
     if len(site.pages) < 2:
         return []
-    files = [*_with_imports([RUNTIME / "searchIndex.js"]), RUNTIME / "vendor" / "licenses.txt"]
+    files = [*_with_imports([RUNTIME / "page" / "searchIndex.js"]), VENDOR / "licenses.txt"]
     return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in files]
 
 
@@ -73,13 +75,13 @@ def _modules(site: Site, page: Page) -> list[Path]:
         return []
     files = [RUNTIME / "rosMain.js"]
     if takes_part(page):
-        files.append(RUNTIME / "pageClient.js")
+        files.append(RUNTIME / "page" / "pageClient.js")
     files += (RUNTIME / "widgets" / f"{widget.kind}.js" for widget in widgets)
     robots = (widget for widget in widgets if widget.kind == "robot")
-    files += (RUNTIME / "robots" / f"{robot.options['kind']}.js" for robot in robots)
+    files += (RUNTIME / "widgets" / "robots" / f"{robot.options['kind']}.js" for robot in robots)
     # What widgets say in the language of the page; English stands in the code.
     language = (page.language or site.language).partition("-")[0].lower()
-    words = RUNTIME / "words" / f"{language}.js"
+    words = RUNTIME / "ui" / "words" / f"{language}.js"
     return _with_imports([*files, words] if words.is_file() else files)
 
 

@@ -1,6 +1,6 @@
 // A graph of workers that do what the test says, for scenes that need real ones.
 
-import { Graph } from "./runtime/graph.js";
+import { Graph } from "./runtime/page/graph.js";
 
 export const graph = new Graph();
 export const complaints = [];

@@ -24,7 +24,7 @@ class CppProgram:
     engines: Sequence[str]
     builds: Sequence[Build] = ()
 
-    worker = "cppNode"
+    worker = "cpp/cppNode"
 
     @property
     def name(self) -> str:

@@ -13,7 +13,7 @@ Stretch = tuple[int, int, int]
 
 
 def lines_of(source_map: Path, folders: Sequence[str]) -> dict[str, object]:
-    """Return the lines of all that is in `folders`: see Lines in runtime/workers/stackTrace.js.
+    """Return the lines of all that is in `folders`: see Lines in runtime/workers/cpp/stackTrace.js.
 
     `folders` are what compilers call those of the author; all other files are left out.
     """

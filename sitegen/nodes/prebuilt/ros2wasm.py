@@ -23,7 +23,7 @@ class Ros2wasmProgram:
     root: Path
     messages: Mapping[str, object]
 
-    worker = "ros2wasmNode"
+    worker = "ros2wasm/ros2wasmNode"
 
     @property
     def name(self) -> str:

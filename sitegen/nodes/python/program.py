@@ -41,7 +41,7 @@ class PythonProgram:
     modules: Sequence[str]
     messages: Mapping[str, object]
 
-    worker = "pythonNode"
+    worker = "python/pythonNode"
 
     @property
     def name(self) -> str:

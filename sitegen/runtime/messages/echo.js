@@ -1,9 +1,9 @@
 // @ts-check
 // Show the messages of a topic as YAML, the newest at the end, as `ros2 topic echo` does.
 
-import { button, create, setText } from "../elements.js";
+import { button, create, setText } from "../ui/elements.js";
 import { toYaml } from "./yaml.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 

@@ -2,7 +2,7 @@
 // What a field of a message may hold: its type, as .msg files write it, and values as people type
 // them.
 
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /**
  * @typedef {{base: string, capacity: number, array: "" | "fixed" | "bounded" | "unbounded",

@@ -1,9 +1,9 @@
 // @ts-check
 // Turn a message type into a form, and what was typed there into a message.
 
-import { create, button } from "../elements.js";
+import { create, button } from "../ui/elements.js";
 import { isFloat, isInteger, isMessage, parseFieldType, range, readList, readScalar } from "./fieldType.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { MessageType } from "../protocol.js" */
 /** @import { FieldType } from "./fieldType.js" */

@@ -1,7 +1,7 @@
 // @ts-check
 // Say in words why two nodes on a topic do not hear each other.
 
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Mismatch, Policy } from "../protocol.js" */
 

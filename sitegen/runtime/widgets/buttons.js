@@ -1,7 +1,7 @@
 // @ts-check
 // Start and stop a node, empty its consoles, and say how it is.
 
-import { say, states } from "../words.js";
+import { say, states } from "../ui/words.js";
 
 /** @import {Ros} from "../protocol.js" */
 

@@ -1,10 +1,10 @@
 // @ts-check
 // What a node prints, how it is, and its keyboard if it reads one.
 
-import { create } from "../elements.js";
-import { showLines } from "../lines.js";
+import { create } from "../ui/elements.js";
+import { showLines } from "../ui/lines.js";
 import { place } from "../place.js";
-import { say, states } from "../words.js";
+import { say, states } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -36,7 +36,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   let endKeyboard = () => {};
   node.addEventListener("reading", async () => {
     // Few programs read: the page of others need not load what is for them.
-    const { showKeyboard } = await import(place("keyboard.js"));
+    const { showKeyboard } = await import(place("ui/keyboard.js"));
     if (!signal.aborted) endKeyboard = showKeyboard(element, node);
   }, { signal, once: true });
 

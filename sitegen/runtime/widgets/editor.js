@@ -2,9 +2,9 @@
 // The source of a Python node, to be changed and run. What a reader makes of it stays in the browser, and
 // travels in links.
 
-import { button, create, setText } from "../elements.js";
-import { codeView } from "../codeView.js";
-import { say } from "../words.js";
+import { button, create, setText } from "../ui/elements.js";
+import { codeView } from "../ui/codeView.js";
+import { say } from "../ui/words.js";
 
 /** @import { Line, Ros } from "../protocol.js" */
 

@@ -1,11 +1,11 @@
 // @ts-check
 // The nodes and topics of the page as a drawing, in the manner of rqt_graph.
 
-import { shape, createDrawing } from "../drawing.js";
-import { create, toggle } from "../elements.js";
-import { whileSeen } from "../looking.js";
+import { shape, createDrawing } from "../ui/drawing.js";
+import { create, toggle } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
 import { Graph, layout } from "../vendor/dagre.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 

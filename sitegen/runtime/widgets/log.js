@@ -1,9 +1,9 @@
 // @ts-check
 // What all nodes log, from /rosout, by severity, node and text.
 
-import { button, create, setText } from "../elements.js";
-import { whileSeen } from "../looking.js";
-import { say } from "../words.js";
+import { button, create, setText } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 

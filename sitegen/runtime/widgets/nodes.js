@@ -1,9 +1,9 @@
 // @ts-check
 // What runs in the page: each program, and what its nodes have to do with the others.
 
-import { arrange, create, setText, toggle } from "../elements.js";
-import { whileSeen } from "../looking.js";
-import { say, states } from "../words.js";
+import { arrange, create, setText, toggle } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
+import { say, states } from "../ui/words.js";
 
 /** @import { EndpointKind, NodeHandle, Ros } from "../protocol.js" */
 

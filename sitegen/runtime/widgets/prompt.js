@@ -1,9 +1,9 @@
 // @ts-check
 // A Python prompt: what is typed runs on the page's graph, what it prints stands above.
 
-import { button, create, setText } from "../elements.js";
-import { showLines } from "../lines.js";
-import { say, states } from "../words.js";
+import { button, create, setText } from "../ui/elements.js";
+import { showLines } from "../ui/lines.js";
+import { say, states } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 

@@ -1,10 +1,10 @@
 // @ts-check
 // Publish on a topic what is typed into a form, once or again and again.
 
-import { button, create, setText } from "../elements.js";
-import { whileSeen } from "../looking.js";
+import { button, create, setText } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
 import { createForm } from "../messages/form.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Publisher, Ros } from "../protocol.js" */
 

@@ -2,12 +2,12 @@
 // A robot that does what a topic tells it: drawn on the page, and real where its kind reaches one.
 // What only one kind has is in robots/<kind>.js.
 
-import { arrange, button, create, setText } from "../elements.js";
+import { arrange, button, create, setText } from "../ui/elements.js";
 import { place } from "../place.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
-/** @import { Reading, Robot } from "../robots/parts/robot.js" */
+/** @import { Reading, Robot } from "./robots/parts/robot.js" */
 
 // Numbers that change more often than this (ms) cannot be read.
 const READABLE = 100;
@@ -25,7 +25,7 @@ export function mount(element, ros, { kind, ...options }) {
   let unmounted = false;
   let unmount = () => {};
   // A page brings only the kinds that it shows.
-  import(place(`robots/${kind}.js`)).then(({ create: make }) => {
+  import(place(`widgets/robots/${kind}.js`)).then(({ create: make }) => {
     if (!unmounted) unmount = show(element, ros, make, options);
   });
   return () => {

@@ -1,11 +1,11 @@
 // @ts-check
 // The services of the page, and a form to call one.
 
-import { arrange, button, create, setText, toggle } from "../elements.js";
-import { whileSeen } from "../looking.js";
+import { arrange, button, create, setText, toggle } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
 import { createForm } from "../messages/form.js";
 import { toYaml } from "../messages/yaml.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 

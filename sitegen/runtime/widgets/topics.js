@@ -1,13 +1,13 @@
 // @ts-check
 // Every topic of the page with what is on it, and the messages of one.
 
-import { arrange, button, create, setText, toggle } from "../elements.js";
-import { whileSeen } from "../looking.js";
+import { arrange, button, create, setText, toggle } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
 import { createEcho } from "../messages/echo.js";
 import { explain } from "../messages/mismatch.js";
 import { Rate } from "../messages/rate.js";
 import { now } from "../protocol.js";
-import { say } from "../words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Mismatch, Ros } from "../protocol.js" */
 

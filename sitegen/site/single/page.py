@@ -192,7 +192,7 @@ class _Writer(HTMLParser):
         scripts = [path for path in programs if path.endswith(".js")]
         wasm = [path for path in programs if path.endswith(".wasm")]
         # A worker has a bundle of its own, with what it loads only when a program asks for it.
-        later = [path for path in modules if path.startswith("runtime/filter/")]
+        later = [path for path in modules if path.startswith("runtime/messages/filter/")]
         begun = [path for path in workers if path.endswith("Node.js")]
         starts = {path: [*scripts, *later] for path in begun}
         paths = [path for path in modules if path not in (*workers, *later)] + wasm

@@ -19,7 +19,7 @@ struct MessageMembers
 {
   const char * name;  // as in `ros2 topic list -t`: std_msgs/msg/String
   const char * hash;  // RIHS01_…
-  /// Its fields, see runtime/filter/fields.js; empty for parts of services and actions, which no
+  /// Its fields, see runtime/messages/filter/fields.js; empty for parts of services and actions, which no
   /// subscription filters.
   const char * definition;
   void (* visit)(Cdr & cdr, void * message);

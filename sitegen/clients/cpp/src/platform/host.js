@@ -1,5 +1,5 @@
 // Emscripten's side of include/rclcpp/detail/host.h: every call goes on to Module.ros, the worker's
-// host object (runtime/workers/cppHost.js), with the views on memory that it needs.
+// host object (runtime/workers/cpp/cppHost.js), with the views on memory that it needs.
 mergeInto(LibraryManager.library, {
   ros_create: function(kind, node, name, type, qos) {
     return Module["ros"]["create"](HEAPU8, kind, node, name, type, qos);

@@ -1,0 +1,308 @@
+// @ts-check
+// The ROS graph of the page: who publishes, subscribes, serves and calls what, and who is
+// linked to whom.
+// Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
+
+import { incompatibility, KINDS, sends } from "../protocol.js";
+
+/** @import { Endpoint, FromWorker, Mismatch, ToWorker } from "../protocol.js" */
+
+/**
+ * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
+ * @typedef {(text: string) => void} Complain
+ * @typedef {{id: number, program: string, post: Post, complain: Complain,
+ *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>,
+ *   looking: boolean}} Participant a worker, or the page; one that is looking is told of all the others
+ * @typedef {{owner: Participant, endpoint: Endpoint}} Member
+ * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
+ *   publishers and the subscriptions, of a service the clients and the servers
+ */
+
+/** Emits `change` after changes. */
+export class Graph extends EventTarget {
+  /** @type {Map<number, Participant>} */
+  #participants = new Map();
+  /** @type {Map<string, Channel>} */
+  #topics = new Map();
+  /** @type {Map<string, Channel>} */
+  #services = new Map();
+  #nextId = 1;
+  #changing = false;
+
+  /**
+   * Let a worker take part and return its id.
+   * @param {Post} post to the worker @param {string} program that it runs, empty for the page itself
+   * @param {Complain} complain called with what is wrong with the worker's part
+   */
+  join(post, program, complain) {
+    const id = this.#nextId++;
+    this.#participants.set(id, {
+      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(), looking: false,
+    });
+    return id;
+  }
+
+  /** Take what a worker says that concerns the graph. @param {number} id of the worker @param {FromWorker} message */
+  receive(id, message) {
+    switch (message.op) {
+      case "create":
+        this.#create(id, message.endpoint);
+        break;
+      case "destroy":
+        this.#destroy(id, message.id);
+        break;
+      case "missed":
+        this.#miss(id, message.id, message.count);
+        break;
+      case "complain":
+        // What a worker says about another, which sent it nonsense.
+        this.#participants.get(message.peer)?.complain(message.text);
+        break;
+      case "look":
+        this.#look(id);
+        break;
+      case "settle":
+        this.#participants.get(id)?.post({ op: "settled" });
+        break;
+    }
+  }
+
+  /** Forget a worker that ended, and all that it had. @param {number} id */
+  leave(id) {
+    const gone = this.#participants.get(id);
+    if (!gone) return;
+    for (const endpoint of [...gone.endpoints.keys()]) this.#destroy(id, endpoint);
+    this.#participants.delete(id);
+    for (const peer of gone.links) {
+      const other = this.#participants.get(peer);
+      other?.links.delete(id);
+      other?.post({ op: "unlink", peer: id });
+    }
+    this.#changed();
+  }
+
+  /** @param {number} id of the worker @param {Endpoint} endpoint */
+  #create(id, endpoint) {
+    const owner = this.#participants.get(id);
+    if (!owner) return;
+    if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) {
+      owner.complain("announced what is no endpoint; it was dropped");
+      return;
+    }
+    owner.endpoints.set(endpoint.id, endpoint);
+    this.#tell(owner, { op: "graph", come: [{ peer: id, endpoint }], gone: [] });
+    if (endpoint.kind !== "node") {
+      const member = { owner, endpoint };
+      const { mine, others } = this.#sides(endpoint);
+      mine.add(member);
+      for (const other of others) this.#meet(member, other);
+    }
+    this.#changed();
+  }
+
+  /** @param {number} id of the worker @param {number} endpointId */
+  #destroy(id, endpointId) {
+    const owner = this.#participants.get(id);
+    const endpoint = owner?.endpoints.get(endpointId);
+    if (!owner || !endpoint) return;
+    owner.endpoints.delete(endpointId);
+    this.#tell(owner, { op: "graph", come: [], gone: [{ peer: id, id: endpointId }] });
+    owner.missed.delete(endpointId);
+    if (endpoint.kind !== "node") {
+      const { mine, others } = this.#sides(endpoint);
+      const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
+      if (member) {
+        mine.delete(member);
+        for (const other of others) this.#part(member, other);
+      }
+      if (mine.size + others.size === 0) this.#channels(endpoint).delete(endpoint.name);
+    }
+    this.#changed();
+  }
+
+  /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
+  #miss(id, endpoint, count) {
+    const owner = this.#participants.get(id);
+    if (!owner?.endpoints.has(endpoint)) return;
+    owner.missed.set(endpoint, count);
+    this.#changed();
+  }
+
+  /** Tell a worker who is there, and from now on of who comes and goes. @param {number} id */
+  #look(id) {
+    const owner = this.#participants.get(id);
+    if (!owner || owner.looking) return;
+    owner.looking = true;
+    const others = [...this.#participants.values()].filter((other) => other !== owner);
+    const come = others.flatMap(({ id: peer, endpoints }) =>
+      [...endpoints.values()].map((endpoint) => ({ peer, endpoint })));
+    owner.post({ op: "graph", come, gone: [] });
+  }
+
+  /** Everything that takes part, in the order of its coming. */
+  endpoints() {
+    return [...this.#participants.values()].flatMap(({ program, endpoints, missed }) =>
+      [...endpoints.values()].map((endpoint) => ({
+        ...endpoint, program, missed: missed.get(endpoint.id) ?? 0,
+      })),
+    );
+  }
+
+  /** Fully qualified names of the nodes, sorted. */
+  nodes() {
+    return this.endpoints().filter((e) => e.kind === "node").map((e) => e.node).sort();
+  }
+
+  /** The topics by name, with their types and the nodes at both sides. */
+  topics() {
+    return [...this.#topics].sort(byName).map(([name, channel]) => ({
+      name,
+      types: types(channel),
+      publishers: nodesOf(channel.senders),
+      subscriptions: nodesOf(channel.receivers),
+      missed: sum([...channel.receivers].map(missed)),
+      mismatches: mismatches(channel),
+    }));
+  }
+
+  /** The services by name, with their types and the nodes at both sides. */
+  services() {
+    return [...this.#services].sort(byName).map(([name, channel]) => ({
+      name,
+      types: types(channel),
+      servers: nodesOf(channel.receivers),
+      clients: nodesOf(channel.senders),
+    }));
+  }
+
+  /** @param {Endpoint} endpoint */
+  #channels({ kind }) {
+    return kind === "service" || kind === "client" ? this.#services : this.#topics;
+  }
+
+  /** The side of its channel that `endpoint` is on, and the other. @param {Endpoint} endpoint */
+  #sides(endpoint) {
+    const channels = this.#channels(endpoint);
+    let channel = channels.get(endpoint.name);
+    if (!channel) {
+      channel = { senders: new Set(), receivers: new Set() };
+      channels.set(endpoint.name, channel);
+    }
+    return sends(endpoint)
+      ? { mine: channel.senders, others: channel.receivers }
+      : { mine: channel.receivers, others: channel.senders };
+  }
+
+  /**
+   * Match both sides of a channel, in either order, if they suit each other; those of one worker find
+   * each other there.
+   * @param {Member} a @param {Member} b
+   */
+  #meet(a, b) {
+    if (a.owner === b.owner) return;
+    const policy = incompatibility(...inOrder(a, b));
+    if (!policy) this.#link(a.owner, b.owner);
+    for (const [to, about] of bothWays(a, b)) {
+      const local = to.endpoint.id;
+      if (policy) {
+        to.owner.post({ op: "incompatible", local, policy });
+      } else {
+        const { id: remote, qos } = about.endpoint;
+        to.owner.post({ op: "match", local, peer: about.owner.id, remote, qos });
+      }
+    }
+  }
+
+  /** @param {Member} a @param {Member} b */
+  #part(a, b) {
+    if (a.owner === b.owner || incompatibility(...inOrder(a, b))) return;
+    for (const [to, about] of bothWays(a, b)) {
+      const [local, remote] = [to.endpoint.id, about.endpoint.id];
+      to.owner.post({ op: "unmatch", local, peer: about.owner.id, remote });
+    }
+  }
+
+  /** Give two workers a port to each other, once. @param {Participant} a @param {Participant} b */
+  #link(a, b) {
+    if (a.links.has(b.id)) return;
+    const { port1, port2 } = new MessageChannel();
+    a.links.add(b.id);
+    b.links.add(a.id);
+    a.post({ op: "link", peer: b.id, port: port1 }, [port1]);
+    b.post({ op: "link", peer: a.id, port: port2 }, [port2]);
+  }
+
+  /** Tell those that look of a change at `owner`. @param {Participant} owner @param {ToWorker} change */
+  #tell(owner, change) {
+    for (const other of this.#participants.values()) {
+      if (other.looking && other !== owner) other.post(change);
+    }
+  }
+
+  #changed() {
+    if (this.#changing) return;
+    this.#changing = true;
+    // Together: a node that starts announces a dozen endpoints in one go.
+    setTimeout(() => {
+      this.#changing = false;
+      this.dispatchEvent(new Event("change"));
+    });
+  }
+}
+
+/** The sender first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
+function inOrder(a, b) {
+  return sends(a.endpoint) ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
+}
+
+/** @param {[string, Channel]} a @param {[string, Channel]} b */
+function byName([a], [b]) {
+  return a < b ? -1 : 1;
+}
+
+/** @param {Channel} channel */
+function types({ senders, receivers }) {
+  return [...new Set([...senders, ...receivers].map((member) => member.endpoint.type))];
+}
+
+/** @param {Set<Member>} members */
+function nodesOf(members) {
+  return [...members].map((member) => member.endpoint.node);
+}
+
+/** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */
+function bothWays(a, b) {
+  return [[a, b], [b, a]];
+}
+
+/** Who on a topic does not hear whom, and why. @param {Channel} channel @returns {Mismatch[]} */
+function mismatches({ senders, receivers }) {
+  return [...senders].flatMap(({ endpoint: from }) =>
+    [...receivers].flatMap(({ endpoint: to }) => {
+      const policy = incompatibility(from, to);
+      return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
+    }),
+  );
+}
+
+/**
+ * What a subscription missed; one of the page itself has nothing to miss, it only looks.
+ * @param {Member} member
+ */
+function missed({ owner, endpoint }) {
+  return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
+}
+
+/** @param {number[]} numbers */
+function sum(numbers) {
+  return numbers.reduce((total, number) => total + number, 0);
+}
+
+/** Whether it is one; a worker may run anybody's program. @param {any} endpoint */
+function isEndpoint(endpoint) {
+  const { id, kind, node, name, type, qos } = endpoint ?? {};
+  return Number.isSafeInteger(id) && id > 0 && id < 2 ** 32 && KINDS.includes(kind) &&
+    [node, name, type].every((text) => typeof text === "string") &&
+    typeof qos === "object" && qos !== null &&
+    [qos.depth, qos.deadline, qos.lifespan, qos.lease].every((number) => number >= 0);
+}

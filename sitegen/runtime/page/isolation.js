@@ -1,0 +1,85 @@
+// @ts-check
+// Isolation: a page whose files come with two more headers may share memory with its workers. Where the server
+// cannot send them the site's service worker adds them, so the first visit to a site loads its page twice.
+
+import { create } from "../ui/elements.js";
+import { say } from "../ui/words.js";
+
+// In the storage of the tab while a page loads for the second time: before the address of the service worker.
+const AGAIN = "sitegen:isolated:";
+
+let wanted = false;
+/** Why there is no isolation, for the console of who would need it. */
+let reason = "";
+
+/** Why Python cannot stand still here, as the end of a sentence; empty if the site does not ask for isolation. */
+export function obstacle() {
+  if (!wanted) return "";
+  if (globalThis.crossOriginIsolated) return "; it shares no memory with isolated pages either";
+  return `; memory that is shared would do, but ${reason}`;
+}
+
+/**
+ * Isolate the page; this does not return when it is loaded once more for that.
+ * @param {string} script the service worker of the site
+ */
+export async function isolate(script) {
+  wanted = true;
+  if (globalThis.crossOriginIsolated) {
+    keep(script, false);
+    return;
+  }
+  reason = hindrance(script);
+  if (reason) return;
+  const word = create("div", "ros-word", say("This page loads once more, so that it may share memory with its nodes."));
+  word.setAttribute("role", "status");
+  document.body.append(word);
+  try {
+    await activated(await navigator.serviceWorker.register(script));
+    keep(script, true);
+    location.reload();
+    await new Promise(() => {});
+  } catch (error) {
+    word.remove();
+    reason = `its service worker could not be installed (${error instanceof Error ? error.message : error})`;
+  }
+}
+
+/** What stands in the way, empty if nothing does. @param {string} script */
+function hindrance(script) {
+  if (window !== top) return "this page is inside of another one; open it by itself";
+  if (!isSecureContext) return "this page did not come over https://; open it from there";
+  if (!("serviceWorker" in navigator)) return "this browser allows no service workers here; try a window that is not private";
+  try {
+    if (sessionStorage.getItem(AGAIN + script)) {
+      keep(script, false); // whoever reloads by hand may try again
+      return "loading this page once more did not isolate it; close its other tabs and load it again";
+    }
+  } catch {
+    return "this browser lets this page keep nothing; allow it to store data";
+  }
+  return "";
+}
+
+/** @param {string} script @param {boolean} loading whether the page loads for the second time */
+function keep(script, loading) {
+  try {
+    if (loading) sessionStorage.setItem(AGAIN + script, "1");
+    else sessionStorage.removeItem(AGAIN + script);
+  } catch {
+    // Then it was isolated by its server.
+  }
+}
+
+/** Resolve when a service worker stands between the server and the pages to come. @param {ServiceWorkerRegistration} registration */
+function activated({ active, waiting, installing }) {
+  const worker = active ?? waiting ?? installing;
+  return /** @type {Promise<void>} */ (new Promise((resolve, reject) => {
+    const look = () => {
+      if (worker?.state === "activated") resolve();
+      if (worker?.state === "redundant") reject(new Error("the site is just being published, or cannot be reached"));
+    };
+    worker?.addEventListener("statechange", look);
+    look();
+  }));
+}

@@ -1,0 +1,327 @@
+// @ts-check
+// A node of the page and the worker that runs it, from Start to Stop and again.
+
+import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
+import { obstacle } from "./isolation.js";
+import { place } from "../place.js";
+import { startWorker } from "./workerGroup.js";
+
+/** @import { Engine, FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
+/** @import { Graph } from "./graph.js" */
+/** @import { Member, WorkerGroups } from "./workerGroup.js" */
+
+// A node that Stop did not end after this time (ms) is terminated.
+const GRACE = 1000;
+// A program that ended leaves its worker for this time (ms): what is terminated in Firefox takes along
+// what it had posted last.
+const LINGER = 250;
+
+/** The engine for which this browser takes a compiled node. @returns {Engine} */
+function engineOfBrowser() {
+  return "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
+}
+
+export class NodeProcess extends EventTarget {
+  #entry;
+  #base;
+  #graph;
+  #ready;
+  /** @type {NodeState} */
+  #state = "stopped";
+  /** @type {Promise<WebAssembly.Module> | undefined} */
+  #module;
+  #groups;
+  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined} */
+  #run;
+  #startAgain = false;
+  /** What a visitor made of files of a Python node, by their places. @type {Record<string, string>} */
+  #edits = {};
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #grace;
+
+  /**
+   * @param {string} name
+   * @param {NodeEntry} entry
+   * @param {string} base where the paths of the entry begin
+   * @param {Graph} graph
+   * @param {Promise<void>} ready resolves when programs may run
+   * @param {WorkerGroups} groups the workers that nodes share
+   */
+  constructor(name, entry, base, graph, ready, groups) {
+    super();
+    this.name = name;
+    /** When its state began, in ms since 1970. */
+    this.since = Date.now();
+    /** Of its WebAssembly, in bytes; 0 while it is not known. */
+    this.memory = 0;
+    /** How it reads what is typed, when it does. @type {Keyboard | undefined} */
+    this.keyboard = undefined;
+    this.#entry = entry;
+    this.#base = base;
+    this.#graph = graph;
+    this.#ready = ready;
+    this.#groups = groups;
+  }
+
+  get state() {
+    return this.#state;
+  }
+
+  get package() {
+    return this.#entry.package;
+  }
+
+  get executable() {
+    return this.#entry.executable;
+  }
+
+  /** Start it; one that is just stopping starts again as soon as it has stopped. */
+  start() {
+    if (this.#state === "stopping") this.#startAgain = true;
+    if (this.#run) return;
+    this.#setState("starting");
+    const { builds = {}, python, ros2wasm } = this.#entry;
+    if (ros2wasm) {
+      const program = { ...ros2wasm, script: new URL(ros2wasm.script, this.#base).href };
+      this.#launch("ros2wasm/ros2wasmNode", async (id) => ({ op: "adopt", id, name: this.name, program }));
+      return;
+    }
+    const wanted = engineOfBrowser();
+    if (python) {
+      this.#interpret(python, wanted);
+      return;
+    }
+    const engine = builds[wanted] ? wanted : "asyncify";
+    const build = builds[engine];
+    if (!build) {
+      this.#lack("the node needs");
+      return;
+    }
+    const script = new URL(build.script, this.#base).href;
+    const wasm = place(new URL(build.wasm, this.#base).href);
+    const lines = build.lines && new URL(build.lines, this.#base).href;
+    this.#launch("cpp/cppNode", async (id, worker) => {
+      this.#post(worker, { op: "load", script });
+      const module = await (this.#module ??= compile(wasm));
+      const { executable: name, arguments: args } = this.#entry;
+      return { op: "start", id, engine, module, name, arguments: args, lines };
+    });
+  }
+
+  /** Start a Python node. @param {PythonEntry} entry @param {Engine} engine of this browser */
+  #interpret(entry, engine) {
+    if (engine !== "jspi" && !sharesMemory) {
+      this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it${obstacle()}`);
+      return;
+    }
+    const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
+    const { executable: name, arguments: args } = this.#entry;
+    const program = { ...entry, bundles };
+    // Programs share an interpreter as stacks of it, which JSPI sets aside.
+    const group = engine === "jspi" ? entry.group : undefined;
+    this.#launch("python/pythonNode", async (id, _, byte) => {
+      await this.#ready; // an editor may bring what its visitor changed
+      return { op: "interpret", id, name, program, arguments: args, edits: this.#edits, byte };
+    }, group);
+  }
+
+  /** Say that this browser cannot run it. @param {string} who needs what it lacks */
+  #lack(who) {
+    const lacks = "this browser lacks JavaScript Promise Integration, which";
+    this.#print("fatal", `${this.name}: ${lacks} ${who}`);
+    this.#setState("failed");
+  }
+
+  /** Run with another text of a file from the next start on. @param {string} place @param {string | undefined} text */
+  edit(place, text) {
+    const { [place]: _, ...others } = this.#edits;
+    this.#edits = text === undefined ? others : { ...others, [place]: text };
+  }
+
+  /** Start it anew, whatever it does. */
+  restart() {
+    this.stop();
+    this.start();
+  }
+
+  /** Hand it what was typed. @param {Typed} typed */
+  type(typed) {
+    if (!this.#run) return;
+    const shown = typed.op === "line" || (typed.op === "keys" && typed.text && this.keyboard === "lines");
+    if (shown) this.#print("typed", typed.text.replace(/\n$/, ""));
+    this.#post(this.#run.worker, typed);
+  }
+
+  /** End what the program does now, as Ctrl-C does; it may go on with something else. */
+  interrupt() {
+    if (!this.#run) return;
+    this.#post(this.#run.worker, { op: "stop" });
+    interrupt(this.#run.byte);
+  }
+
+  /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
+  stop() {
+    this.#startAgain = false;
+    if (this.#state === "starting") {
+      this.#end("stopped");
+    } else if (this.#state === "running" && this.#run) {
+      this.#setState("stopping");
+      this.interrupt();
+      this.#grace = setTimeout(() => {
+        this.#print("warn", `${this.name}: did not end within a second and was terminated`);
+        this.#end("stopped", "stuck");
+      }, GRACE);
+    }
+  }
+
+  /** Run another program from now on; where the old one runs, the new one starts. @param {NodeEntry} entry */
+  replace(entry) {
+    const running = this.#state === "starting" || this.#state === "running";
+    this.#entry = entry;
+    this.#module = undefined;
+    if (running) this.restart();
+  }
+
+  /** Empty its consoles. */
+  clear() {
+    this.dispatchEvent(new Event("clear"));
+  }
+
+  /**
+   * Start a worker and, when programs may run, send it what `prepare` makes.
+   * @param {string} file of the worker
+   * @param {(id: number, worker: Worker | Member, byte?: Uint8Array) => Promise<ToWorker>} prepare
+   * @param {string} [group] of nodes that share the worker
+   */
+  async #launch(file, prepare, group) {
+    const worker = group ? this.#groups.join(group, file, this.name) : startWorker(file, this.name);
+    const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
+      this.#post(worker, message, transfer);
+    const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
+    const id = this.#graph.join(post, this.name, complain);
+    const byte = worker instanceof Worker ? sharedByte() : worker.byte;
+    const run = { worker, id, byte };
+    this.#run = run;
+    worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
+    worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
+      event.preventDefault();
+      const unloaded = "its worker could not be loaded; start again when there is a connection to the site";
+      if (this.#run === run) this.#fail(event.message || unloaded);
+    };
+    try {
+      const [message] = await Promise.all([prepare(id, worker, byte), this.#ready]);
+      if (this.#run === run) this.#post(worker, message); // else it was stopped meanwhile
+    } catch (error) {
+      this.#module = undefined;
+      if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));
+    }
+  }
+
+  /** @param {number} id @param {FromWorker} message */
+  #receive(id, message) {
+    if (this.#run?.id !== id) return; // sent before it was terminated
+    switch (message.op) {
+      case "running":
+        this.#setState("running");
+        break;
+      case "lines":
+        this.#emitLines(message.lines);
+        break;
+      case "progress":
+        this.dispatchEvent(new CustomEvent("progress", { detail: message }));
+        break;
+      case "memory":
+        this.memory = message.bytes;
+        break;
+      case "reading":
+        this.keyboard = message.keyboard;
+        this.dispatchEvent(new Event("reading"));
+        break;
+      case "ready":
+        this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
+        break;
+      case "words":
+        this.dispatchEvent(new CustomEvent("words", { detail: message }));
+        break;
+      case "exit":
+        if (message.error) {
+          this.#fail(message.error);
+        } else if (message.code !== 0) {
+          this.#fail(`exited with code ${message.code}`);
+        } else {
+          this.#end("stopped", "by itself");
+        }
+        break;
+      default:
+        this.#graph.receive(id, message);
+    }
+  }
+
+  /** @param {string} error */
+  #fail(error) {
+    this.#print("fatal", `${this.name}: ${error}`);
+    console.error(`${this.name}: ${error}`);
+    this.#end("failed");
+  }
+
+  /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] its program came to its end */
+  #end(state, how = "early") {
+    clearTimeout(this.#grace);
+    const run = this.#run;
+    this.#run = undefined;
+    if (run) {
+      if (how === "by itself") setTimeout(() => dismiss(run.worker), LINGER);
+      else if (how === "stuck") run.worker.terminate();
+      else dismiss(run.worker);
+      this.#graph.leave(run.id);
+    }
+    this.#setState(state);
+    if (this.#startAgain) {
+      this.#startAgain = false;
+      this.start();
+    }
+  }
+
+  /** @param {Worker | Member} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
+  #post(worker, message, transfer = []) {
+    worker.postMessage(message, transfer);
+  }
+
+  /** @param {Severity} severity @param {string} text */
+  #print(severity, text) {
+    this.#emitLines([{ severity, text }]);
+  }
+
+  /** @param {Line[]} lines */
+  #emitLines(lines) {
+    this.dispatchEvent(new CustomEvent("lines", { detail: lines }));
+  }
+
+  /** @param {NodeState} state */
+  #setState(state) {
+    this.#state = state;
+    this.since = Date.now();
+    if (state !== "running" && state !== "stopping") {
+      this.memory = 0;
+      this.keyboard = undefined;
+    }
+    this.dispatchEvent(new Event("state"));
+  }
+}
+
+/** End a worker, but that of a group only for the node it has. @param {Worker | Member} worker */
+function dismiss(worker) {
+  if (worker instanceof Worker) worker.terminate();
+  else worker.leave();
+}
+
+/** Fetch and compile a program while its worker starts. @param {string} url */
+async function compile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
+  // Some servers do not know the type of WebAssembly files; those are compiled after the download.
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) {
+    return WebAssembly.compileStreaming(response);
+  }
+  return WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,90 @@
+// @ts-check
+// Workers: of one node, or of several that share an interpreter and talk with it through a port each.
+
+import { sharedByte } from "../interrupt.js";
+import { moduleWorkers, place } from "../place.js";
+
+/** @import { ToWorker } from "../protocol.js" */
+
+/** @param {string} file of the worker @param {string} name that debuggers show */
+export function startWorker(file, name) {
+  return new Worker(place(`workers/${file}.js`), { type: moduleWorkers ? "module" : "classic", name });
+}
+
+export class WorkerGroups {
+  /** By the names of the groups. @type {Map<string, {worker: Worker, byte?: Uint8Array, members: Set<Member>}>} */
+  #groups = new Map();
+
+  /** Let one more node use the worker of a group. @param {string} group @param {string} file @param {string} name of the node */
+  join(group, file, name) {
+    const known = this.#groups.get(group);
+    const started = known ?? { worker: startWorker(file, group), byte: sharedByte(), members: new Set() };
+    const { worker, byte, members } = started;
+    const { port1, port2 } = new MessageChannel();
+    const member = new Member(name, port1, byte, (stuck) => {
+      members.delete(member);
+      if (!stuck && members.size > 0) return;
+      worker.terminate();
+      if (this.#groups.get(group)?.worker === worker) this.#groups.delete(group);
+      for (const other of [...members]) other.lose(`it shared its interpreter with ${name}, which had to be terminated`);
+    });
+    if (!known) {
+      this.#groups.set(group, started);
+      worker.onerror = (event) => {
+        event.preventDefault();
+        this.#groups.delete(group);
+        for (const each of [...members]) each.lose(event.message);
+      };
+    }
+    members.add(member);
+    worker.postMessage(/** @type {ToWorker} */ ({ op: "join" }), [port2]);
+    return member;
+  }
+}
+
+/** A node's part of a shared worker; to the node it is like a worker of its own. */
+export class Member {
+  #port;
+  #end;
+  /** @type {((event: {message: string, preventDefault(): void}) => void) | null} */
+  onerror = null;
+
+  /**
+   * @param {string} name @param {MessagePort} port
+   * @param {Uint8Array | undefined} byte by which the page interrupts what the worker does
+   * @param {(stuck: boolean) => void} end
+   */
+  constructor(name, port, byte, end) {
+    this.name = name;
+    this.byte = byte;
+    this.#port = port;
+    this.#end = end;
+  }
+
+  /** @param {((event: MessageEvent) => void) | null} listen */
+  set onmessage(listen) {
+    this.#port.onmessage = listen;
+  }
+
+  /** @param {ToWorker} message @param {Transferable[]} [transfer] */
+  postMessage(message, transfer = []) {
+    this.#port.postMessage(message, transfer);
+  }
+
+  /** The node has ended; the others go on. */
+  leave() {
+    this.#port.close();
+    this.#end(false);
+  }
+
+  /** End the worker, and with it all of its nodes. */
+  terminate() {
+    this.#port.close();
+    this.#end(true);
+  }
+
+  /** The worker is gone. @param {string} message */
+  lose(message) {
+    this.onerror?.({ message, preventDefault() {} });
+  }
+}

@@ -1,0 +1,90 @@
+// @ts-check
+// CodeMirror for Python, in the colours of the theme.
+
+import {
+  bracketMatching, Decoration, defaultKeymap, drawSelection, EditorState, EditorView, highlightActiveLine,
+  HighlightStyle, history, historyKeymap, indentOnInput, indentUnit, indentWithTab, keymap, lineNumbers, python,
+  StateEffect, StateField, syntaxHighlighting, tags,
+} from "../vendor/codemirror.js";
+
+const LOOK = EditorView.theme({
+  "&": { color: "var(--text)", backgroundColor: "var(--surface)", height: "100%", fontSize: "0.875rem" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
+  ".cm-scroller": { fontFamily: "var(--font-code)", lineHeight: "1.55" },
+  ".cm-gutters": { color: "var(--muted)", backgroundColor: "transparent", border: "none" },
+  ".cm-activeLine, .cm-activeLineGutter": {
+    backgroundColor: "color-mix(in srgb, var(--accent) 8%, transparent)",
+  },
+  ".cm-cursor": { borderLeftColor: "var(--text)" },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
+    background: "color-mix(in srgb, var(--accent) 28%, transparent)",
+  },
+  ".cm-wrong": { backgroundColor: "color-mix(in srgb, var(--danger) 22%, transparent)" },
+});
+
+const COLOURS = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--code-comment)", fontStyle: "italic" },
+  { tag: [tags.keyword, tags.operatorKeyword, tags.self], color: "var(--code-keyword)" },
+  { tag: [tags.className, tags.typeName], color: "var(--code-type)" },
+  { tag: [tags.function(tags.variableName), tags.function(tags.definition(tags.variableName))], color: "var(--code-function)" },
+  { tag: [tags.string, tags.special(tags.string)], color: "var(--code-string)" },
+  { tag: [tags.number, tags.bool, tags.null], color: "var(--code-number)" },
+  { tag: tags.meta, color: "var(--code-meta)" },
+]);
+
+/** Shows which line is wrong, 0 for none. @type {import("@codemirror/state").StateEffectType<number>} */
+const mark = StateEffect.define();
+const marked = StateField.define({
+  create: () => Decoration.none,
+  update(marks, change) {
+    if (change.docChanged) marks = Decoration.none;
+    for (const effect of change.effects) {
+      if (!effect.is(mark)) continue;
+      const line = effect.value;
+      const known = line > 0 && line <= change.state.doc.lines;
+      marks = known
+        ? Decoration.set([Decoration.line({ class: "cm-wrong" }).range(change.state.doc.line(line).from)])
+        : Decoration.none;
+    }
+    return marks;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+/**
+ * Show an editor in `element`. It lives in a shadow root, where its styles are style sheets of their own: a page's
+ * policy allows no others.
+ * @param {HTMLElement} element @param {string} text @param {string} label
+ * @param {(text: string) => void} changed
+ */
+export function codeView(element, text, label, changed) {
+  const root = element.attachShadow({ mode: "open" });
+  const view = new EditorView({
+    root,
+    parent: root,
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        lineNumbers(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(),
+        indentUnit.of("    "), python(), syntaxHighlighting(COLOURS), LOOK, marked,
+        keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
+        EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged) changed(update.state.doc.toString());
+        }),
+      ],
+    }),
+  });
+  return {
+    /** @param {string} other */
+    set(other) {
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other } });
+    },
+    /** @param {number} line */
+    mark(line) {
+      view.dispatch({ effects: mark.of(line) });
+    },
+    focus: () => view.focus(),
+    destroy: () => view.destroy(),
+  };
+}

@@ -1,0 +1,141 @@
+// @ts-check
+// The worker of a compiled node: load its program, enter it, report how it ended.
+
+import { cppHost } from "./cppHost.js";
+import { keyboardHost } from "./keyboardHost.js";
+import { Participant } from "../../participant/participant.js";
+import { place } from "../../place.js";
+import { Printer } from "../printer.js";
+
+/** @import { FromWorker, ToWorker } from "../../protocol.js" */
+
+// So many frames of a stack are kept; browsers keep ten.
+const DEPTH = 100;
+// What a program that was built without its lines cannot tell.
+const ADVICE = "    (sitegen build --debug tells where)";
+
+/** @param {FromWorker} message */
+const post = (message) => postMessage(message);
+const printer = new Printer(post);
+/** @type {Participant | undefined} */
+let participant;
+/** What was typed and not yet read; none of them is the end. @type {Uint8Array[]} */
+const typed = [];
+/** @type {Promise<any> | undefined} */
+let script;
+/** The address of its lines, of a program built with --debug. @type {string | undefined} */
+let lines;
+
+/** @param {MessageEvent<ToWorker>} event */
+onmessage = (event) => {
+  if (event.data.op === "load") {
+    // Its program is still being compiled; a script that cannot be had is told when it starts.
+    script = import(place(event.data.script));
+    script.catch(() => {});
+  } else if (event.data.op === "start") {
+    participant = new Participant(event.data.id, post);
+    run(event.data, participant).catch((error) => end(1, describe(error)));
+  } else if (event.data.op === "keys") {
+    typed.push(new TextEncoder().encode(event.data.text));
+    participant?.wake();
+  } else {
+    participant?.receive(event.data);
+  }
+};
+
+/**
+ * @param {Extract<ToWorker, {op: "start"}>} node
+ * @param {Participant} graph
+ */
+async function run(node, graph) {
+  let failure = "";
+  let whence = "";
+  lines = node.lines;
+  if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
+  /** @param {unknown} error */
+  const ended = (error) => {
+    // With fibers, exit() throws its status and does not tell it by onExit.
+    const status = /** @type {{name?: string, status?: number}} */ (error);
+    if (status?.name === "ExitStatus") {
+      end(status.status ?? 0, failure, whence);
+    } else {
+      end(1, failure || describe(error), error instanceof Error ? error.stack : "");
+    }
+  };
+  /** @param {string} text @param {string} stack */
+  const fail = (text, stack) => {
+    failure = text;
+    whence = stack;
+  };
+  const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
+  const args = [node.name, ...node.arguments];
+  const { default: load } = await script;
+  const program = await load({
+    ros: { ...cppHost(graph, printer, args, fail, ended, grown), ...keyboardHost(typed, printer, post) },
+    noInitialRun: true,
+    // Its WebAssembly is here already; a script without an address of its own could not name it.
+    locateFile: (/** @type {string} */ name) => name,
+    /** @param {string} line */
+    print: (line) => printer.print("stdout", line),
+    /** @param {string} line */
+    printErr: (line) => printer.print("stderr", line),
+    /** @param {number} code */
+    onExit: (code) => end(code, failure, whence),
+    /**
+     * @param {WebAssembly.Imports} imports
+     * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
+     */
+    instantiateWasm(imports, loaded) {
+      WebAssembly.instantiate(node.module, imports).then(
+        (instance) => loaded(instance, node.module),
+        ended,
+      );
+      return {}; // "loaded" comes later
+    },
+  });
+  post({ op: "running" });
+  try {
+    if (node.engine === "jspi") {
+      await WebAssembly.promising(program.rosFunction(program._ros_main_pointer()))();
+    } else {
+      program._ros_main(); // returns at the first wait; after that, `ended` and onExit hear of it
+    }
+  } catch (error) {
+    ended(error);
+  }
+}
+
+let over = false;
+
+/**
+ * Report the end of the program, once: exit() also throws, after it called onExit.
+ * @param {number} code @param {string} error @param {string} [stack] where that was
+ */
+async function end(code, error, stack = "") {
+  if (over) return;
+  over = true;
+  participant?.finish();
+  printer.flush();
+  const told = error && `${error.trimEnd()}\n${lines ? await where(stack, lines) : ADVICE}`;
+  post({ op: "exit", code, error: told });
+}
+
+/** @param {string} stack @param {string} address of the lines */
+async function where(stack, address) {
+  try {
+    const { traceOf } = await import(place("workers/cpp/stackTrace.js"));
+    return traceOf(stack, await (await fetch(address)).json());
+  } catch {
+    return `    (${address} could not be loaded, which tells where)`;
+  }
+}
+
+/** @param {unknown} error */
+function describe(error) {
+  if (!(error instanceof Error)) return String(error);
+  // Each browser has words of its own for it.
+  if (/call stack|recursion/.test(error.message)) return "stack overflow: functions call each other too deep";
+  // Emscripten adds advice for those who built the program.
+  if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
+  return `${error.name}: ${error.message}`;
+}

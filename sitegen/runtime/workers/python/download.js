@@ -1,0 +1,83 @@
+// @ts-check
+// What a worker loads, counted: how far it is, and what is wrong in words.
+
+/** @import { FromWorker } from "../../protocol.js" */
+
+// So often (ms) is told how far it is.
+const PAUSE = 200;
+// Another one stands in for it while Python's loader runs.
+const browsers = globalThis.fetch;
+
+export class Download {
+  /** Who is told. @type {Set<(message: FromWorker) => void>} */
+  #posts = new Set();
+  #loaded = 0;
+  #total = 0;
+  #lastPost = 0;
+  /** @type {(error: Error) => void} */
+  #fail = () => {};
+  /** Rejects with the first thing that could not be loaded. @type {Promise<never>} */
+  failed = new Promise((_, reject) => {
+    this.#fail = reject;
+  });
+
+  constructor() {
+    this.failed.catch(() => {}); // told when a node starts
+  }
+
+  /**
+   * Tell how far it is from now on.
+   * @param {number} total bytes, not compressed @param {(message: FromWorker) => void} post
+   */
+  expect(total, post) {
+    this.#total = Math.max(this.#total, total);
+    this.#posts.add(post);
+    this.#tell(true);
+  }
+
+  /** Tell no more. @param {(message: FromWorker) => void} post */
+  forget(post) {
+    this.#posts.delete(post);
+  }
+
+  /**
+   * Stands in for fetch(). The answer is the browser's own, so that it may keep what it compiles of it.
+   * @param {RequestInfo | URL} input @param {RequestInit} [init] @returns {Promise<Response>}
+   */
+  fetch = async (input, init) => {
+    const url = new URL(input instanceof Request ? input.url : input, import.meta.url);
+    const response = await browsers(input, init).catch(() => this.lack(url));
+    if (!response.ok) this.lack(url, response.status);
+    this.#count(response.clone()).catch(() => this.lack(url)).catch(() => {});
+    return response;
+  };
+
+  /** @param {URL} url @param {number} [status] of the server's answer, if one came @returns {never} */
+  lack({ pathname }, status) {
+    const name = pathname.slice(pathname.lastIndexOf("/") + 1);
+    const error = new Error(
+      status
+        ? `${name} could not be loaded, the server answers ${status}; load the page again, the site may have changed`
+        : `${name} could not be loaded; start again when there is a connection to the site`,
+    );
+    this.#fail(error);
+    throw error;
+  }
+
+  /** @param {Response} response */
+  async #count({ body }) {
+    const reader = body?.getReader();
+    for (let part = await reader?.read(); part?.value; part = await reader?.read()) {
+      this.#loaded += part.value.length;
+      this.#tell(this.#loaded >= this.#total);
+    }
+  }
+
+  /** @param {boolean} now whatever was told just before */
+  #tell(now) {
+    if (!this.#total || (!now && performance.now() - this.#lastPost < PAUSE)) return;
+    this.#lastPost = performance.now();
+    const loaded = Math.min(this.#loaded, this.#total);
+    for (const post of this.#posts) post({ op: "progress", loaded, total: this.#total });
+  }
+}

@@ -1,0 +1,104 @@
+// @ts-check
+// Python in a worker: loaded once, with the files of each program unpacked beside each other.
+
+import { Download } from "./download.js";
+import { setAside } from "./stacks.js";
+
+/** @import { FromWorker, Interpret } from "../../protocol.js" */
+/** @import { Printer } from "../printer.js" */
+
+// As rclpy_backend/program.py has it.
+const PREFIX = "/ros";
+
+export class Python {
+  #download = new Download();
+  #loading = this.#load(new URL("../../vendor/pyodide", import.meta.url));
+  /** What was unpacked, by its address. @type {Set<string>} */
+  #unpacked = new Set();
+  /** The functions that run programs, and that are called before. @type {any} */
+  #run;
+  /** @type {any} */
+  #begin;
+
+  constructor() {
+    this.#loading.catch(() => {}); // told when a node starts
+  }
+
+  /**
+   * Bring a program and what it imports.
+   * @param {Interpret} node @param {Printer} printer @param {(message: FromWorker) => void} post to the page
+   */
+  async prepare({ program, edits, byte }, printer, post) {
+    this.#download.expect(program.size, post);
+    const files = program.bundles.map((url) => this.#fetched(url));
+    const python = await this.#loading;
+    for (const [index, url] of program.bundles.entries()) await this.#unpack(python, url, files[index]);
+    this.#download.forget(post);
+    for (const [place, text] of Object.entries(edits)) {
+      python.FS.writeFile(`${PREFIX}/${place}`, text);
+      this.#unpacked.delete(program.bundles.at(-1) ?? ""); // the next node has its files as they were
+    }
+    // What the interpreter writes by itself; programs have streams of their own.
+    for (const set of [python.setStdout, python.setStderr]) {
+      set.call(python, { batched: (/** @type {string} */ line) => printer.print("stderr", line) });
+    }
+    if (byte) python.setInterruptBuffer(byte);
+    post({ op: "memory", bytes: python._module.HEAPU8.length });
+    post({ op: "running" });
+  }
+
+  /**
+   * Run it to its end, which is its exit code: with a stack of its own, a promise for it.
+   * @param {Interpret} node that was prepared @param {{stacks: boolean}} host see pythonHost.js
+   */
+  async run({ name, program, arguments: args }, host) {
+    const python = await this.#loading;
+    this.#run ??= python.pyimport("rclpy_backend.system.interpreter").run;
+    this.#begin ??= python.pyimport("rclpy_backend.system.collecting").begin;
+    this.#begin();
+    const { module, attribute, own } = program;
+    const words = [host, python.toPy(own), module, attribute, python.toPy([`${PREFIX}/lib/${name}`, ...args])];
+    return /** @type {number | Promise<number>} */ (
+      host.stacks ? this.#run.callPromising(...words) : this.#run(...words)
+    );
+  }
+
+  /** @param {URL} folder */
+  async #load(folder) {
+    const browsers = globalThis.fetch;
+    // Python's own loader says nothing when a file is missing.
+    globalThis.fetch = this.#download.fetch;
+    try {
+      const loader = new URL("pyodide.mjs", folder);
+      const { loadPyodide } = await import(loader.href).catch(() => this.#download.lack(loader));
+      const python = await Promise.race([loadPyodide({ indexURL: folder.href }), this.#download.failed]);
+      const sys = python.pyimport("sys");
+      sys.path.insert(0, `${PREFIX}/python`);
+      setAside(python);
+      sys.dont_write_bytecode = true; // the next visitor has another interpreter
+      return python;
+    } finally {
+      globalThis.fetch = browsers;
+    }
+  }
+
+  /** @param {string} url @returns {Promise<ArrayBuffer> | undefined} undefined if it is there already */
+  #fetched(url) {
+    if (this.#unpacked.has(url)) return undefined;
+    return this.#download.fetch(url).then((response) => response.arrayBuffer());
+  }
+
+  /** @param {any} python @param {string} url @param {Promise<ArrayBuffer> | undefined} file */
+  async #unpack(python, url, file) {
+    const content = await file;
+    if (this.#unpacked.has(url) || !content) return;
+    python.unpackArchive(content, "zip", { extractDir: PREFIX });
+    this.#unpacked.add(url);
+  }
+}
+
+/** @param {unknown} error */
+export function describe(error) {
+  if (!(error instanceof Error)) return String(error);
+  return error.name === "Error" ? error.message : `${error.name}: ${error.message}`;
+}

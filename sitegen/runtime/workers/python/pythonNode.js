@@ -1,0 +1,81 @@
+// @ts-check
+// The worker of Python nodes: load Python and the files of their packages, call their entry points, report
+// how each ended. A node that has the worker for itself talks through it, those that share it through ports.
+
+import { heard } from "../../interrupt.js";
+import { Participant } from "../../participant/participant.js";
+import { Answers } from "./calls.js";
+import { Printer } from "../printer.js";
+import { Python, describe } from "./python.js";
+import { pythonHost } from "./pythonHost.js";
+import { answersOf } from "./remoteParticipant.js";
+
+/** @import { FromWorker, Interpret, ToWorker, Typed } from "../../protocol.js" */
+/** @typedef {{postMessage(message: FromWorker): void, onmessage: ((event: MessageEvent) => any) | null}} Way */
+
+// Without, Python stands still where it waits, in a worker of its own.
+const stacks = "Suspending" in WebAssembly && "promising" in WebAssembly;
+// Python comes while the page is still busy with its widgets.
+const python = stacks ? new Python() : undefined;
+const still = stacks ? undefined : new Worker(new URL("pythonSync.js", import.meta.url), { type: "module" });
+
+serve(/** @type {Way} */ (/** @type {unknown} */ (self)));
+
+/** Run the node that asks for it. @param {Way} way to the page */
+function serve(way) {
+  const post = (/** @type {FromWorker} */ message) => way.postMessage(message);
+  const printer = new Printer(post);
+  /** @type {Participant | undefined} */
+  let participant;
+  /** @type {Uint8Array | undefined} */
+  let byte;
+  /** @type {Typed[]} */
+  const typed = [];
+
+  /** @param {MessageEvent<ToWorker>} event */
+  way.onmessage = ({ data, ports }) => {
+    if (data.op === "join" && ports[0]) {
+      serve(ports[0]);
+    } else if (data.op === "interpret") {
+      participant = new Participant(data.id, post);
+      byte = data.byte;
+      if (still) watch(still, data, participant);
+      else run(data, participant).catch((error) => end(1, describe(error)));
+    } else if (data.op === "line" || data.op === "complete" || data.op === "keys") {
+      typed.push(data);
+      participant?.wake();
+    } else {
+      participant?.receive(data);
+      if (data.op === "stop" && stacks) heard(byte);
+    }
+  };
+
+  /** @param {Interpret} node @param {Participant} graph */
+  async function run(node, graph) {
+    await python?.prepare(node, printer, post);
+    const host = pythonHost(graph, printer, () => typed.shift(), post, (error) => end(1, describe(error)));
+    end(await python?.run(node, host) ?? 1, "");
+  }
+
+  /** Run it in the worker that stands still, and be its part of the graph. @param {Worker} worker @param {Interpret} node @param {Participant} graph */
+  function watch(worker, node, graph) {
+    const answers = new Answers(answersOf(graph, typed));
+    worker.onmessage = ({ data }) => {
+      if (data.op === "exit") end(data.code, data.error);
+      else if ("op" in data) post(data);
+      else answers.take(data).catch((error) => end(1, describe(error)));
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      end(1, event.message);
+    };
+    worker.postMessage(node);
+  }
+
+  /** @param {number} code @param {string} error */
+  function end(code, error) {
+    printer.flush();
+    participant?.finish();
+    post({ op: "exit", code, error });
+  }
+}

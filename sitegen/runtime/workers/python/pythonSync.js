@@ -1,0 +1,34 @@
+// @ts-check
+// A Python node in a browser without JavaScript Promise Integration. What Python waits for, this worker waits
+// for, and hears nothing meanwhile: so its place in the graph is in the worker that started it, pythonNode.js.
+
+import { Caller } from "./calls.js";
+import { Printer } from "../printer.js";
+import { Python, describe } from "./python.js";
+import { pythonHost } from "./pythonHost.js";
+import { remoteParticipant } from "./remoteParticipant.js";
+
+/** @import { FromWorker, Interpret } from "../../protocol.js" */
+/** @import { FromCaller } from "./calls.js" */
+
+const python = new Python();
+const post = (/** @type {FromWorker | FromCaller} */ message) => postMessage(message);
+const printer = new Printer(post);
+
+self.onmessage = ({ data }) => {
+  run(data).then((code) => end(code, ""), (error) => end(1, describe(error)));
+};
+
+/** @param {Interpret} node */
+async function run(node) {
+  await python.prepare(node, printer, post);
+  const caller = new Caller(post);
+  const participant = remoteParticipant(caller, node.byte);
+  return python.run(node, pythonHost(participant, printer, () => caller.ask("typed", []), post));
+}
+
+/** @param {number} code @param {string} error */
+function end(code, error) {
+  printer.flush();
+  post({ op: "exit", code, error });
+}
