@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from browser import Built, Scripted, Serve, opened, running, serving
 from panel import Panel, Played
+from paths import ROOT, TESTS
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from stage import set_up
 from webkit import Window, webkit
@@ -20,8 +21,6 @@ from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.options import Options
 from sitegen.report import Report
 
-TESTS = Path(__file__).parent
-ROOT = TESTS.parent
 # How the ROS2WASM project builds.
 ROS2WASM = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
 # A browser that lacks JSPI gets the other build of each node.

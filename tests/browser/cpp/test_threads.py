@@ -1,0 +1,50 @@
+"""Threads of C++ in the page: the standard library's, and a loop beside a node that spins."""
+
+from __future__ import annotations
+
+import pytest
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left
+from paths import SITES
+from playwright.sync_api import BrowserContext
+
+pytestmark = pytest.mark.firefox
+
+SITE = SITES / "rclcpp"
+
+
+def test_the_standard_library_has_its_threads(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}threads/")
+    threads = Panel(page, "threads")
+    threads.start()
+    threads.expect_state("failed")
+    assert threads.lines() == [
+        "count 100, ids 20, mine 0",
+        "queue 1 2 3 timeout 1",
+        "futures 0 42 of async at last",
+        "exceptions bb aa cc ",
+        "locks 0 1 0 1 0",
+        "turns 012",
+        "done",
+        "threads: std::runtime_error: left a thread",
+        "    (sitegen build --debug tells where)",
+    ]
+
+
+def test_a_loop_runs_beside_a_node_that_spins_until_stop(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(f"{serve(built(SITE))}threads/")
+    spinning = Panel(page, "spinning")
+    spinning.start()
+    spinning.wait_for("heard from the loop")
+    spinning.stop()
+    spinning.wait_for("all ended")
+    said = spinning.messages()
+    assert sorted(said[:3]) == ["busy ended", "heard from the loop", "loop ended"]
+    assert said[3:] == ["all ended"]
+    expect_nothing_left(page)

@@ -1,0 +1,79 @@
+"""Pages that are left, frozen, restored and reloaded, at any moment of a node's life."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+
+import pytest
+from browser import FLAGS, WHOLE_CHROMIUM, Built, Serve
+from panel import Panel, expect_nothing_left, numbers
+from paths import ROOT
+from playwright.sync_api import Browser, Page
+
+DEMOS = ROOT / "demos"
+RELOADS = 20
+
+
+@pytest.fixture
+def restoring(browser: Browser) -> Iterator[Page]:
+    """A tab of a browser that keeps pages which were left, as those of visitors do."""
+    kept = browser.browser_type.launch(
+        executable_path=WHOLE_CHROMIUM,
+        args=FLAGS,
+        ignore_default_args=["--disable-back-forward-cache"],
+    )
+    yield kept.new_page()
+    kept.close()
+
+
+@pytest.mark.chromium
+def test_a_page_that_was_left_goes_on_where_it_was(
+    restoring: Page, serve: Serve, built: Built
+) -> None:
+    page = restoring
+    faults: list[str] = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    page.on("console", lambda line: faults.append(line.text) if line.type == "error" else None)
+    url = serve(built(DEMOS / "demo03"))
+    page.goto(url)
+    talker, listener = Panel(page, "talker"), Panel(page, "listener")
+    listener.start()
+    listener.expect_state("running")
+    talker.start()
+    listener.wait_for("Hello, world! 2")
+    page.evaluate("addEventListener('pageshow', (event) => { window.restored = event.persisted; })")
+    for _ in range(3):
+        page.goto("about:blank")
+        page.wait_for_timeout(2000)
+        page.go_back(wait_until="commit")  # it is there at once: nothing loads
+        page.wait_for_function("window.restored")
+        listener.wait_for(f"Hello, world! {numbers(listener, 'I heard')[-1] + 3}")
+    heard = numbers(listener, "I heard")
+    # Nothing is missed and nothing repeated.
+    assert heard == list(range(heard[0], heard[0] + len(heard)))
+    talker.stop()
+    listener.stop()
+    assert faults == []
+
+
+def test_a_page_is_reloaded_while_its_nodes_start(tab: Page, serve: Serve, built: Built) -> None:
+    """Whatever moment that is, the console stays clean and the next page works."""
+    url = serve(built(DEMOS / "demo03"))
+    moment = random.Random(1)
+    tab.add_init_script("""
+      addEventListener("DOMContentLoaded", async () => {
+        if (!document.getElementById("ros-page")) return;
+        const { ros } = await import(document.querySelector("script[type=module]").src);
+        for (const node of ros.nodes.values()) node.start();
+      });
+    """)
+    for turn in range(RELOADS):
+        tab.goto(f"{url}?{turn}" if turn % 2 else "about:blank", wait_until="commit")
+        tab.wait_for_timeout(moment.random() * 400)
+    tab.goto(url)
+    talker, listener = Panel(tab, "talker"), Panel(tab, "listener")
+    listener.wait_for("Hello, world! ")
+    talker.stop()
+    listener.stop()
+    expect_nothing_left(tab)

@@ -1,0 +1,260 @@
+"""The demos in a real browser, as the site of this repository publishes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import Panel, expect_nothing_left, graph, numbers
+from paths import ROOT
+from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page, expect
+
+from sitegen.commands.build import build
+from sitegen.report import Report
+
+pytestmark = pytest.mark.firefox
+
+
+# Where a site is has nothing to do with what runs in it, so two of the four pairs show both.
+@pytest.fixture(params=["jspi", "asyncify"], ids=["jspi-root", "asyncify-sub-path"])
+def engine(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture
+def url(built: Built, serve: Serve, engine: str) -> str:
+    return serve(built(ROOT), "/" if engine == "jspi" else "/my-robot/")
+
+
+def paths(addresses: list[str]) -> list[str]:
+    """Addresses without the version that page.json gives programs."""
+    return [address.partition("?")[0] for address in addresses]
+
+
+@pytest.fixture
+def page(url: str, context: BrowserContext, engine: str) -> Iterator[Page]:
+    """A tab in a browser of either engine; the test fails on an error or a foreign request."""
+    page = context.new_page()
+    wrong: list[str] = []
+    loaded: list[str] = []
+
+    def note(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            wrong.append(message.text)
+
+    page.on("console", note)
+    page.on("pageerror", lambda error: wrong.append(str(error)))
+    context.on("request", lambda request: loaded.append(request.url))
+    yield page
+    page.close()
+    assert wrong == []
+    assert [address for address in loaded if not address.startswith(url)] == []
+    compiled = [name for name in paths(loaded) if name.endswith(".wasm") and "/nodes/" in name]
+    programs = {name.split(".")[-2] for name in compiled}
+    assert programs <= {engine}
+
+
+def test_demo01_talks_by_itself(page: Page, url: str) -> None:
+    page.goto(f"{url}demo01/")
+    talker = Panel(page, "talker")
+    talker.wait_for("Hello, world! 2")
+    assert numbers(talker, "Publishing")[:3] == [0, 1, 2]
+    assert page.get_by_role("button", name="Start").count() == 0
+    assert graph(page) == {
+        "nodes": ["/minimal_publisher"],
+        "topics": ["/minimal_publisher > /chatter (std_msgs/msg/String) > "],
+        "all": ["/minimal_publisher", "/rosout", "/chatter"],
+    }
+    page.reload()
+    talker.wait_for("Hello, world! 1")
+    assert numbers(talker, "Publishing")[:2] == [0, 1]
+
+
+def test_demo02_starts_and_stops(page: Page, url: str) -> None:
+    page.goto(f"{url}demo02/")
+    talker = Panel(page, "talker")
+    talker.expect_state("stopped")
+    assert page.workers == []
+    for _ in range(3):
+        talker.start()
+        talker.wait_for("Hello, world! 1")
+        assert len(page.workers) == 1
+        talker.stop()
+        talker.wait_for("Goodbye")  # consoles draw once a frame
+        assert talker.messages() == [
+            *(f"Publishing: 'Hello, world! {n}'" for n in numbers(talker, "Publishing")),
+            f"Goodbye after {len(numbers(talker, 'Publishing'))} greetings",
+        ]
+        expect_nothing_left(page)
+        talker.button("Clear").click()
+        assert talker.lines() == []
+
+
+def test_demo02_can_be_stopped_while_it_starts(page: Page, url: str) -> None:
+    page.goto(f"{url}demo02/")
+    talker = Panel(page, "talker")
+    talker.expect_state("stopped")
+    for pause in (0, 1, 5, 20, 60):
+        page.evaluate(
+            """async (pause) => {
+              const src = document.querySelector("script[type=module]").src;
+              const { ros } = await import(src);
+              const talker = ros.nodes.get("talker");
+              talker.start();
+              await new Promise((resolve) => setTimeout(resolve, pause));
+              talker.stop();
+            }""",
+            pause,
+        )
+        talker.expect_state("stopped")
+        expect_nothing_left(page)
+    talker.start()
+    talker.wait_for("Hello, world! 0")
+
+
+def test_demo03_talks_and_listens_in_any_order(page: Page, url: str) -> None:
+    page.goto(f"{url}demo03/")
+    talker, listener = Panel(page, "talker"), Panel(page, "listener")
+
+    listener.start()
+    listener.expect_state("running")
+    talker.start()
+    listener.wait_for("Hello, world! 3")
+    heard = numbers(listener, "I heard")
+    assert heard == list(range(heard[0], heard[-1] + 1))
+    assert graph(page)["topics"] == [
+        "/minimal_publisher > /chatter (std_msgs/msg/String) > /minimal_subscriber"
+    ]
+
+    # The listener alone, again: it hears what is said from now on, with nothing missing.
+    listener.stop()
+    listener.button("Clear").click()
+    missed = numbers(talker, "Publishing")[-1]
+    listener.start()
+    listener.wait_for("I heard")
+    later = numbers(talker, "Publishing")[-1] + 2
+    listener.wait_for(f"Hello, world! {later}")
+    heard = numbers(listener, "I heard")
+    assert heard[0] > missed
+    assert heard == list(range(heard[0], heard[-1] + 1))
+
+    # The talker alone, again: nothing is missing from when the listener knows it.
+    talker.stop()
+    assert graph(page)["nodes"] == ["/minimal_subscriber"]
+    listener.button("Clear").click()
+    talker.start()
+    listener.wait_for("I heard")
+    listener.wait_for(f"Hello, world! {numbers(listener, 'I heard')[0] + 2}")
+    heard = numbers(listener, "I heard")
+    assert heard == list(range(heard[0], heard[-1] + 1))
+
+    talker.stop()
+    listener.stop()
+    expect_nothing_left(page)
+
+
+def test_demo05_looks_inside(page: Page, url: str) -> None:
+    page.goto(f"{url}demo05/")
+    talker, listener, server, client = (
+        Panel(page, name) for name in ("talker", "listener", "server", "client")
+    )
+
+    def panel(name: str) -> Locator:
+        found = page.get_by_role("region", name=name, exact=True)
+        found.scroll_into_view_if_needed()
+        return found
+
+    # The client waits for the server, and gets its answer.
+    client.start()
+    client.wait_for("No service yet, waiting")
+    services = panel("Services")
+    expect(services.get_by_text("no server now")).to_be_visible()
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_role("status")).to_have_text("no server on /add_two_ints now")
+    server.start()
+    client.wait_for("Sum: 42")
+    client.expect_state("stopped")
+
+    # So does the page, with numbers beyond those of JavaScript.
+    services = panel("Services")
+    expect(services.get_by_text("served by /add_two_ints_server")).to_be_visible()
+    services.get_by_label("a int64").fill("9007199254740993")
+    services.get_by_label("b int64").fill("x")
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_text("'x' is no whole number")).to_be_visible()
+    services.get_by_label("b int64").fill("-1")
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_label("answer")).to_have_text("sum: 9007199254740992")
+
+    talker.start()
+    listener.start()
+    topics = panel("Topics")
+    expect(topics.get_by_role("log")).to_contain_text(re.compile(r"data: Hello, world! \d+\n---"))
+    expect(topics.locator("tbody td:last-child span")).to_have_text(re.compile(r"^[12]\.\d\d Hz$"))
+    expect(topics.get_by_text("/minimal_publisher → /minimal_subscriber")).to_be_visible()
+
+    publish = panel("Publish")
+    publish.get_by_label("data string").fill("Grüße")
+    publish.get_by_role("button", name="Publish once").click()
+    listener.wait_for("I heard: 'Grüße'")
+
+    nodes = panel("Nodes")
+    expect(nodes.get_by_role("listitem").filter(has_text="cpp_chatter/listener")).to_contain_text(
+        "subscribes to"
+    )
+    expect(nodes).to_contain_text("MB of memory")
+
+    # What the server logged before anybody looked here is not lost: it keeps it.
+    log = panel("Log")
+    expect(log.get_by_role("log")).to_contain_text("add_two_ints_server: 40 + 2 = 42")
+    log.get_by_label("node", exact=True).select_option("minimal_subscriber")
+    log.get_by_label("text").fill("Grüße")
+    expect(log.get_by_role("log").locator("> *")).to_have_count(1)
+
+    for each in (talker, listener, server):
+        each.stop()
+    expect(panel("Topics").get_by_text("nobody publishes")).to_be_hidden()
+    page.evaluate("scrollTo(0, 0)")
+
+
+def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: str) -> None:
+    page.goto(f"{url}demo06/")
+    talker, listener = Panel(page, "talker"), Panel(page, "listener")
+    listener.start()
+    listener.expect_state("running")
+    talker.start()
+    if engine != "jspi":
+        talker.expect_state("failed")
+        talker.wait_for(
+            "which Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it"
+        )
+        listener.stop()
+        return
+    listener.wait_for("I heard: 'Hello, world! 2'")
+    assert numbers(listener, "I heard")[:3] == [0, 1, 2]
+    topics = page.get_by_role("region", name="Topics")
+    topics.get_by_role("log").scroll_into_view_if_needed()  # only who looks at it subscribes
+    expect(topics.get_by_role("log")).to_contain_text(re.compile(r"data: Hello, world! \d+\n---"))
+    assert graph(page)["nodes"] == ["/minimal_publisher", "/minimal_subscriber"]
+    talker.stop()
+    talker.wait_for("Goodbye")
+    assert talker.lines()[-1] == "Goodbye"
+    listener.stop()
+
+
+def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
+    page.goto(url)
+    page.get_by_role("table").get_by_role("link", name="Start and stop").click()
+    expect(page).to_have_url(f"{url}demo02/")
+    page.get_by_role("link", name="Next").click()
+    expect(page).to_have_url(f"{url}demo03/")
+
+
+@pytest.mark.parametrize("demo", [f"demo0{n}" for n in range(1, 10)])
+def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
+    build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
+    assert (tmp_path / "dist" / "index.html").exists()
+    assert (tmp_path / "dist" / "page.json").exists()

@@ -1,0 +1,138 @@
+"""The editor, as a reader uses it."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from browser import Built, Serve
+from panel import Panel
+from paths import ROOT
+from playwright.sync_api import Browser, Page, expect
+
+from sitegen.commands.build import build
+from sitegen.errors import SiteError
+from sitegen.report import Report
+
+DEMO = ROOT / "demos" / "demo08"
+
+
+class Editor:
+    """The editor of a page, and the node it is about."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.node = Panel(page, "counter")
+        self.code = page.get_by_role("textbox", name="Python source py_counter/counter.py")
+        self.state = page.locator(".ros-edited")
+        expect(self.code).to_be_visible()
+
+    def replace(self, old: str, new: str) -> None:
+        """Write `new` for the line `old`, with the keyboard."""
+        self.code.get_by_text(old, exact=True).click()
+        self.page.keyboard.press("End")
+        self.page.keyboard.press("Shift+Home")
+        self.page.keyboard.type(new)
+
+    def run(self) -> None:
+        self.page.get_by_role("button", name="Run").click()
+
+
+@pytest.fixture
+def editor(tab: Page, serve: Serve, built: Built) -> Editor:
+    tab.goto(serve(built(DEMO)))
+    return Editor(tab)
+
+
+@pytest.mark.firefox
+def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> None:
+    expect(editor.state).to_have_text("as it was")
+    editor.replace("STEP = 1", "STEP = 100")
+    expect(editor.state).to_have_text("changed")
+    editor.run()
+    editor.node.wait_for("Now it is 200")
+    # Esc, then Tab leaves; Tab alone indents.
+    editor.code.focus()
+    editor.page.keyboard.press("Escape")
+    editor.page.keyboard.press("Tab")
+    expect(editor.code).not_to_be_focused()
+
+    editor.page.reload()
+    expect(editor.state).to_have_text("changed")
+    editor.node.start()
+    editor.node.wait_for("Now it is 200")
+    editor.page.get_by_role("button", name="Reset").click()
+    expect(editor.state).to_have_text("as it was")
+    expect(editor.code).to_be_focused()
+    editor.node.button("Clear").click()
+    editor.run()
+    editor.node.wait_for("Now it is 1")
+    editor.node.stop()
+    assert editor.page.evaluate("Object.keys(localStorage)") == []
+
+
+def test_source_that_came_with_a_link_waits_for_its_reader(
+    editor: Editor, browser: Browser
+) -> None:
+    page, address = editor.page, editor.page.url
+    editor.replace("STEP = 1", "STEP = 1000")
+    expect(editor.state).to_have_text("changed")
+    editor.run()
+    editor.node.wait_for("Now it is 1000")
+    link = page.evaluate("""async () => {
+      const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+      return ros.link();
+    }""")
+    # Somebody else opens it.
+    page = browser.new_context().new_page()
+    page.goto(f"{address}{link}")
+    editor = Editor(page)
+    # The link says that the node runs; it runs as its author wrote it.
+    expect(editor.state).to_have_text("changed by the link: read it before you run it")
+    editor.node.wait_for("Now it is 2")
+    assert page.evaluate("Object.keys(localStorage)") == []
+    editor.node.button("Clear").click()
+    editor.run()
+    editor.node.wait_for("Now it is 1000")
+    expect(editor.state).to_have_text("changed")
+
+
+def test_the_line_of_an_exception_is_marked(browser: Browser, serve: Serve, built: Built) -> None:
+    page = browser.new_page()
+    page.goto(serve(built(DEMO)))
+    editor = Editor(page)
+    editor.replace("self.number += STEP", "self.number += STEP / 0")
+    editor.run()
+    editor.node.expect_state("failed")
+    expect(editor.state).to_have_text("error in line 25")
+    expect(editor.page.locator(".cm-wrong")).to_have_text("        self.number += STEP / 0")
+    editor.replace("self.number += STEP / 0", "self.number += 2")
+    expect(editor.page.locator(".cm-wrong")).to_have_count(0)
+    expect(editor.state).to_have_text("changed")
+
+
+@pytest.mark.parametrize(
+    ("option", "expected"),
+    [
+        (
+            "{node: counter, file: py_counter/conter.py}",
+            "no Python file 'py_counter/conter.py' of py_counter is installed; "
+            "did you mean 'py_counter/counter.py'?",
+        ),
+        ("shell", "'shell' has no Python source in this workspace; show it with 'source'"),
+    ],
+)
+def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: str) -> None:
+    folder = tmp_path / "site"
+    shutil.copytree(DEMO / "src", folder / "src")
+    (folder / "site.yaml").write_text(
+        "site: {title: Test}\n"
+        "nodes:\n"
+        "  counter: {package: py_counter, executable: counter}\n"
+        "  shell: {package: sitegen, executable: prompt}\n"
+        f"pages: [{{path: /, title: Test, content: [editor: {option}]}}]\n"
+    )
+    with pytest.raises(SiteError) as caught:
+        build(folder, output=tmp_path / "dist", report=Report())
+    assert caught.value.lines == [f"site.yaml:5: editor: {expected}"]

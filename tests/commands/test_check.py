@@ -1,0 +1,329 @@
+"""What `sitegen check` says, and above all what it does not say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+from paths import ROOT
+from PIL import Image
+
+from sitegen.__main__ import main
+from sitegen.commands.check import check
+from sitegen.errors import SiteError
+from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.report import Report
+
+SITES = ["demos/demo03", "demos/demo04", "demos/demo05", "demos/demo06"]
+
+CPP = """\
+#include <memory>
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "example_interfaces/srv/add_two_ints.hpp"
+using Adder = example_interfaces::srv::AddTwoInts;
+// create_publisher<std_msgs::msg::String>("in_a_comment", 10);
+int main(int argc, char ** argv)
+{
+  auto node = rclcpp::Node::make_shared("talker");
+  auto greeting = "create_publisher<std_msgs::msg::String>(no_name, 10)";
+  auto a = node->create_publisher<std_msgs::msg::String>("chatter", 10);
+  auto b = node->create_client<Adder>("add");
+}
+"""
+PYTHON = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+TOPIC = "chatter"
+
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__("listener")
+        self.create_subscription(String, TOPIC, print, 10)
+
+
+class Unused(Node):
+    def __init__(self):
+        super().__init__("unused")
+        self.create_subscription(String, "nowhere", print, 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Listener())
+"""
+SERVER = """\
+import rclpy
+from example_interfaces.srv import AddTwoInts
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node("adder")
+    node.create_service(srv_type=AddTwoInts, srv_name="/add", callback=print)
+"""
+SETUP = """\
+from setuptools import setup
+
+setup(
+    name="py",
+    packages=["py"],
+    entry_points={"console_scripts": ["listener = py.listener:main", "server = py.server:main"]},
+)
+"""
+SITE = """\
+site: {title: Check}
+nodes:
+  talker: {package: cpp, executable: talker}
+  listener: {package: py, executable: listener}
+  server: {package: py, executable: server}
+pages:
+  - path: /
+    title: Home
+    content:
+      - console: talker
+      - console: listener
+      - console: server
+"""
+
+
+def write(folder: Path, **changed: str) -> Path:
+    """Write the site above, with other texts for some of: site, cpp, listener, server."""
+    xml = "<package><name>{}</name><export><build_type>{}</build_type></export></package>"
+    files = {
+        "site.yaml": changed.get("site", SITE),
+        "src/cpp/package.xml": xml.format("cpp", "ament_cmake"),
+        "src/cpp/CMakeLists.txt": "add_executable(talker talker.cpp)",
+        "src/cpp/talker.cpp": changed.get("cpp", CPP),
+        "src/py/package.xml": xml.format("py", "ament_python"),
+        "src/py/setup.py": SETUP,
+        "src/py/py/__init__.py": "",
+        "src/py/py/listener.py": changed.get("listener", PYTHON),
+        "src/py/py/server.py": changed.get("server", SERVER),
+    }
+    for name, text in files.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return folder
+
+
+def warnings(folder: Path) -> list[str]:
+    return check(folder, Report())[1]
+
+
+def test_a_site_whose_nodes_hear_each_other_is_right(tmp_path: Path) -> None:
+    assert warnings(write(tmp_path)) == []
+
+
+@pytest.mark.parametrize("name", SITES)
+def test_sites_of_ours_are_right(name: str) -> None:
+    assert warnings(ROOT / name) == []
+
+
+def test_who_calls_nobody_is_told() -> None:
+    assert warnings(ROOT / "tests/sites/services") == [
+        "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, where nobody "
+        "serves it; give the page a node that does, or remap the name"
+    ]
+
+
+def test_what_nobody_is_at_the_other_side_of(tmp_path: Path) -> None:
+    listener = PYTHON.replace('"chatter"', '"chater"')
+    server = SERVER.replace("/add", "/sum")
+    found = warnings(write(tmp_path, listener=listener, server=server))
+    assert found == [
+        "src/cpp/talker.cpp:11: topic: 'talker' publishes '/chatter' on page /, where nobody"
+        " subscribes to it; did you mean '/chater'?",
+        "src/cpp/talker.cpp:12: service: 'talker' calls '/add' on page /, where nobody serves it;"
+        " give the page a node that does, or remap the name",
+        "src/py/py/listener.py:11: topic: 'listener' subscribes to '/chater' on page /, where"
+        " nobody publishes it; did you mean '/chatter'?",
+    ]
+
+
+def test_types_that_do_not_match(tmp_path: Path) -> None:
+    listener = PYTHON.replace("import String", "import Int32 as String")
+    server = SERVER.replace("AddTwoInts", "SetBool").replace("example_interfaces", "std_srvs")
+    found = warnings(write(tmp_path, listener=listener, server=server))
+    assert found == [
+        "src/cpp/talker.cpp:12: service: '/add' is example_interfaces/srv/AddTwoInts for 'talker',"
+        " but std_srvs/srv/SetBool for 'server' (src/py/py/server.py:8); give both the same type",
+        "src/py/py/listener.py:11: topic: '/chatter' is std_msgs/msg/Int32 for 'listener', but"
+        " std_msgs/msg/String for 'talker' (src/cpp/talker.cpp:11); give both the same type",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("of", "named"),
+    [
+        ("{package: cpp, executable: talker, namespace: /left}", "'/left/chatter'"),
+        ("{package: cpp, executable: talker, remap: {chatter: news}}", "'/news'"),
+    ],
+)
+def test_names_are_those_of_the_graph(of: str, named: str, tmp_path: Path) -> None:
+    site = SITE.replace("{package: cpp, executable: talker}", of)
+    found = warnings(write(tmp_path, site=site))
+    assert any(f"publishes {named}" in line for line in found)
+    assert any("subscribes to '/chatter'" in line for line in found)
+
+
+# Each of these takes what the listener waits for out of sight, or gives it by other means.
+UNCLEAR_CPP = {
+    "a name of a variable": ('create_publisher<std_msgs::msg::String>("chatter"', "create_x(name"),
+    "an expression": ('("chatter", 10)', "(prefix + name, 10)"),
+    "another library": ("<memory>", "<tf2_ros/transform_broadcaster.h>"),
+    "a header that is not there": ("<memory>", '"mine.hpp"'),
+    "a namespace that is made": ('make_shared("talker")', 'make_shared("talker", find())'),
+    "a condition": ("  auto a", "#ifdef TALKS\n  auto a"),
+    "a remap of its own": ('"talker"', '"talker", rclcpp::NodeOptions().arguments({})'),
+}
+
+
+@pytest.mark.parametrize("way", UNCLEAR_CPP)
+def test_nothing_is_said_of_cpp_where_nothing_is_known(way: str, tmp_path: Path) -> None:
+    old, new = UNCLEAR_CPP[way]
+    changed = CPP.replace(old, new).replace("create_x(", "create_publisher<T>(")
+    changed = changed.replace('  auto b = node->create_client<Adder>("add");\n', "")
+    assert changed != CPP
+    if way == "a condition":
+        changed = changed.replace("10);\n}", "10);\n#endif\n}")
+    assert warnings(write(tmp_path, cpp=changed)) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('"chatter"\n', "input()\n"),
+        (
+            "import rclpy\n",
+            "import rclpy\ntry:\n    import tf2_ros\nexcept ImportError:\n    tf2_ros = None\n",
+        ),
+        ('super().__init__("listener")', 'super().__init__("listener", namespace=where())'),
+        ("self.create_subscription(String, TOPIC", "make = self.create_subscription; make(TOPIC"),
+        ("rclpy.init()", 'rclpy.init(args=["--ros-args", "-r", "a:=chatter"])'),
+        ("rclpy.init()", "exec(code)"),
+    ],
+)
+def test_nothing_is_said_of_python_where_nothing_is_known(
+    old: str, new: str, tmp_path: Path
+) -> None:
+    cpp = CPP.replace('"chatter"', '"other"')
+    assert old in PYTHON
+    found = warnings(write(tmp_path, cpp=cpp, listener=PYTHON.replace(old, new)))
+    assert [line for line in found if "topic" in line] == []
+
+
+def test_a_program_of_a_package_with_cmake(tmp_path: Path) -> None:
+    """Its `main` is what stands below `if __name__ == "__main__"`."""
+    listener = (
+        PYTHON.replace('"chatter"', '"chater"') + '\n\nif __name__ == "__main__":\n    main()\n'
+    )
+    folder = write(
+        tmp_path, site=SITE.replace("{package: py, executable: l", "{package: cpp, executable: l")
+    )
+    (folder / "src/cpp/listener").write_text(f"#!/usr/bin/env python3\n{listener}")
+    (folder / "src/cpp/CMakeLists.txt").write_text(
+        "find_package(ament_cmake_python)\nadd_executable(talker talker.cpp)\n"
+        "install(PROGRAMS listener DESTINATION lib/${PROJECT_NAME})\n"
+    )
+    found = warnings(folder)
+    assert [line.partition(" on page")[0] for line in found] == [
+        "src/cpp/listener:12: topic: 'listener' subscribes to '/chater'",
+        "src/cpp/talker.cpp:11: topic: 'talker' publishes '/chatter'",
+    ]
+
+
+def test_types_are_not_compared_where_names_may_change(tmp_path: Path) -> None:
+    cpp = CPP.replace('"talker"', '"talker", rclcpp::NodeOptions().use_global_arguments(false)')
+    listener = PYTHON.replace("import String", "import Int32 as String")
+    assert warnings(write(tmp_path, cpp=cpp, listener=listener)) == []
+    renamed = listener.replace("rclpy.init()", 'rclpy.init(sys.argv + ["--ros-args"])')
+    assert warnings(write(tmp_path, listener=renamed)) == []
+
+
+@pytest.mark.parametrize(
+    ("widget", "alone"),
+    [
+        ("publish:", "listener"),
+        ("publish: {topic: /news, type: std_msgs/msg/String}", "listener"),
+        ("topics:", "talker"),
+        ("topics: {show: [/chatter]}", "talker"),
+    ],
+)
+def test_a_widget_is_a_side(widget: str, alone: str, tmp_path: Path) -> None:
+    """The listener waits for /news, or nobody for /chatter: the widget makes it right."""
+    listener = PYTHON.replace('"chatter"', '"news"')
+    cpp = CPP if alone == "talker" else CPP.replace("publisher<", "subscription<")
+    folder = write(tmp_path, cpp=cpp, listener=listener)
+    expected = "'/news'" if alone == "listener" else "'/chatter'"
+    assert any(expected in line for line in warnings(folder))
+    site = SITE.replace("console: server", f"console: server\n      - {widget}")
+    folder = write(tmp_path, site=site, cpp=cpp, listener=listener)
+    assert not any(expected in line for line in warnings(folder))
+
+
+def test_a_widget_may_be_wrong_too(tmp_path: Path) -> None:
+    more = """
+          - topics: {show: [/chater], echo: /chater}
+          - publish: {topic: /chatter, type: std_msgs/msg/Int32}
+          - publish: {topic: /chat, type: std_msgs/msg/Int32}
+          - robot: {kind: diffdrive, odometry: /chatter}
+    """
+    site = SITE.rstrip("\n") + dedent(more).replace("\n", "\n      ").rstrip() + "\n"
+    found = warnings(write(tmp_path, site=site))
+    assert [line.partition(": ")[0] for line in found] == [
+        "site.yaml:13",
+        "site.yaml:15",
+        "site.yaml:16",
+        "site.yaml:16",
+        "src/py/py/listener.py:11",
+    ]
+    assert "this widget subscribes to '/chater'" in found[0]
+    assert "this widget publishes '/chat'" in found[1]
+    assert "but std_msgs/msg/Int32 for this widget (site.yaml:14)" in found[4]
+
+
+def test_images_without_a_text(tmp_path: Path) -> None:
+    folder = write(tmp_path, site="site: {title: A}\npages: [{path: /, file: index.md}]\n")
+    (folder / "index.md").write_text(
+        '# A\n\n![](a.png)\n\n![A fox](a.png) `![](b.png)`\n\n<img src="c.png">\n\n'
+        '<img src="c.png" alt="">\n\n```md\n![](d.png)\n```\n'
+    )
+    for name in ("a.png", "c.png"):
+        Image.new("RGB", (2, 2)).save(folder / name)
+    found = warnings(folder)
+    assert [line.partition("; ")[0] for line in found] == [
+        "index.md:3: image: 'a.png' has no text for those who cannot see it",
+        "index.md:7: image: 'c.png' has no text for those who cannot see it",
+    ]
+
+
+def test_what_build_refuses_is_refused_and_nothing_is_compiled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def find() -> None:
+        raise AssertionError("asked for a compiler")
+
+    monkeypatch.setattr(Toolchain, "find", find)
+    folder = write(tmp_path, site=SITE.replace("console: server", "markdown: '[a](b.md#c)'"))
+    assert main(["check", str(folder)]) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("site.yaml:12: link: no file 'b.md'")
+    assert error.endswith("\n1 problem\n")
+
+    folder = write(tmp_path, listener=PYTHON.replace('"chatter"', '"chater"'))
+    assert main(["check", str(folder)]) == 0
+    said = capsys.readouterr()
+    assert said.out == "checked 1 page: 2 warnings\n"
+    assert len(said.err.splitlines()) == 2
+    assert not (folder / "dist").exists()
+
+    assert main(["check", "--strict", str(folder)]) == 1
+    assert capsys.readouterr().err == f"{said.err}2 problems\n"
+    with pytest.raises(SiteError):
+        check(folder, Report(), strict=True)

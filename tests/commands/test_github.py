@@ -1,0 +1,159 @@
+"""The workflows for GitHub: well-formed, with few rights, and their commands run here, too."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from paths import ROOT
+
+from sitegen import __version__
+from sitegen.__main__ import main
+
+# Steps that prepare a computer of GitHub; here, all that is done already.
+PREPARES = ("Install Emscripten", "Install sitegen")
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    """A repository with a workspace in a folder of it, and no site yet."""
+    subprocess.run(["git", "init", "-q", "-b", "trunk", tmp_path], check=True)
+    shutil.copytree(ROOT / "demos" / "demo01" / "src", tmp_path / "web" / "src")
+    return tmp_path
+
+
+def workflow(repository: Path, name: str) -> dict[str, Any]:
+    text = (repository / ".github" / "workflows" / f"{name}.yml").read_text()
+    # YAML 1.1 reads `on` as true; GitHub does not.
+    found: dict[str, Any] = yaml.safe_load(re.sub("^on:", '"on":', text, flags=re.MULTILINE))
+    return found
+
+
+def run(workflow: dict[str, Any], job: str, repository: Path, **given: str) -> set[str]:
+    """Run the commands of a job as GitHub would, but those that prepare; return their names."""
+    assert workflow["defaults"]["run"]["shell"] == "bash"
+    done = set()
+    for step in workflow["jobs"][job]["steps"]:
+        if "run" not in step or step["name"] in PREPARES:
+            continue
+        own = {name: given[value] for name, value in step.get("env", {}).items()}
+        # No expression stands in a command: what somebody typed would become one, too.
+        assert "${{" not in step["run"]
+        env = {
+            **os.environ,
+            **{name: str(value) for name, value in workflow["env"].items()},
+            **own,
+            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+            "GITHUB_STEP_SUMMARY": str(repository / "summary.md"),
+        }
+        command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", step["run"]]
+        ended = subprocess.run(command, cwd=repository, env=env, text=True, capture_output=True)
+        assert ended.returncode == 0, ended.stdout + ended.stderr
+        done.add(step["name"])
+    return done
+
+
+def test_the_site_is_built_and_published(
+    repository: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["init", "--github", str(repository / "web")]) == 0
+    out = capsys.readouterr().out
+    for name in ("web/site.yaml", ".github/workflows/pages.yml", ".github/workflows/nodes.yml"):
+        assert f"wrote {repository / name}" in out
+    pages = workflow(repository, "pages")
+    assert pages["on"] == {"push": {"branches": ["trunk"]}, "workflow_dispatch": None}
+    assert pages["env"] == {"SITE": "web", "SITEGEN": f"sitegen=={__version__}"}
+    assert run(pages, "build", repository) == {"Check the site", "Build the site"}
+    [upload] = [
+        step for step in pages["jobs"]["build"]["steps"] if "upload" in step.get("uses", "")
+    ]
+    path = upload["with"]["path"].replace("${{ env.SITE }}", "web")
+    assert (repository / path / "index.html").exists()
+    assert (repository / path / "nodes/cpp_hello/talker.jspi.wasm").exists()
+
+
+def test_nodes_are_compiled_for_others(repository: Path, tmp_path: Path) -> None:
+    assert main(["init", "--github", str(repository / "web")]) == 0
+    nodes = workflow(repository, "nodes")
+    assert list(nodes["on"]) == ["workflow_dispatch"]
+    assert nodes["on"]["workflow_dispatch"]["inputs"]["package"]["required"] is True
+    # What is typed is no more than a name: neither an option, nor a pattern, nor a command.
+    given = {"${{ inputs.package }}": "cpp_hello/talker cpp_hello"}
+    assert run(nodes, "compile", repository, **given) == {
+        "Compile",
+        "Unpack the archive",
+        "Say what it is for",
+    }
+    assert "compiled: nodes.zip" in (repository / "summary.md").read_text()
+
+    # What GitHub packs of the folder is an archive as it is.
+    site = tmp_path / "far"
+    site.mkdir()
+    with zipfile.ZipFile(site / "nodes.zip", "w") as packed:
+        for file in sorted((repository / "nodes").rglob("*")):
+            packed.write(file, file.relative_to(repository / "nodes"))
+    (site / "site.yaml").write_text(
+        "site: {title: Far}\nnodes: {talker: {compiled: nodes.zip}}\n"
+        "pages: [{path: /, title: Far, content: [{console: talker}]}]\n"
+    )
+    assert main(["build", str(site)]) == 0
+
+
+@pytest.mark.parametrize("typed", ["--help", "$(touch evil)", "*", "cpp_hello; touch evil"])
+def test_what_is_typed_is_a_name(typed: str, repository: Path) -> None:
+    assert main(["init", "--github", str(repository / "web")]) == 0
+    nodes = workflow(repository, "nodes")
+    with pytest.raises(AssertionError, match="no package"):
+        run(nodes, "compile", repository, **{"${{ inputs.package }}": typed})
+    assert not (repository / "evil").exists()
+
+
+@pytest.mark.parametrize("name", ["pages", "nodes"])
+def test_rights_are_few(name: str, repository: Path) -> None:
+    assert main(["init", "--github", str(repository / "web")]) == 0
+    found = workflow(repository, name)
+    assert found["permissions"] == {}
+    rights = {job: given["permissions"] for job, given in found["jobs"].items()}
+    assert (
+        rights
+        == {
+            "pages": {
+                "build": {"contents": "read"},
+                "deploy": {"pages": "write", "id-token": "write"},
+            },
+            "nodes": {"compile": {"contents": "read"}},
+        }[name]
+    )
+    for job in found["jobs"].values():
+        for step in job["steps"]:
+            assert ("run" in step and step["name"]) or re.fullmatch(
+                r"actions/[\w-]+@v\d+", step["uses"]
+            )
+            if step.get("uses", "").startswith("actions/checkout@"):
+                assert step["with"]["persist-credentials"] is False
+            if step.get("uses", "").startswith("actions/cache@"):
+                assert step["with"]["path"] == "~/.cache/sitegen"
+
+
+def test_nothing_is_overwritten(repository: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    web = repository / "web"
+    (web / "site.yaml").write_text("mine")
+    file = repository / ".github" / "workflows" / "pages.yml"
+    file.parent.mkdir(parents=True)
+    file.write_text("mine")
+    assert main(["init", "--github", str(web)]) == 1
+    assert capsys.readouterr().err == (
+        f"{file} exists already; remove it, or edit it\n1 problem, nothing was written\n"
+    )
+    assert [path.name for path in file.parent.iterdir()] == ["pages.yml"]
+    file.unlink()
+    assert main(["init", "--github", str(web)]) == 0
+    assert (web / "site.yaml").read_text() == "mine"

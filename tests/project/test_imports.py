@@ -1,0 +1,86 @@
+"""The direction of imports, as docs/architecture.md draws it."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from paths import ROOT
+
+PACKAGE = ROOT / "sitegen"
+RUNTIME = PACKAGE / "runtime"
+
+# The rooms of the generator. A module may import what stands before its own room, and its own.
+ROOMS = (
+    *("errors", "shipped", "ignored", "report", "options", "model", "cache", "workspace"),
+    *("launch", "config", "interfaces", "nodes", "site", "build", "commands", "__main__"),
+)
+
+# The same for the browser's modules. Rooms that stand together in a line do not know one another.
+RUNTIME_ROOMS = (
+    {"protocol.js", "place.js", "interrupt.js", "vendor"},
+    {"ui"},
+    {"messages"},
+    {"participant"},
+    {"page", "workers", "widgets"},
+    {"rosMain.js"},
+)
+MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
+
+
+def room(file: Path) -> str:
+    """The room of a module: the folder at the top of the package, or the file itself."""
+    return file.relative_to(PACKAGE).parts[0].removesuffix(".py")
+
+
+def imported(file: Path) -> set[str]:
+    """The rooms that a module imports from."""
+    names: set[str] = set()
+    for node in ast.walk(ast.parse(file.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module == "sitegen":
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("sitegen."):
+            names.add((node.module or "").split(".")[1])
+    return names - {"__version__"}
+
+
+def generator_modules() -> list[Path]:
+    """The modules of the generator, without those that run in pages or are templates."""
+    rooms = (file for name in ROOMS for file in (PACKAGE / name).rglob("*.py"))
+    files = [*PACKAGE.glob("*.py"), *(file for file in rooms if "templates" not in file.parts)]
+    return sorted(file for file in files if file != PACKAGE / "__init__.py")
+
+
+@pytest.mark.parametrize("name", ROOMS)
+def test_rooms_import_only_those_before_them(name: str) -> None:
+    allowed = {*ROOMS[: ROOMS.index(name) + 1]}
+    wrong = {
+        file.relative_to(PACKAGE).as_posix(): extra
+        for file in generator_modules()
+        if room(file) == name and (extra := imported(file) - allowed)
+    }
+    assert wrong == {}
+
+
+def test_every_module_is_in_a_room() -> None:
+    assert {room(file) for file in generator_modules()} == {*ROOMS}
+
+
+def runtime_room(file: Path) -> str:
+    """The room of a module of the browser: its folder, or the file itself."""
+    return file.relative_to(RUNTIME).parts[0]
+
+
+@pytest.mark.parametrize("file", MODULES, ids=lambda file: file.name)
+def test_runtime_imports_only_rooms_before_its_own(file: Path) -> None:
+    # Types count too: a reader has to follow those of a comment as well.
+    paths = re.findall(r'(?:from|import)\(?\s*"(\.[^"]+)"', file.read_text())
+    found = [(file.parent / path).resolve() for path in paths]
+    own = runtime_room(file)
+    [place] = (at for at, rooms in enumerate(RUNTIME_ROOMS) if own in rooms)
+    assert {runtime_room(path) for path in found} <= {own}.union(*RUNTIME_ROOMS[:place])
+    widgets = RUNTIME / "widgets"
+    others = [path.name for path in found if file.parent == path.parent == widgets]
+    assert others == [], "widgets do not know one another"

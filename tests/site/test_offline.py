@@ -1,0 +1,319 @@
+"""Sites that work without a network, and what becomes of them when a new one is published."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from browser import serving
+from panel import Panel
+from paths import ROOT
+from PIL import Image
+from playwright.sync_api import Browser, Error, Page, expect
+
+from sitegen.commands.build import build
+from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.server import Server
+from sitegen.report import Report
+from sitegen.site.offline import worker
+
+PREFIX = "/my-robot/"
+CACHED = """async () => {
+  const found = {};
+  for (const name of await caches.keys()) {
+    const requests = await (await caches.open(name)).keys();
+    found[name] = requests.map(({ url }) => new URL(url).pathname).sort();
+  }
+  return found;
+}"""
+READY = "async () => (await navigator.serviceWorker.ready).active.state === 'activated'"
+
+
+class Host:
+    """A host of static files that can be switched off, and on again with other files."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self._port = 0
+        self._running = ExitStack()
+
+    def on(self) -> str:
+        url = self._running.enter_context(serving(self.folder / "dist", PREFIX, self._port))
+        self._port = int(url.split(":")[2].split("/")[0])
+        return url
+
+    def off(self) -> None:
+        self._running.close()
+
+    def build(self) -> None:
+        build(self.folder, output=self.folder / "dist", report=Report(io.StringIO()))
+
+
+@pytest.fixture
+def host(tmp_path: Path) -> Iterator[Host]:
+    """A host of demo03, where two nodes talk, and of a second page."""
+    site = tmp_path / "site"
+    shutil.copytree(ROOT / "demos/demo03", site, ignore=shutil.ignore_patterns("dist"))
+    config = (site / "site.yaml").read_text().replace("site:\n", "site:\n  offline: true\n")
+    page = "  - {path: more/, title: More, content: [{markdown: The first text.}]}\n"
+    (site / "site.yaml").write_text(config.rstrip("\n") + f"\n{page}")
+    host = Host(site)
+    host.build()
+    yield host
+    host.off()
+
+
+@pytest.fixture
+def tab(browser: Browser) -> Iterator[Page]:
+    """A tab of a new visitor; being without a network is no error."""
+    context = browser.new_context()
+    yield context.new_page()
+    context.close()
+
+
+def cached(tab: Page) -> dict[str, list[str]]:
+    found: dict[str, list[str]] = tab.evaluate(CACHED)
+    return found
+
+
+def until(tab: Page, condition: str) -> None:
+    """Wait for what a page cannot wait for itself: it may be loaded anew meanwhile."""
+    for _ in range(600):
+        with contextlib.suppress(Error):
+            if tab.evaluate(condition):
+                return
+        tab.wait_for_timeout(100)
+    raise AssertionError(condition)
+
+
+def edit(host: Host, old: str, new: str) -> None:
+    config = host.folder / "site.yaml"
+    assert old in config.read_text()
+    config.write_text(config.read_text().replace(old, new))
+    host.build()
+
+
+@pytest.mark.firefox
+def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(url)
+    until(tab, READY)
+    host.off()
+    tab.reload()
+    Panel(tab, "listener").start()
+    Panel(tab, "talker").start()
+    Panel(tab, "listener").wait_for("Hello, world! 1")
+    tab.goto(f"{url}more/")
+    expect(tab.locator("main")).to_contain_text("The first text.")
+    # Addresses of other forms, and those that are not there.
+    tab.goto(f"{url}more?embed")
+    assert tab.url == f"{url}more/?embed"
+    tab.goto(f"{url}more/index.html")
+    expect(tab.locator("main")).to_contain_text("The first text.")
+    assert (answer := tab.goto(f"{url}nowhere/")) and answer.status == 404
+    expect(tab.get_by_role("heading", name="Page not found")).to_be_visible()
+    # A browser runs one form of each node, and keeps no other.
+    (paths,) = cached(tab).values()
+    assert [path for path in paths if ".asyncify." in path] == []
+    assert [path for path in paths if not path.startswith(PREFIX)] == []
+
+
+@pytest.mark.firefox
+def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    (first,) = cached(tab)
+    edit(host, "The first text.", "The second text.")
+    tab.reload()
+    # Still that of the version that the page began with, until the visitor wants the new one.
+    expect(tab.locator("main")).to_contain_text("The first text.")
+    expect(tab.get_by_text("A new version of this site is here.")).to_be_visible(timeout=30_000)
+    assert len(cached(tab)) == 2
+    other = tab.context.new_page()
+    other.goto(url)
+    other.evaluate("window.old = true")
+    tab.get_by_role("button", name="Load it").click()
+    expect(tab.locator("main")).to_contain_text("The second text.")
+    # All tabs go with it: none is left between two versions.
+    other.wait_for_function("window.old === undefined")
+    until(tab, f"async () => !(await caches.keys()).includes({json.dumps(first)})")
+    host.off()
+    tab.reload()
+    expect(tab.locator("main")).to_contain_text("The second text.")
+    other.reload()
+    Panel(other, "talker").start()
+    Panel(other, "talker").wait_for("Hello")
+    assert len(cached(tab)) == 1
+
+
+def test_who_comes_back_later_has_the_new_version(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    edit(host, "The first text.", "The second text.")
+    tab.reload()
+    until(tab, "async () => (await navigator.serviceWorker.getRegistration()).waiting !== null")
+    # All pages of the site are closed, and it is visited again.
+    context = tab.context
+    tab.close()
+    # The browser takes its time to see that the old version has no page any more.
+    for _ in range(20):
+        again = context.new_page()
+        again.wait_for_timeout(1000)
+        again.goto(f"{url}more/")
+        text = again.locator("main").inner_text()
+        again.close()
+        if "The second text." in text:
+            break
+    assert "The second text." in text
+
+
+def test_only_what_changed_is_fetched_again(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    edit(host, "The first text.", "The second text.")
+    # What is the same has to come from the old cache: the server has it no more.
+    for file in (host.folder / "dist").rglob("*.wasm"):
+        file.unlink()
+    tab.reload()
+    tab.get_by_role("button", name="Load it").click()
+    expect(tab.locator("main")).to_contain_text("The second text.")
+    host.off()
+    tab.goto(url)
+    Panel(tab, "talker").start()
+    Panel(tab, "talker").wait_for("Hello")
+
+
+def test_a_half_published_site_is_not_taken(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    (first,) = cached(tab)
+    before = (host.folder / "dist/more/index.html").read_bytes()
+    edit(host, "The first text.", "The second text.")
+    # The service worker is new, and the page is not yet.
+    (host.folder / "dist/more/index.html").write_bytes(before)
+    failed = """async () => {
+      const registration = await navigator.serviceWorker.getRegistration();
+      const worker = await new Promise((resolve) => {
+        registration.addEventListener("updatefound", () => resolve(registration.installing));
+        registration.update();
+      });
+      await new Promise((resolve) => {
+        const look = () => { if (worker.state === "redundant") resolve(); };
+        worker.addEventListener("statechange", look);
+        look();
+      });
+    }"""
+    tab.evaluate(failed)
+    tab.reload()
+    expect(tab.locator("main")).to_contain_text("The first text.")
+    host.off()
+    tab.reload()
+    expect(tab.locator("main")).to_contain_text("The first text.")
+    assert first in cached(tab)
+
+
+def test_a_large_site_is_kept_page_by_page(
+    host: Host, tab: Page, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker, "WHOLE", 100_000)
+    host.build()
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    (paths,) = cached(tab).values()
+    assert [path for path in paths if path.endswith(".wasm")] == []
+    assert f"{PREFIX}runtime/rosMain.js" in paths
+    tab.goto(url)
+    # Both nodes are kept, though none of them ran.
+    until(
+        tab,
+        """async () => {
+          const cache = await caches.open((await caches.keys())[0]);
+          const kept = (await cache.keys()).map(({ url }) => url);
+          return kept.filter((url) => url.endsWith(".jspi.wasm")).length === 2
+            && kept.filter((url) => url.endsWith(".jspi.js")).length === 2;
+        }""",
+    )
+    host.off()
+    tab.reload()
+    Panel(tab, "talker").start()
+    Panel(tab, "talker").wait_for("Hello")
+
+
+def test_other_sites_of_the_server_are_left_alone(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(url)
+    tab.evaluate("async () => { await caches.open('of another site'); }")
+    tab.evaluate("async () => { await caches.open('sitegen:http://127.0.0.1/:1'); }")
+    until(tab, READY)
+    edit(host, "The first text.", "The second text.")
+    tab.reload()
+    tab.get_by_role("button", name="Load it").click()
+    until(tab, "async () => (await caches.keys()).length === 3")
+    assert {"of another site", "sitegen:http://127.0.0.1/:1"} < set(cached(tab))
+    scope = tab.evaluate("async () => (await navigator.serviceWorker.ready).scope")
+    assert scope == url
+
+
+@pytest.mark.firefox
+def test_a_site_can_take_it_back(host: Host, tab: Page) -> None:
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    tab.reload()
+    edit(host, "offline: true", "offline: false")
+    tab.evaluate("""async () => { (await navigator.serviceWorker.getRegistration()).update(); }""")
+    until(
+        tab,
+        "async () => !(await navigator.serviceWorker.getRegistration())"
+        " && (await caches.keys()).length === 0",
+    )
+    expect(tab.locator("link[rel=manifest]")).to_have_count(0)
+
+
+def test_an_author_who_edits_sees_what_was_edited(host: Host) -> None:
+    live = LiveSite(host.folder, Report(io.StringIO()))
+    live.rebuild()
+    page = live.file("index.html")
+    assert page
+    assert isinstance(page.source, bytes)
+    assert b"manifest" not in page.source
+    assert live.file("sw.js") is None
+    with Server(live, 0) as server:
+        import urllib.request
+
+        with urllib.request.urlopen(f"{server.url}sw.js") as answer:
+            assert answer.headers["Content-Type"] == "text/javascript; charset=utf-8"
+            assert b"unregister" in answer.read()
+
+
+def test_the_manifest_is_that_of_an_app(host: Host) -> None:
+    dist = host.folder / "dist"
+    manifest = json.loads((dist / "manifest.webmanifest").read_text())
+    assert manifest["display"] == "standalone"
+    assert manifest["scope"] == manifest["start_url"] == "./"
+    shapes = {(icon["sizes"], icon["purpose"]) for icon in manifest["icons"]}
+    assert {("192x192", "any"), ("512x512", "any"), ("512x512", "maskable")} <= shapes
+    for icon in manifest["icons"]:
+        with Image.open(dist / icon["src"]) as image:
+            assert "x".join(map(str, image.size)) == icon["sizes"]
+            # What a device cuts away may be anything, but not nothing.
+            corner = image.convert("RGBA").getpixel((0, 0))
+            assert isinstance(corner, tuple)
+            assert corner[3] == (255 if icon["purpose"] == "maskable" else 0)
+    policies = [
+        re.findall(r'Content-Security-Policy" content="([^"]+)"', page.read_text())[0]
+        for page in dist.rglob("index.html")
+    ]
+    assert all("worker-src" in policy and "manifest-src" in policy for policy in policies)

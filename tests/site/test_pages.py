@@ -1,0 +1,442 @@
+"""Pages become HTML that works from any folder, and page.json says what they run."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import io
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+from browser import Serve
+from paths import ROOT
+from playwright.sync_api import Browser, expect
+from playwright.sync_api import Page as Tab
+
+from sitegen.errors import Place, SiteError
+from sitegen.model import Artifact, Build, Markdown, Node, Page, Site, Widget
+from sitegen.nodes.cpp.program import CppProgram
+from sitegen.nodes.programs import programs_of
+from sitegen.options import Options
+from sitegen.report import Report
+from sitegen.shipped import RUNTIME
+from sitegen.site.pages import render
+
+SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
+THEME = ROOT / "themes/default"
+
+
+def render_site(site: Site) -> list[Artifact]:
+    """Render a site whose programs were not compiled."""
+    options, report = Options(compile=False), Report(io.StringIO())
+    return render(site, programs_of(site, {}, options=options, cache=site.root, report=report))
+
+
+class Author:
+    """Writes a site below `root`, one page after the other."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.pages: list[Page] = []
+
+    def place(self, line: int = 1) -> Place:
+        return Place(self.root / "site.yaml", line)
+
+    def node(self, name: str, **more: object) -> Node:
+        return Node(name, "cpp_pubsub", name, self.place(), **more)  # type: ignore[arg-type]
+
+    def widget(self, kind: str, target: str, **options: object) -> Widget:
+        return Widget(kind, target, options, self.place())
+
+    def text(self, text: str, file: str = "site.yaml", line: int = 1) -> Markdown:
+        path = self.root / file
+        return Markdown(text, path.parent, Place(path, line))
+
+    def page(
+        self, path: str, *content: Markdown | Widget | str, title: str = "", level: str = ""
+    ) -> Page:
+        parts = tuple(self.text(part) if isinstance(part, str) else part for part in content)
+        targets = dict.fromkeys(part.target for part in parts if isinstance(part, Widget))
+        nodes = {name: self.node(name) for name in targets}
+        page = Page(path, title or path or "Home", "", nodes, parts, level, self.place())
+        self.pages.append(page)
+        return page
+
+    def site(self, *, url: str = "", asyncify: bool = True, title: str = "Robots") -> Site:
+        return Site(
+            self.root,
+            title,
+            "About robots",
+            url,
+            "en",
+            THEME,
+            self.root,
+            asyncify,
+            tuple(self.pages),
+        )
+
+    def built(self, **more: object) -> dict[str, str]:
+        return {
+            artifact.path: artifact.source.decode()
+            for artifact in render_site(self.site(**more))  # type: ignore[arg-type]
+            if isinstance(artifact.source, bytes)
+        }
+
+
+@pytest.fixture
+def author(tmp_path: Path) -> Author:
+    return Author(tmp_path)
+
+
+def write(artifacts: list[Artifact], folder: Path) -> Path:
+    for artifact in artifacts:
+        file = folder / artifact.path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        source = artifact.source
+        file.write_bytes(source if isinstance(source, bytes) else source.read_bytes())
+    return folder
+
+
+def data(artifacts: list[Artifact]) -> dict[str, bytes]:
+    """The bytes of those artifacts that sitegen wrote."""
+    return {a.path: a.source for a in artifacts if isinstance(a.source, bytes)}
+
+
+def addresses(html: str) -> list[str]:
+    return re.findall(r'\b(?:href|src)="([^"]*)"', html)
+
+
+def problems(author: Author) -> list[str]:
+    with pytest.raises(SiteError) as raised:
+        render_site(author.site())
+    return raised.value.lines
+
+
+def test_page_json_says_what_the_page_runs(author: Author) -> None:
+    talker = author.node("talker", namespace="/a", remap={"chatter": "/b"}, arguments=("--loud",))
+    content = (
+        author.widget("buttons", "talker"),
+        author.widget("console", "talker", lines=50),
+        author.widget("console", "listener"),
+    )
+    nodes = {"talker": talker, "listener": author.node("listener")}
+    author.pages.append(Page("a/demo/", "T", "", nodes, content, "I2", author.place()))
+    text = author.built()["a/demo/page.json"]
+    entry = json.loads(text)
+    assert text == json.dumps(entry, sort_keys=True, separators=(",", ":"))
+    stem = "../../nodes/cpp_pubsub/"
+    assert entry["nodes"] == {
+        "talker": {
+            "package": "cpp_pubsub",
+            "executable": "talker",
+            "arguments": ["--loud", "--ros-args", "-r", "chatter:=/b", "-r", "__ns:=/a"],
+            "autostart": False,
+            "builds": {
+                "jspi": {"script": f"{stem}talker.jspi.js", "wasm": f"{stem}talker.jspi.wasm"},
+                "asyncify": {
+                    "script": f"{stem}talker.asyncify.js",
+                    "wasm": f"{stem}talker.asyncify.wasm",
+                },
+            },
+        },
+        "listener": {
+            "package": "cpp_pubsub",
+            "executable": "listener",
+            "arguments": [],
+            "autostart": True,
+            "builds": {
+                "jspi": {"script": f"{stem}listener.jspi.js", "wasm": f"{stem}listener.jspi.wasm"},
+                "asyncify": {
+                    "script": f"{stem}listener.asyncify.js",
+                    "wasm": f"{stem}listener.asyncify.wasm",
+                },
+            },
+        },
+    }
+    assert entry["widgets"] == [
+        {"kind": "buttons", "element": "widget-1", "target": "talker", "options": {}},
+        {"kind": "console", "element": "widget-2", "target": "talker", "options": {"lines": 50}},
+        {"kind": "console", "element": "widget-3", "target": "listener", "options": {}},
+    ]
+
+
+def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:
+    author.page("", author.widget("console", "talker"))
+    entry = json.loads(author.built(asyncify=False)["page.json"])
+    builds = entry["nodes"]["talker"]["builds"]
+    assert builds == {
+        "jspi": {
+            "script": "nodes/cpp_pubsub/talker.jspi.js",
+            "wasm": "nodes/cpp_pubsub/talker.jspi.wasm",
+        }
+    }
+
+
+def test_another_program_has_another_address(author: Author) -> None:
+    author.page("a/", author.widget("console", "talker"))
+    site = author.site(asyncify=False)
+    script, wasm, types = (author.root / name for name in ("a.js", "a.wasm", "a.json"))
+    script.touch()
+    types.write_text("{}")
+
+    def addresses(content: str) -> dict[str, str]:
+        wasm.write_text(content)
+        builds = [Build("jspi", script, wasm, types)]
+        program = CppProgram("cpp_pubsub", "talker", ["jspi"], builds)
+        sources = data(render(site, {("cpp_pubsub", "talker"): program}))
+        entry = json.loads(sources["a/page.json"])
+        found: dict[str, str] = entry["nodes"]["talker"]["builds"]["jspi"]
+        return found
+
+    one, other = addresses("one"), addresses("other")
+    stem = re.escape("../nodes/cpp_pubsub/talker.jspi")
+    assert re.fullmatch(rf"{stem}\.js\?v=[0-9a-f]{{10}}", one["script"])
+    assert re.fullmatch(rf"{stem}\.wasm\?v=[0-9a-f]{{10}}", one["wasm"])
+    assert one == addresses("one")
+    assert not {*one.values()} & {*other.values()}
+
+
+def test_buttons_may_ask_for_a_start(author: Author) -> None:
+    author.page("", author.widget("buttons", "talker", autostart=True))
+    assert json.loads(author.built()["page.json"])["nodes"]["talker"]["autostart"] is True
+
+
+def test_the_policy_allows_the_one_inline_script(author: Author) -> None:
+    author.page("", author.widget("console", "talker"))
+    html = author.built()["index.html"]
+    (inline,) = re.findall(r"<script>(.*?)</script>", html, re.S)
+    digest = base64.b64encode(hashlib.sha256(inline.encode()).digest()).decode()
+    policy = html.split('Content-Security-Policy" content="')[1].split('"')[0]
+    rules = policy.replace("&#39;", "'").split("; ")
+    assert sorted(rules) == sorted(
+        [
+            "default-src 'none'",
+            f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}'",
+            "style-src 'self'",
+            "img-src 'self' data:",
+            "connect-src 'self'",
+            "worker-src 'self'",
+            "base-uri 'none'",
+            "form-action 'none'",
+        ]
+    )
+
+
+def test_a_page_without_nodes_loads_nothing_of_the_runtime(author: Author) -> None:
+    author.page("", "Hello")
+    built = author.built()
+    assert list(built) == ["index.html", "404.html"]
+    scripts = re.findall('<script.*?src="(.*?)"', built["index.html"])
+    assert scripts == ["theme/colours.js", "theme/page.js"], "only those of the theme"
+    assert "wasm" not in built["index.html"]
+
+
+@pytest.mark.parametrize(("path", "up"), [("", ""), ("a/", "../"), ("a/b/", "../../")])
+def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> None:
+    others = [other for other in ("", "a/", "a/b/", "c/") if other != path]
+    for other in others:
+        author.page(other, "Other")
+    page = author.page(path, "[c](c/) [home](/)", author.widget("console", "talker"))
+    (html,) = (
+        artifact.source.decode()
+        for artifact in render_site(author.site(url="https://me.github.io/robots/"))
+        if artifact.path == f"{page.path}index.html" and isinstance(artifact.source, bytes)
+    )
+    found = addresses(html)
+    assert f'<a href="{up}c/">c</a> <a href="{up or "./"}">home</a>' in html
+    module = "runtime/page/graph.js"
+    for file in ("theme/style.css", "theme/favicon.svg", "runtime/rosMain.js", module):
+        assert up + file in found
+    absolute = f"https://me.github.io/robots/{path}"
+    assert f'<link rel="canonical" href="{absolute}">' in html
+    assert f'<meta property="og:url" content="{absolute}">' in html
+    elsewhere = [link for link in found if ":" in link or link.startswith("/")]
+    assert sorted(set(elsewhere)) == ["http://localhost:8000/", absolute]
+
+
+def test_links_to_a_page_by_its_source(author: Author) -> None:
+    for number in ("1", "2"):
+        (author.root / number).mkdir()
+        (author.root / number / "page.md").touch()
+    author.page("one/", author.text("[next](../2/page.md#setup)", "1/page.md"))
+    text = "[back](../one/) [mail](mailto:a@b.c) [here](#setup)\n\n## Setup"
+    author.page("two/", author.text(text, "2/page.md"))
+    built = author.built()
+    assert '<a href="../two/#setup">next</a>' in built["one/index.html"]
+    assert '<a href="../one/">back</a>' in built["two/index.html"]
+    assert '<a href="#setup">here</a>' in built["two/index.html"]
+
+
+def test_images_get_a_name_for_good_and_a_size(author: Author) -> None:
+    (author.root / "text/img").mkdir(parents=True)
+    (author.root / "text/img/a b.svg").write_text(SVG)
+    digest = hashlib.sha256(SVG.encode()).hexdigest()[:10]
+    source = '![x](img/a%20b.svg)\n\n<img alt="a > b" src="img/a b.svg" width="20">'
+    author.page("demo/", author.text(source, "text/page.md"))
+    artifacts = {artifact.path: artifact.source for artifact in render_site(author.site())}
+    name = f"media/a-b.{digest}.svg"
+    assert artifacts[name] == author.root / "text/img/a b.svg"
+    html = artifacts["demo/index.html"]
+    assert isinstance(html, bytes)
+    lazy = 'loading="lazy" decoding="async"'
+    assert f'<img alt="x" src="../{name}" width="40" height="30" {lazy}>' in html.decode()
+    assert f'<img alt="a > b" src="../{name}" width="20" height="15" {lazy}>' in html.decode()
+    # Other content has another name, so browsers may keep this one for ever.
+    (author.root / "text/img/a b.svg").write_text(SVG + " ")
+    assert name not in {artifact.path for artifact in render_site(author.site())}
+
+
+def test_files_that_a_page_links_to_are_copied_beside_it(author: Author) -> None:
+    (author.root / "notes.pdf").write_bytes(b"2")
+    author.page("demo/", author.text("[pdf](../notes.pdf)", "text/page.md"))
+    artifacts = {artifact.path: artifact.source for artifact in render_site(author.site())}
+    assert artifacts["demo/notes.pdf"] == author.root / "notes.pdf"
+    html = artifacts["demo/index.html"]
+    assert isinstance(html, bytes)
+    assert b'href="notes.pdf"' in html
+
+
+def test_what_is_missing_is_named_with_its_line(author: Author) -> None:
+    (author.root / "robot.png").touch()
+    author.page("demo/")
+    author.page(
+        "",
+        author.text(
+            "First\n\n![x](robto.png)\n\n[d](demos/)\n\n![y](../y.png)\n![z](https://z.org/z.png)",
+            "page.md",
+            line=10,
+        ),
+    )
+    assert problems(author) == [
+        "page.md:12: image: no file 'robto.png' in .; did you mean 'robot.png'?",
+        "page.md:14: link: no page 'demos/'; did you mean 'demo/'?",
+        "page.md:16: image: '../y.png' is outside the site's folder; move it beside site.yaml",
+        "page.md:17: image: 'https://z.org/z.png' is on another site; "
+        "save it in this one and name the file",
+    ]
+
+
+def test_two_files_of_one_name_are_a_problem(author: Author) -> None:
+    (author.root / "sub").mkdir()
+    for file in ("a.png", "sub/a.png"):
+        (author.root / file).touch()
+    author.page("", author.text("[a](a.png)\n\n[b](../a.png)", "sub/page.md"))
+    assert problems(author) == [
+        "sub/page.md:3: link: '../a.png' would replace another 'a.png'; rename it"
+    ]
+
+
+def test_every_page_has_one_heading(author: Author) -> None:
+    author.page("", "Text", title="Home")
+    author.page("a/", "# My own", title="Other")
+    built = author.built()
+    assert re.findall("<h1.*?</h1>", built["index.html"]) == ["<h1>Home</h1>"]
+    assert re.findall("<h1.*?</h1>", built["a/index.html"]) == ['<h1 id="my-own">My own</h1>']
+
+
+def test_ids_are_unique_over_the_parts_of_a_page(author: Author) -> None:
+    part = "## Über\n\ntext[^1]\n\n[^1]: note"
+    author.page("", part, author.widget("console", "talker"), part)
+    ids = re.findall(r'\bid="([^"]*)"', author.built()["index.html"])
+    assert len(ids) == len(set(ids))
+    assert {"über", "über_1"} <= set(ids)
+
+
+def test_what_authors_write_is_escaped(author: Author) -> None:
+    author.page("", author.widget("console", "<b>&"), title='<script>"x"')
+    author.page("b/", "B", title="</a><i>")
+    html = author.built(title="R&D <x>")["index.html"]
+    assert "<title>&lt;script&gt;&#34;x&#34; · R&amp;D &lt;x&gt;</title>" in html
+    assert "<i>" not in html
+    assert "<b>&" not in html
+
+
+def test_widgets_of_one_node_share_a_panel(author: Author) -> None:
+    names = [("buttons", "a"), ("console", "a"), ("buttons", "b"), ("console", "b")]
+    author.page("", "One", *(author.widget(*name) for name in names), "Two")
+    html = author.built()["index.html"]
+    row = html[html.index("One") : html.index("Two")]
+    assert row.count('class="ros-row"') == 1
+    panels = row.split("<section")[1:]
+    assert [re.findall('data-ros-widget="(.*?)"', panel) for panel in panels] == [
+        ["buttons", "console"],
+        ["buttons", "console"],
+    ]
+
+
+def test_tables_keep_their_alignment_without_style_attributes(author: Author) -> None:
+    author.page("", "|a|b|\n|--|--:|\n|1|2|")
+    html = author.built()["index.html"]
+    assert "style=" not in html
+    assert '<div class="table" tabindex="0"><table>' in html
+    assert '<td align="right">2</td>' in html
+
+
+def test_the_menu_opens_the_branch_of_the_page(author: Author) -> None:
+    for path in ("", "a/", "a/x/", "a/y/", "b/", "b/z/"):
+        author.page(path, "Text")
+
+    def shown(path: str) -> str:
+        html = author.built()[f"{path}index.html"]
+        menu = html[html.index('<nav class="menu"') : html.index("<main")]
+        return " ".join(re.findall(r"<li><a.*?>(.*?)</a>|(?:</ul></li>)", menu)).replace(
+            "  ", " - "
+        )
+
+    assert shown("") == "Home a/ b/"
+    assert shown("a/") == shown("a/y/") == "Home a/ a/x/ a/y/ - b/"
+
+
+def test_a_page_from_a_subfolder_of_a_server(
+    author: Author, tab: Tab, serve: Serve, tmp_path: Path
+) -> None:
+    (author.root / "x.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg"/>')
+    author.page("", "![x](x.svg)")
+    author.page("a/", "Text", author.widget("console", "talker"), level="I1")
+    dist = write(render_site(author.site()), tmp_path / "dist")
+    shutil.copytree(RUNTIME, dist / "runtime")
+    (dist / "runtime/rosMain.js").write_text(
+        'const page = await fetch(document.getElementById("ros-page").href);\n'
+        "document.body.dataset.nodes = Object.keys((await page.json()).nodes).join();\n"
+    )
+    answers: dict[str, int] = {}
+    tab.on("response", lambda response: answers.update({response.url: response.status}))
+    url = serve(dist, "/me/robots/")
+    tab.goto(url)
+    tab.wait_for_function("document.querySelector('main img').complete")
+    tab.get_by_role("link", name="Next").click()
+    tab.wait_for_selector("body[data-nodes=talker]")
+    assert tab.is_hidden("#file-note")
+    tab.get_by_role("link", name="Previous").click()
+    tab.wait_for_url(url)
+    assert [url for url, status in answers.items() if status >= 400] == []
+
+
+def test_long_names_stay_where_they_belong(
+    author: Author, tab: Tab, serve: Serve, tmp_path: Path
+) -> None:
+    author.page("", "Text")
+    author.page("a/", "Text", title="all_that_this_robot_has_to_say_about_itself_cpp")
+    url = serve(write(render_site(author.site()), tmp_path / "dist"))
+    tab.goto(f"{url}a/")
+    current = tab.locator(".menu a[aria-current]")
+    expect(current).to_be_visible()
+    assert current.evaluate("(link) => link.scrollWidth <= link.clientWidth")
+    tab.set_viewport_size({"width": 320, "height": 640})
+    assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_a_page_opened_as_a_file_says_what_to_do(
+    author: Author, browser: Browser, tmp_path: Path
+) -> None:
+    author.page("", "Text", author.widget("console", "talker"))
+    dist = write(render_site(author.site()), tmp_path / "dist")
+    tab = browser.new_page()
+    tab.goto((dist / "index.html").as_uri())
+    assert "python -m http.server --directory dist" in tab.inner_text("#file-note")
+    assert tab.is_visible("#file-note")
+    assert tab.evaluate("getComputedStyle(document.body).margin") == "0px"
+    tab.close()

@@ -1,0 +1,156 @@
+"""One page as one file, which needs no server."""
+
+from __future__ import annotations
+
+import base64
+import importlib.resources
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from panel import Panel
+from paths import ROOT
+from playwright.sync_api import Browser, ConsoleMessage, Page, expect
+
+from sitegen.__main__ import main
+
+WIRE = base64.b64decode(
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+)
+SITE = """\
+site: {title: My robot, url: "https://me.github.io/robot/", logo: robot.png, font: own.ttf}
+pages:
+  - {path: /, file: index.md}
+  - {path: guide/start/, title: Start, content: [{markdown: "![A robot](robot.png)"}]}
+"""
+TEXT = """\
+# Home
+
+![A robot](robot.png) [Start](guide/start/#top) [Manual](manual.pdf) [Up](#home)
+[ROS](https://ros.org/?a=1&b=2)
+"""
+
+
+@pytest.fixture
+def alone(browser: Browser) -> Iterator[Page]:
+    """A tab that fails on errors and on whatever is loaded beside the file."""
+    tab = browser.new_page()
+    wrong: list[str] = []
+
+    def note(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            wrong.append(message.text)
+
+    tab.on("console", note)
+    tab.on("pageerror", lambda error: wrong.append(str(error)))
+    loaded: list[str] = []
+    tab.on("request", lambda request: loaded.append(request.url))
+    yield tab
+    tab.close()
+    assert wrong == []
+    assert [url for url in loaded if not url.startswith(("file:", "blob:", "data:"))] == []
+    assert len([url for url in loaded if url.startswith("file:")]) <= 2
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "site.yaml").write_text(SITE)
+    (tmp_path / "index.md").write_text(TEXT)
+    (tmp_path / "robot.png").write_bytes(WIRE)
+    font = importlib.resources.files("font_source_sans_pro") / "files/SourceSansPro-Regular.ttf"
+    (tmp_path / "own.ttf").write_bytes(font.read_bytes())
+    (tmp_path / "manual.pdf").write_bytes(b"%PDF-1.4")
+    return tmp_path
+
+
+@pytest.mark.firefox
+def test_nodes_run_in_a_file_that_was_opened(alone: Page, tmp_path: Path) -> None:
+    file = tmp_path / "look inside.html"
+    assert main(["build", str(ROOT), "--single-file", "demo05/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    for name in ("listener", "talker", "server"):
+        Panel(alone, name).start()
+    Panel(alone, "listener").wait_for("I heard: 'Hello, world! 2'")
+    services = alone.locator("[data-ros-widget=services]")
+    services.scroll_into_view_if_needed()
+    services.get_by_label("a int64").fill("40")
+    services.get_by_label("b int64").fill("2")
+    services.get_by_role("button", name="Call").click()
+    expect(services.get_by_label("answer")).to_have_text("sum: 42")
+    alone.locator("[data-ros-widget=graph]").scroll_into_view_if_needed()
+    expect(alone.locator(".ros-topic-box")).to_have_count(1)
+    Panel(alone, "talker").stop()
+    assert alone.get_by_role("button", name=re.compile("Share|Search|Pages")).count() == 0
+    assert not alone.is_visible("#file-note")
+
+
+def test_without_jspi_too(browser: Browser, tmp_path: Path) -> None:
+    file = tmp_path / "file.html"
+    assert main(["build", str(ROOT), "--single-file", "demo02", "--output", str(file)]) == 0
+    context = browser.new_context()
+    context.add_init_script("delete WebAssembly.Suspending; delete WebAssembly.promising;")
+    tab = context.new_page()
+    tab.goto(file.as_uri())
+    Panel(tab, "talker").start()
+    Panel(tab, "talker").wait_for("Hello, world! 1")
+    context.close()
+
+
+def test_a_robot_is_in_the_file(alone: Page, tmp_path: Path) -> None:
+    file = tmp_path / "file.html"
+    assert main(["build", str(ROOT), "--single-file", "demo04", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    expect(alone.locator("svg.ros-floor")).to_be_visible()
+
+
+def test_images_and_links_of_a_file(alone: Page, site: Path) -> None:
+    assert main(["build", str(site), "--single-file", "/"]) == 0
+    file = site / "index.html"
+    text = file.read_text()
+    assert re.findall(r'(?:src|href)="(?!data:|#|https://)[^"]*"', text) == []
+    alone.goto(file.as_uri())
+    assert alone.evaluate("document.querySelector('main img').naturalWidth") == 1
+    assert alone.evaluate("[...document.fonts].some(({ status }) => status === 'loaded')")
+    links = alone.eval_on_selector_all("main .prose p a", "all => all.map((a) => a.href)")
+    assert links[0] == "https://me.github.io/robot/guide/start/#top"
+    assert links[1].startswith("data:application/pdf;base64,")
+    assert links[2].endswith("index.html#home")
+    assert links[3] == "https://ros.org/?a=1&b=2"
+    assert main(["build", str(site), "--single-file", "guide/start"]) == 0
+    assert (site / "guide-start.html").is_file()
+
+
+def test_its_policy_allows_nothing_that_is_not_in_it(site: Path) -> None:
+    assert main(["build", str(site), "--single-file", "/"]) == 0
+    text = (site / "index.html").read_text()
+    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]+)"', text)
+    assert "unsafe-inline" not in policy
+    assert "unsafe-eval" not in policy.replace("wasm-unsafe-eval", "")
+    assert "http" not in policy
+    for rule in ("default-src", "connect-src", "worker-src"):
+        assert rule in policy
+
+
+def test_the_same_page_is_the_same_file(site: Path) -> None:
+    assert main(["build", str(site), "--single-file", "/"]) == 0
+    first = (site / "index.html").read_bytes()
+    assert main(["build", str(site), "--single-file", "/"]) == 0
+    assert (site / "index.html").read_bytes() == first
+
+
+def test_what_cannot_be_a_file_is_said(
+    site: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["build", str(ROOT), "--single-file", "demo06"]) == 1
+    said = capsys.readouterr().err
+    assert "demos/demo06/page.md:6: nodes.talker: no node for a single file: Python comes" in said
+    assert main(["build", str(site), "--single-file", "guide/strat"]) == 1
+    assert "did you mean 'guide/start/'?" in capsys.readouterr().err
+    (site / "index.html").write_text("mine")
+    assert main(["build", str(site), "--single-file", "/"]) == 1
+    assert "is there and not of sitegen; choose another --output" in capsys.readouterr().err
+    assert (site / "index.html").read_text() == "mine"
+    (site / "index.md").write_text('# Home\n\n<iframe src="guide/start/" title="S"></iframe>\n')
+    assert main(["build", str(site), "--single-file", "/", "--output", f"{tmp_path}/x.html"]) == 1
+    assert "a single file shows no frame of another page" in capsys.readouterr().err
