@@ -5,7 +5,7 @@ PORT ?= 8000
 # How many tests run at once. Most wait for browsers most of the time.
 AT_ONCE ?= 2
 
-.PHONY: demo serve test test-firefox lint bench clean
+.PHONY: demo serve test test-all test-firefox lint bench clean
 
 demo: .venv/ready .venv/emscripten
 	$(BIN)/sitegen build
@@ -17,12 +17,20 @@ serve:
 	@echo "http://localhost:$(PORT)/ (Ctrl-C ends it)"
 	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
 
-# Everything in Chromium; what drives nodes, graph and panels in Firefox and WebKitGTK, too.
-test: .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit lint
+TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
+
+# All of it in Chromium with JSPI, and in each other browser and engine what differs there.
+test: $(TOOLS) lint
+	$(BIN)/python tests/support/programs.py
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile
 
-# Everything in Firefox, but what only Chromium has.
-test-firefox: .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
+# All of it in all browsers and engines, with the full counts. It takes hours.
+test-all: $(TOOLS) lint
+	$(BIN)/python tests/support/programs.py --all
+	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --all
+
+# All of it in Firefox, except for what only Chromium has.
+test-firefox: $(TOOLS)
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --firefox
 
 lint: .venv/ready node_modules/.package-lock.json

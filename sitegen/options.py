@@ -12,13 +12,15 @@ class Options:
     Without `compile`, everything is checked and the C++ programs are missing. A `live` site is
     served while its author edits it: no browser keeps it, and the server makes the search index
     when somebody searches. With `debug`, C++ programs report the lines of their sources. A `draft`
-    links C++ programs in a fifth of the time, and they are up to twice as large.
+    links C++ programs in a fifth of the time, and they are up to twice as large. Programs are built
+    for those of the site's engines that are among `engines`, if it names any.
     """
 
     compile: bool = True
     live: bool = False
     debug: bool = False
     draft: bool = False
+    engines: tuple[str, ...] = ()
 
 
 PUBLISH = Options()

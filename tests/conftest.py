@@ -11,14 +11,14 @@ from pathlib import Path
 import pytest
 from browser import Built, Scripted, Serve, opened, running, serving
 from panel import Panel, Played
-from paths import ROOT, TESTS
+from paths import ROOT
 from playwright.sync_api import Browser, BrowserContext, Page, expect
+from programs import options_of
 from stage import set_up
 from webkit import Window, webkit
 
 from sitegen.build import make, write
 from sitegen.nodes.cpp.toolchain import Toolchain
-from sitegen.options import Options
 from sitegen.report import Report
 
 # How the ROS2WASM project builds.
@@ -32,6 +32,9 @@ expect.set_options(timeout=60_000)
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
+        "--all", action="store_true", help="run everything: all browsers, engines and counts"
+    )
+    parser.addoption(
         "--firefox", action="store_true", help="run the tests of pages in Firefox only"
     )
 
@@ -42,33 +45,32 @@ def pytest_configure() -> None:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Run the tests of pages in Chromium, the reference, and in what else they are marked with."""
-    if "browser_name" not in metafunc.fixturenames:
-        return
-    marks = {mark.name for mark in metafunc.definition.iter_markers()}
-    if "chromium" in marks:
-        names = ["chromium"]
-    elif metafunc.config.getoption("firefox"):
-        names = ["firefox"]
-    else:
-        names = ["chromium", *(name for name in ("firefox", "webkit") if name in marks)]
-    metafunc.parametrize("browser_name", names, indirect=True, scope="session")
+    """Choose the browsers and engines that a test of pages runs in.
+
+    That is Chromium with JSPI, and what else its marks name: `firefox`, `webkit` and `asyncify`
+    with `always=True` in every run, without it with `--all`.
+    """
+    config = metafunc.config
+    marks = {mark.name: mark for mark in metafunc.definition.iter_markers()}
+
+    def wanted(name: str) -> bool:
+        mark = marks.get(name)
+        return mark is not None and (config.getoption("all") or mark.kwargs.get("always", False))
+
+    if "browser_name" in metafunc.fixturenames:
+        names = ["chromium", *(name for name in ("firefox", "webkit") if wanted(name))]
+        if "chromium" not in marks and config.getoption("firefox"):
+            names = ["firefox"]
+        metafunc.parametrize("browser_name", names, indirect=True, scope="session")
+    if "engine" in metafunc.fixturenames:
+        both = config.getoption("all") or wanted("asyncify")
+        metafunc.parametrize("engine", ["jspi", "asyncify"] if both else ["jspi"], indirect=True)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Run a test of a page again when it fails, and name it.
-
-    Firefox without JSPI is left to `--firefox`: Chromium without it runs the same programs.
-
-    The three browsers are programs of others, on a machine that others use, with a second test
-    beside this one; a few of a thousand runs fail by that. What is wrong here fails three times.
-    """
+    """Leave Firefox without JSPI to `--firefox`: Chromium without it runs the same programs."""
     if not config.getoption("firefox"):
         items[:] = [item for item in items if not _is_firefox_without_jspi(item)]
-    for item in items:
-        fixtures = set(getattr(item, "fixturenames", ()))
-        if {"browser_name", "webkit_window"} & fixtures:
-            item.add_marker(pytest.mark.flaky(reruns=2))
 
 
 def _is_firefox_without_jspi(item: pytest.Item) -> bool:
@@ -149,22 +151,18 @@ def tab(browser: Browser, serve: Serve) -> Iterator[Page]:
 
 
 @pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
+def built(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Built:
     """A function that builds the site of a folder, once, and returns where it is.
 
-    The programs of sites that are there for tests are drafts: to optimize hundreds of them would
-    take longer than the tests. Those of demos are what `sitegen build` makes of them.
+    Its programs are those that `make test` compiled beforehand; see programs.py.
     """
     sites: dict[Path, Path] = {}
 
     def made(folder: Path) -> Path:
         if folder not in sites:
             output = tmp_path_factory.mktemp(folder.name) / "dist"
-            draft = TESTS in folder.parents
-            write(
-                make(folder, Report(), output=output, options=Options(draft=draft)).artifacts,
-                output,
-            )
+            options = options_of(folder, everything=request.config.getoption("all"))
+            write(make(folder, Report(), output=output, options=options).artifacts, output)
             sites[folder] = output
         return sites[folder]
 
@@ -185,9 +183,9 @@ def ros2wasm(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return built(folder)
 
 
-@pytest.fixture(params=["jspi", "asyncify"])
+@pytest.fixture
 def engine(request: pytest.FixtureRequest) -> str:
-    """The two kinds of browsers that nodes are built for."""
+    """The engine that nodes run on: that of browsers with JSPI, or that of browsers without."""
     return str(request.param)
 
 

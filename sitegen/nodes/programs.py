@@ -33,7 +33,7 @@ def programs_of(
     ros2wasm = ros2wasm_programs(site, nodes, cache=cache)
     python = python_programs(site, nodes, cache=cache, say=report.say)
 
-    engines = engines_of(site)
+    engines = engines_of(site, options)
     own = compiler.compile_nodes(
         jobs_of(site, nodes, cache=cache) if options.compile else [],
         engines,
@@ -62,9 +62,10 @@ def nodes_of(site: Site) -> list[Node]:
     return list({n.program: n for page in site.pages for n in page.nodes.values()}.values())
 
 
-def engines_of(site: Site) -> Sequence[str]:
+def engines_of(site: Site, options: Options) -> Sequence[str]:
     """Return the engines that C++ programs of `site` are built for."""
-    return ("jspi", "asyncify") if site.asyncify else ("jspi",)
+    engines = ("jspi", "asyncify") if site.asyncify else ("jspi",)
+    return tuple(one for one in engines if not options.engines or one in options.engines)
 
 
 def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[compiler.Job]:

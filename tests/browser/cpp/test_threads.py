@@ -8,16 +8,16 @@ from panel import Panel, expect_nothing_left
 from paths import SITES
 from playwright.sync_api import BrowserContext
 
-pytestmark = pytest.mark.firefox
+pytestmark = [pytest.mark.firefox, pytest.mark.asyncify(always=True)]
 
-SITE = SITES / "rclcpp"
+SITE = SITES / "engines"
 
 
 def test_the_standard_library_has_its_threads(
     context: BrowserContext, serve: Serve, built: Built
 ) -> None:
     page = context.new_page()
-    page.goto(f"{serve(built(SITE))}threads/")
+    page.goto(serve(built(SITE)))
     threads = Panel(page, "threads")
     threads.start()
     threads.expect_state("failed")
@@ -38,7 +38,7 @@ def test_a_loop_runs_beside_a_node_that_spins_until_stop(
     context: BrowserContext, serve: Serve, built: Built
 ) -> None:
     page = context.new_page()
-    page.goto(f"{serve(built(SITE))}threads/")
+    page.goto(serve(built(SITE)))
     spinning = Panel(page, "spinning")
     spinning.start()
     spinning.wait_for("heard from the loop")

@@ -11,7 +11,7 @@ from panel import Panel, expect_nothing_left
 from paths import SITES
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.firefox
+pytestmark = [pytest.mark.firefox(always=True), pytest.mark.asyncify(always=True)]
 
 SITE = SITES / "faults"
 

@@ -9,7 +9,7 @@ import pytest
 from browser import Scripted, Serve
 from scenario import player
 
-pytestmark = [pytest.mark.firefox, pytest.mark.webkit]
+pytestmark = [pytest.mark.firefox(always=True), pytest.mark.webkit(always=True)]
 
 # A participant of each name, joined to one graph, with what a scenario needs to be short.
 SETTING = """

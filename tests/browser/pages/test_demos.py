@@ -15,7 +15,7 @@ from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Page, e
 from sitegen.commands.build import build
 from sitegen.report import Report
 
-pytestmark = pytest.mark.firefox
+pytestmark = [pytest.mark.firefox, pytest.mark.asyncify(always=True)]
 
 
 # Where a site is has nothing to do with what runs in it, so two of the four pairs show both.

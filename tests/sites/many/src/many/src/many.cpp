@@ -1,6 +1,6 @@
 // Nodes as its arguments name them: "n:name" begins one, "p:/topic" and "s:/topic" are what it has,
 // and "e:1000" how often the next ones publish, in milliseconds. They tell when they have heard
-// enough of everything, and go on.
+// enough of every publisher that is there, again when more have come, and go on.
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -58,11 +58,11 @@ private:
       complete += heard_[i].count >= 3 * static_cast<int>(subscriptions_[i]->get_publisher_count()) &&
         heard_[i].count > 0;
     }
-    if (complete == heard_.size() && !told_) {
-      std::size_t writers = 0;
-      for (const auto & heard : heard_) {writers += heard.last.size();}
+    std::size_t writers = 0;
+    for (const auto & heard : heard_) {writers += heard.last.size();}
+    if (complete == heard_.size() && told_ != writers) {
       RCLCPP_INFO(get_logger(), "heard %zu publishers on %zu topics", writers, heard_.size());
-      told_ = true;
+      told_ = writers;
     }
   }
 
@@ -83,7 +83,7 @@ private:
   std::vector<rclcpp::Subscription<String>::SharedPtr> subscriptions_;
   std::vector<Heard> heard_;
   int number_ = 0;
-  bool told_ = false;
+  std::size_t told_ = 0;
 };
 
 int main(int argc, char ** argv)
