@@ -45,7 +45,7 @@ public:
   }
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override;
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override;
 
 private:
   const detail::NamedService & type_;

@@ -36,7 +36,7 @@ protected:
   void respond(
     const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
   static std::shared_ptr<rmw_request_id_t> request_id(
-    const rmw_message_info_t & info, double writer);
+    const rmw_message_info_t & info, double writer_gid);
   /// The node that it is of; throws RCLError when that is gone.
   std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
 
@@ -132,12 +132,12 @@ public:
 
 protected:
   void handle(
-    const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override
+    const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override
   {
     auto request = std::make_shared<Request>();
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();
     if (!decode(type, bytes, request.get())) {return;}
-    auto id = request_id(info, writer);
+    auto id = request_id(info, writer_gid);
     introspect(detail::ServiceEvent::kRequestReceived, *id, request.get(), nullptr);
     callback_(*this, std::move(id), std::move(request));
   }
