@@ -37,18 +37,18 @@ enum class IntraProcessSetting {Enable, Disable, NodeDefault};
 struct PublisherOptionsBase
 {
   PublisherEventCallbacks event_callbacks;
-  /// Log what is incompatible.
+  /// Whether to log incompatible QoS.
   bool use_default_callbacks = true;
   CallbackGroup::SharedPtr callback_group = nullptr;
-  /// Whether subscriptions of this program get the messages that are published as std::unique_ptr
-  /// themselves, and no copies.
+  /// Whether subscriptions of this program receive messages published as std::unique_ptr without
+  /// copying.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
   QosOverridingOptions qos_overriding_options;
 };
 
-/// The allocator is kept and not asked: messages are made by the standard one.
+/// The allocator is accepted and unused: messages use the standard allocator.
 template<typename AllocatorT>
 struct PublisherOptionsWithAllocator : PublisherOptionsBase
 {

@@ -24,13 +24,13 @@ namespace rclcpp
 struct SubscriptionOptionsBase
 {
   SubscriptionEventCallbacks event_callbacks;
-  /// Log what is incompatible.
+  /// Whether to log incompatible QoS.
   bool use_default_callbacks = true;
   bool ignore_local_publications = false;
   CallbackGroup::SharedPtr callback_group = nullptr;
   /// Whether it takes part in intra-process communication.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
-  /// Kept and not asked.
+  /// Accepted and unused.
   IntraProcessBufferType intra_process_buffer_type = IntraProcessBufferType::CallbackDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
@@ -45,7 +45,7 @@ struct SubscriptionOptionsBase
   ContentFilterOptions content_filter_options;
 };
 
-/// The allocator is kept and not asked: messages are made by the standard one.
+/// The allocator is accepted and unused: messages use the standard allocator.
 template<typename AllocatorT>
 struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
 {
