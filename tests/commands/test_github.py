@@ -90,7 +90,7 @@ def test_nodes_are_compiled_for_others(repository: Path, tmp_path: Path) -> None
     assert run(nodes, "compile", repository, **given) == {
         "Compile",
         "Unpack the archive",
-        "Say what it is for",
+        "Explain how to use the archive",
     }
     assert "compiled: nodes.zip" in (repository / "summary.md").read_text()
 

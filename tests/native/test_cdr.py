@@ -158,7 +158,7 @@ def test_a_text_beyond_its_bound_is_neither_read_nor_written(ask: Ask, messages:
     text = (40).to_bytes(4, "little") + b"x" * 39 + b"\0"
     data = (b"\0\1\0\0" + text * 13).hex()
     assert ask([f"again test_msgs/msg/Strings {data}"]) == ["refused"]
-    assert ask(["too_long"]) == ["error: a text of 23 where its type allows 22"]
+    assert ask(["too_long"]) == ["error: the length of a string is 23; the maximum is 22"]
 
 
 def test_no_bytes_make_reading_crash_or_take_more_memory_than_they_are_worth(

@@ -80,7 +80,7 @@ def test_nothing_is_lost_where_all_is_kept(page: Page) -> None:
 
 def test_who_keeps_all_and_finds_no_room_is_told(page: Page) -> None:
     pours, _ = start(page, "pours", "sleeps")
-    pours.wait_for("failed to publish message: the subscriptions of '/wine' have no room for more")
+    pours.wait_for("failed to publish message: the queues of the subscriptions to '/wine' are full")
     pours.expect_state("stopped")
 
 

@@ -1,4 +1,4 @@
-"""Messages that are held back, and matched with those of other topics."""
+"""Filters that delay messages and match those of several topics."""
 
 from message_filters.cache import Cache
 from message_filters.chain import Chain

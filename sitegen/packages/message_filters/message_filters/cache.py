@@ -1,4 +1,4 @@
-"""Keep the last messages, and pass each on."""
+"""Keep the last messages and pass all of them on."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from message_filters.simple_filter import SimpleFilter, stamp_of
 
 
 class Cache(SimpleFilter):
-    """Keeps as many as `cache_size`; those without a header by the time when they came."""
+    """A cache of `cache_size` messages; those without a header have their time of arrival."""
 
     def __init__(self, f: Any = None, cache_size: int = 1, allow_headerless: bool = False) -> None:
         super().__init__()
@@ -22,7 +22,7 @@ class Cache(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: Any) -> None:
-        """Take what another filter passes on."""
+        """Connect the input to another filter."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:

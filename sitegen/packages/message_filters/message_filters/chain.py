@@ -1,4 +1,4 @@
-"""Filters one after another, as one."""
+"""A chain of filters as one filter."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from message_filters.simple_filter import SimpleFilter
 
 
 class Chain(SimpleFilter):
-    """Each filter has `add` and `registerCallback`."""
+    """A chain of filters with `add` and `registerCallback`."""
 
     def __init__(self, message_filter: Any = None) -> None:
         super().__init__()
@@ -18,18 +18,18 @@ class Chain(SimpleFilter):
             self.connectInput(message_filter)
 
     def connectInput(self, message_filter: Any) -> None:
-        """Take what another filter passes on."""
+        """Connect the input to another filter."""
         self.incoming_connection = message_filter.registerCallback(self.add)
 
     def add(self, message: Any) -> None:
-        """Take a message in."""
+        """Add a message."""
         if self._filters:
             self._filters[0].add(message)
         else:
             self.signalMessage(message)
 
     def addFilter(self, message_filter: Any) -> int:
-        """Put a filter behind the others, and return its index."""
+        """Append a filter and return its index."""
         if self._filters:
             last = self._filters[-1]
             del last.callbacks[self._output]

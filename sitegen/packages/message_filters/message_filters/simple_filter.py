@@ -1,4 +1,4 @@
-"""What all filters are: callbacks that are called with what passes."""
+"""The common part of filters: callbacks for the messages that pass."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from rclpy.time import Time
 
 
 class SimpleFilter:
-    """Has any number of callbacks."""
+    """A filter with any number of callbacks."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., object], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., object], *args: Any) -> int:
-        """Call `cb` with each message, and behind it with `args`; return the callback's number."""
+        """Call `cb` with each message, followed by `args`; return the callback's number."""
         number = max(self.callbacks, default=-1) + 1
         self.callbacks[number] = (cb, args)
         return number
 
     def signalMessage(self, *msg: Any) -> None:
-        """Pass on what has come."""
+        """Pass messages on to the callbacks."""
         for callback, args in list(self.callbacks.values()):
             callback(*msg, *args)
 
 
 def stamp_of(msg: Any, allow_headerless: bool, filter_name: str) -> Time | None:
-    """Return the time of a message; without a header it is now, or None where that is no choice."""
+    """Return the timestamp of a message; without a header, the current time or None."""
     stamp = getattr(getattr(msg, "header", None), "stamp", None)
     if stamp is not None:
         return Time.from_msg(stamp)

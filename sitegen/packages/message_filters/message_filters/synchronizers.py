@@ -1,4 +1,4 @@
-"""Match the messages of several filters by their times."""
+"""Match the messages of several filters by their timestamps."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Queue = dict[int, Any]
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Calls back with one message of each filter, all with exactly the same time."""
+    """Passes on sets of messages, one of each filter, with equal timestamps."""
 
     def __init__(self, fs: Sequence[Any], queue_size: int) -> None:
         super().__init__()
@@ -25,7 +25,7 @@ class TimeSynchronizer(SimpleFilter):
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[Any]) -> None:
-        """Take what other filters pass on."""
+        """Connect the inputs to other filters."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
             each.registerCallback(self.add, queue, index)
@@ -33,7 +33,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Take a message of one filter in."""
+        """Add a message of one filter."""
         with self.lock:
             self._keep(Time.from_msg(msg.header.stamp).nanoseconds, msg, my_queue)
             for time in sorted(set.intersection(*map(set, self.queues))):
@@ -51,7 +51,7 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """The same for times that are less than `slop` seconds apart."""
+    """The same for timestamps that differ by less than `slop` seconds."""
 
     def __init__(
         self, fs: Sequence[Any], queue_size: int, slop: float, allow_headerless: bool = False
@@ -61,14 +61,14 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         super().__init__(fs, queue_size)
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Take a message of one filter in."""
+        """Add a message of one filter."""
         stamp = stamp_of(msg, self.allow_headerless, "approx")
         if stamp is None:
             return
         now, slop = stamp.nanoseconds, self.slop.nanoseconds
         with self.lock:
             self._keep(now, msg, my_queue)
-            # The nearest first; of its own filter only the message that has come.
+            # The nearest first; of the filter itself only the new message.
             choices = [
                 [now]
                 if queue is my_queue

@@ -20,7 +20,7 @@ double number(const std::string & text, const std::string & where)
 {
   char * end;
   const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end) {throw std::runtime_error(where + ": '" + text + "' is no number");}
+  if (text.empty() || *end) {throw std::runtime_error(where + ": '" + text + "' is not a number");}
   return value;
 }
 
@@ -30,7 +30,7 @@ tf2::Vector3 vector(const std::string & text, const std::string & where)
   std::string word;
   std::vector<double> values;
   while (words >> word) {values.push_back(number(word, where));}
-  if (values.size() != 3) {throw std::runtime_error(where + ": '" + text + "' are not 3 numbers");}
+  if (values.size() != 3) {throw std::runtime_error(where + ": '" + text + "' must be 3 numbers");}
   return tf2::Vector3(values[0], values[1], values[2]);
 }
 
@@ -63,7 +63,7 @@ Joint joint_of(const Element & element)
   const std::string where = "joint '" + joint.name + "'";
   joint.type = needed(&element, "type", where);
   if (!kTypes.count(joint.type)) {
-    throw std::runtime_error(where + " is of no known type: '" + joint.type + "'");
+    throw std::runtime_error(where + " has an unknown type: '" + joint.type + "'");
   }
   joint.parent = link_of(element, "parent", where);
   joint.child = link_of(element, "child", where);
@@ -71,7 +71,7 @@ Joint joint_of(const Element & element)
   const Element * axis = element.child("axis");
   joint.axis = axis ? vector(axis->attribute("xyz", "1 0 0"), where) : tf2::Vector3(1, 0, 0);
   if (joint.moves() && joint.axis.isZero()) {
-    throw std::runtime_error(where + " has an axis without a direction");
+    throw std::runtime_error(where + " has an axis of length 0");
   }
   const Element * limit = element.child("limit");
   joint.lower = limit ? number(limit->attribute("lower", "0"), where) : 0;
@@ -114,7 +114,7 @@ Model parse_urdf(const std::string & text)
   }
   std::set<std::string> children;
   for (const Element & each : robot.children) {
-    if (each.name != "joint") {continue;}  // nor is one inside of <transmission>
+    if (each.name != "joint") {continue;}  // a <joint> inside <transmission> is not a joint of the robot
     Joint joint = joint_of(each);
     for (const std::string & link : {joint.parent, joint.child}) {
       if (!links.count(link)) {

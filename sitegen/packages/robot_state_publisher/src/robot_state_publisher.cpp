@@ -1,5 +1,5 @@
-// Publishes the description of a robot, and where its links are: on /tf_static those that never
-// move, on /tf the others, whenever /joint_states tells the positions of their joints.
+// Publishes the description of a robot and the transforms of its links: fixed ones on /tf_static, others
+// on /tf for each message on /joint_states.
 #include <algorithm>
 #include <chrono>
 #include <map>

@@ -44,7 +44,7 @@ private:
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) {++at_;}
   }
 
-  /// Go past text, comments and whatever else is no element.
+  /// Skip text, comments and everything else that is not an element.
   void skip_to_element()
   {
     for (;; ) {

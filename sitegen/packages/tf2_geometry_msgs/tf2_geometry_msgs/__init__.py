@@ -1,6 +1,6 @@
-"""Messages of geometry_msgs, brought to another frame."""
+"""Transform messages of geometry_msgs."""
 
-# As with upstream's, the messages can be had from here, too.
+# As upstream, re-export the messages.
 from geometry_msgs.msg import (
     Point,
     PointStamped,

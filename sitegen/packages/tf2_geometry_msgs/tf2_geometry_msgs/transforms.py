@@ -1,4 +1,4 @@
-"""Bring messages of geometry_msgs to another frame."""
+"""Transform messages of geometry_msgs to another frame."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def do_transform_pose_stamped(pose: PoseStamped, transform: TransformStamped) ->
 
 
 def transform_covariance(covariance: Sequence[float], transform: TransformStamped) -> list[float]:
-    """Return a covariance of 6 by 6, turned: each of its four blocks is R C Rᵀ."""
+    """Rotate a 6x6 covariance matrix: each of its four blocks becomes R C Rᵀ."""
     by = _of(transform)
     axes = [geometry.rotated(by.rotation, axis) for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))]
     found = [0.0] * 36
@@ -118,12 +118,12 @@ def do_transform_wrench(wrench: WrenchStamped, transform: TransformStamped) -> W
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return a message, which is one already."""
+    """Return the message unchanged."""
     return msg
 
 
 def from_msg_msg(msg: Any) -> Any:
-    """Return a message, which is one already."""
+    """Return the message unchanged."""
     return msg
 
 

@@ -1,7 +1,7 @@
-"""Transforms over the topics /tf and /tf_static."""
+"""Transforms on the topics /tf and /tf_static."""
 
-# What upstream's modules import can be had from here, too, and programs take it: the tutorial about
-# robot_state_publisher in Python begins with TransformStamped.
+# Programs also import from here what upstream's modules import: the tutorial about
+# robot_state_publisher in Python imports TransformStamped.
 from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
 from rclpy.node import Node

@@ -1,4 +1,4 @@
-"""A buffer that can wait for transforms; a TransformListener fills it."""
+"""A buffer that can wait for transforms; use it with a TransformListener."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PAUSE = 0.02
 
 
 class Buffer(BufferCore, BufferInterface):
-    """Times that are 0 ask for the latest transform."""
+    """A buffer; a time of 0 requests the latest transform."""
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         BufferCore.__init__(self, cache_time)
@@ -48,12 +48,12 @@ class Buffer(BufferCore, BufferInterface):
         self.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Take in where a frame is at a time."""
+        """Add a transform."""
         super().set_transform(transform, authority)
         self._tell()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Take in where a frame is at all times."""
+        """Add a static transform."""
         super().set_transform_static(transform, authority)
         self._tell()
 
@@ -65,7 +65,11 @@ class Buffer(BufferCore, BufferInterface):
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIME
     ) -> TransformStamped:
-        """Return the transform, once it is there; raises what the buffer raises."""
+        """Wait up to `timeout` for the transform and return it.
+
+        Raises:
+            TransformException: if it is not available.
+        """
         self.can_transform(target_frame, source_frame, time, timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
@@ -85,7 +89,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_TIME,
     ) -> TransformStamped:
-        """Return the transform between two times, once it is there."""
+        """Wait up to `timeout` for the transform between two times and return it."""
         way = (target_frame, target_time, source_frame, source_time, fixed_frame)
         self.can_transform_full(*way, timeout)
         return self.lookup_transform_full_core(*way)
@@ -111,7 +115,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_TIME,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Return whether there is a transform, no later than after `timeout`; if asked, why not."""
+        """Return whether a transform is available within `timeout`, and on request the reason."""
         can = self._wait(lambda: self.can_transform_core(target_frame, source_frame, time), timeout)
         return can if return_debug_tuple else can[0]
 
@@ -125,7 +129,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_TIME,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Return the same for two times."""
+        """Return the same for a transform between two times."""
         way = (target_frame, target_time, source_frame, source_time, fixed_frame)
         can = self._wait(lambda: self.can_transform_full_core(*way), timeout)
         return can if return_debug_tuple else can[0]
@@ -140,7 +144,7 @@ class Buffer(BufferCore, BufferInterface):
         return can
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
-        """Return a future that has the transform when it is there."""
+        """Return a future that completes when the transform is available."""
         return self._promise(
             lambda: self.can_transform_core(target_frame, source_frame, time)[0],
             lambda: self.lookup_transform_core(target_frame, source_frame, time),
@@ -154,7 +158,7 @@ class Buffer(BufferCore, BufferInterface):
         source_time: Time,
         fixed_frame: str,
     ) -> Future:
-        """Return a future that has the transform between two times when it is there."""
+        """Return a future that completes when the transform between two times is available."""
         way = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._promise(
             lambda: self.can_transform_full_core(*way)[0],

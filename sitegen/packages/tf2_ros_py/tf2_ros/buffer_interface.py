@@ -1,4 +1,4 @@
-"""What all buffers can do, and who knows how to transform and convert which type."""
+"""The interface of buffers, and the registries of transformations and conversions."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from rclpy.time import Time
 
 
 class TypeException(Exception):
-    """Nobody has registered how to transform or convert a type."""
+    """No transformation or conversion is registered for a type."""
 
 
 class NotImplementedException(Exception):
-    """A buffer cannot do this."""
+    """The buffer does not implement this method."""
 
     def __init__(self) -> None:
         super().__init__("CanTransform or LookupTransform not implemented")
@@ -25,54 +25,58 @@ Transforming = Callable[[Any, TransformStamped], Any]
 
 
 class TransformRegistration:
-    """How data of each type is transformed."""
+    """The functions that transform data, by type."""
 
     _functions: ClassVar[dict[type, Transforming]] = {}
 
     def print_me(self) -> None:
-        """Print the types."""
+        """Print the registered types."""
         print(self._functions)
 
     def add(self, key: type, callback: Transforming) -> None:
-        """Let data of a type be transformed by a function."""
+        """Register the function that transforms data of a type."""
         self._functions[key] = callback
 
     def get(self, key: type) -> Transforming:
-        """Return how data of a type is transformed."""
+        """Return the function that transforms data of a type.
+
+        Raises:
+            TypeException: if there is none.
+        """
         if key not in self._functions:
             raise TypeException(f"Type {key} is not loaded or supported")
         return self._functions[key]
 
 
 class ConvertRegistration:
-    """How types become messages, messages types, and types each other."""
+    """The functions that convert types to messages, from messages, and to each other."""
 
     _to_msg: ClassVar[dict[type, Callable[[Any], Any]]] = {}
     _from_msg: ClassVar[dict[type, Callable[[Any], Any]]] = {}
     _convert: ClassVar[dict[tuple[type, type], Callable[[Any], Any]]] = {}
 
     def add_from_msg(self, key: type, callback: Callable[[Any], Any]) -> None:
-        """Let a type be made of its message."""
+        """Register the conversion of a type from its message."""
         self._from_msg[key] = callback
 
     def add_to_msg(self, key: type, callback: Callable[[Any], Any]) -> None:
-        """Let a message be made of a type."""
+        """Register the conversion of a type to its message."""
         self._to_msg[key] = callback
 
     def add_convert(self, key: tuple[type, type], callback: Callable[[Any], Any]) -> None:
-        """Let one type be made of another."""
+        """Register the conversion of one type to another."""
         self._convert[key] = callback
 
     def get_from_msg(self, key: type) -> Callable[[Any], Any]:
-        """Return how a type is made of its message."""
+        """Return the conversion of a type from its message."""
         return _of(self._from_msg, key)
 
     def get_to_msg(self, key: type) -> Callable[[Any], Any]:
-        """Return how a message is made of a type."""
+        """Return the conversion of a type to its message."""
         return _of(self._to_msg, key)
 
     def get_convert(self, key: tuple[type, type]) -> Callable[[Any], Any]:
-        """Return how one type is made of another."""
+        """Return the conversion of one type to another, or None."""
         return _of(self._convert, key)
 
 
@@ -83,7 +87,7 @@ def _of(functions: dict[Any, Callable[[Any], Any]], key: Any) -> Callable[[Any],
 
 
 def convert(a: Any, b_type: type) -> Any:
-    """Return `a` as another type, over a message if there is no shorter way."""
+    """Convert `a` to another type, through a message if there is no direct conversion."""
     known = ConvertRegistration()
     if isinstance(a, b_type):
         return a
@@ -94,7 +98,7 @@ def convert(a: Any, b_type: type) -> Any:
 
 
 class Stamped:
-    """Data of a frame, at a time."""
+    """Data with a frame and a time."""
 
     def __init__(self, obj: Any, stamp: Time, frame_id: str) -> None:
         self.obj = obj
@@ -103,7 +107,7 @@ class Stamped:
 
 
 class BufferInterface:
-    """Transforms what has a header."""
+    """Transforms data with a header."""
 
     def __init__(self) -> None:
         self.registration = TransformRegistration()
@@ -115,7 +119,7 @@ class BufferInterface:
         timeout: Duration = Duration(),  # noqa: B008 (it never changes)
         new_type: type | None = None,
     ) -> Any:
-        """Return data with a header, in another frame."""
+        """Return data with a header, transformed to another frame."""
         act = self.registration.get(type(object_stamped))
         header = object_stamped.header
         time = Time.from_msg(header.stamp)
@@ -132,7 +136,7 @@ class BufferInterface:
         timeout: Duration = Duration(),  # noqa: B008
         new_type: type | None = None,
     ) -> Any:
-        """Return data with a header in another frame, at another time."""
+        """Return data with a header, transformed to another frame and time."""
         act = self.registration.get(type(object_stamped))
         header = object_stamped.header
         time = Time.from_msg(header.stamp)
@@ -149,7 +153,7 @@ class BufferInterface:
         time: Time,
         timeout: Duration = Duration(),  # noqa: B008
     ) -> TransformStamped:
-        """Return the transform; buffers say how."""
+        """Return the transform; implemented by buffers."""
         raise NotImplementedException
 
     def lookup_transform_full(
@@ -161,5 +165,5 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = Duration(),  # noqa: B008
     ) -> TransformStamped:
-        """Return the transform between two times; buffers say how."""
+        """Return the transform between two times; implemented by buffers."""
         raise NotImplementedException

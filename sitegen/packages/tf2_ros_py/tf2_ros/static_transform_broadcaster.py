@@ -1,4 +1,4 @@
-"""Tell others, those who come later too, of transforms that do not change, on /tf_static."""
+"""Publish static transforms on /tf_static, which is transient local."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tf2_msgs.msg import TFMessage
 
 
 class StaticTransformBroadcaster:
-    """Publishes with the node that it is given."""
+    """A broadcaster of static transforms."""
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         kept = QoSProfile(
@@ -21,8 +21,8 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
 
     def sendTransform(self, transform: TransformStamped | Sequence[TransformStamped]) -> None:
-        """Publish one transform or several, with all that were published before."""
-        # Who comes late gets the last message only, so each has all of them.
+        """Publish one or more transforms, together with all previous ones."""
+        # Latecomers receive only the last message, so it must contain all transforms.
         new = list(transform) if isinstance(transform, (list, tuple)) else [transform]
         known = {each.child_frame_id: each for each in [*self.net_message.transforms, *new]}
         self.net_message = TFMessage(transforms=list(known.values()))

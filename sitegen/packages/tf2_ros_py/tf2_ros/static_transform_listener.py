@@ -1,4 +1,4 @@
-"""Fill a buffer with what is said on /tf_static."""
+"""Fill a buffer from /tf_static."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tf2_ros.transform_listener import TransformListener
 
 
 class StaticTransformListener(TransformListener):
-    """Leaves out what moves."""
+    """Subscribes to static transforms only."""
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options, static_only=True)

@@ -1,4 +1,4 @@
-"""Tell others of transforms, on /tf."""
+"""Publish transforms on /tf."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from tf2_msgs.msg import TFMessage
 
 
 class TransformBroadcaster:
-    """Publishes with the node that it is given."""
+    """A broadcaster of transforms."""
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         self.pub_tf = node.create_publisher(TFMessage, "/tf", qos or QoSProfile(depth=100))
 
     def sendTransform(self, transform: TransformStamped | Sequence[TransformStamped]) -> None:
-        """Publish one transform, or several in one message."""
+        """Publish one or more transforms in one message."""
         several = isinstance(transform, (list, tuple))
         self.pub_tf.publish(TFMessage(transforms=list(transform) if several else [transform]))

@@ -1,4 +1,4 @@
-"""Fill a buffer with what is said on /tf and /tf_static."""
+"""Fill a buffer from /tf and /tf_static."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DEFAULT_STATIC_TF_TOPIC = "/tf_static"
 
 
 class TransformListener:
-    """Listens with a node, or with one of its own; `spin_thread` spins that in a thread."""
+    """Subscribes with a given node or its own; `spin_thread` spins the node in a thread."""
 
     def __init__(
         self,
@@ -36,7 +36,7 @@ class TransformListener:
             name = f"transform_listener_impl_{id(self):010x}"
             node = Node(name, enable_rosout=False, start_parameter_services=False)
         self.node = node
-        # So that a callback of the node may wait for transforms while these come.
+        # Allows a callback of the node to wait for transforms while they arrive.
         self.group = ReentrantCallbackGroup()
         if not static_only:
             self.tf_sub = node.create_subscription(
@@ -76,18 +76,18 @@ class TransformListener:
         self.unregister()
 
     def unregister(self) -> None:
-        """Listen no more."""
+        """Unsubscribe."""
         if hasattr(self, "tf_sub"):
             self.node.destroy_subscription(self.tf_sub)
         if hasattr(self, "tf_static_sub"):
             self.node.destroy_subscription(self.tf_static_sub)
 
     def callback(self, data: TFMessage) -> None:
-        """Take in transforms."""
+        """Add transforms to the buffer."""
         for transform in data.transforms:
             self.buffer.set_transform(transform, "default_authority")
 
     def static_callback(self, data: TFMessage) -> None:
-        """Take in transforms that do not change."""
+        """Add static transforms to the buffer."""
         for transform in data.transforms:
             self.buffer.set_transform_static(transform, "default_authority")

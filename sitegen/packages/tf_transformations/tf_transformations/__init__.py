@@ -33,21 +33,25 @@ def quaternion_multiply(quaternion1: Numbers, quaternion0: Numbers) -> list[floa
 
 
 def quaternion_conjugate(quaternion: Numbers) -> list[float]:
-    """Return x, y and z the other way round."""
+    """Return the conjugate."""
     return [-quaternion[0], -quaternion[1], -quaternion[2], quaternion[3]]
 
 
 def quaternion_inverse(quaternion: Numbers) -> list[float]:
-    """Return the rotation back."""
+    """Return the inverse."""
     square = sum(value * value for value in quaternion)
     return [value / square for value in quaternion_conjugate(quaternion)]
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> list[float]:
-    """Return rotations one after another: about axes that stand still (s…), or turn along (r…)."""
+    """Return the rotation by Euler angles about static (s…) or rotating (r…) axes.
+
+    Raises:
+        ValueError: if `axes` is invalid.
+    """
     frame, names = axes[:1], axes[1:]
     if frame not in ("s", "r") or len(names) != 3 or not set(names) <= set(AXES):
-        raise ValueError(f"'{axes}' are no axes; write them like 'sxyz'")
+        raise ValueError(f"'{axes}' are not valid axes; expected a form such as 'sxyz'")
     found = [0.0, 0.0, 0.0, 1.0]
     for angle, name in zip((ai, aj, ak), names, strict=True):
         turn = quaternion_about_axis(angle, AXES[name])
@@ -58,9 +62,13 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -
 
 
 def euler_from_quaternion(quaternion: Numbers, axes: str = "sxyz") -> tuple[float, float, float]:
-    """Return roll, pitch and yaw, or for 'rzyx' yaw, pitch and roll."""
+    """Return roll, pitch and yaw, or for 'rzyx' yaw, pitch and roll.
+
+    Raises:
+        ValueError: if `axes` is unsupported.
+    """
     if axes not in DECOMPOSED:
-        raise ValueError(f"angles about '{axes}' are not here; of these are: {DECOMPOSED}")
+        raise ValueError(f"axes '{axes}' are unsupported; supported axes: {DECOMPOSED}")
     x, y, z, w = quaternion
     roll = math.atan2(2 * (w * x + y * z), w * w - x * x - y * y + z * z)
     pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - x * z))))
@@ -69,7 +77,7 @@ def euler_from_quaternion(quaternion: Numbers, axes: str = "sxyz") -> tuple[floa
 
 
 def quaternion_slerp(quat0: Numbers, quat1: Numbers, fraction: float) -> list[float]:
-    """Return the rotation between `quat0` at 0 and `quat1` at 1, by the shorter turn."""
+    """Interpolate between `quat0` at 0 and `quat1` at 1, along the shorter arc."""
     dot = sum(a * b for a, b in zip(quat0, quat1, strict=True))
     angle = math.acos(min(1.0, abs(dot)))
     if angle == 0:

@@ -1,4 +1,4 @@
-// What turtles draw on: an image, measured in metres from its lower left corner.
+// The image on which turtles draw; coordinates are in metres from its lower left corner.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Canvas
 public:
   static constexpr int SIZE = 500;
   static constexpr double PIXELS_PER_METER = 45;
-  // Where the last pixel is (m).
+  // The coordinate of the last pixel (m).
   static constexpr double EXTENT = (SIZE - 1) / PIXELS_PER_METER;
 
   void fill(Rgb color);

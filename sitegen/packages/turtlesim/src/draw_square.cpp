@@ -1,4 +1,4 @@
-// Lets the first turtle draw squares, one after another.
+// Makes the first turtle draw squares.
 #include <chrono>
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-// Lets one turtle (output/cmd_vel) do what another does (input/pose).
+// Makes one turtle (output/cmd_vel) mimic another (input/pose).
 #include <memory>
 
 #include "geometry_msgs/msg/twist.hpp"

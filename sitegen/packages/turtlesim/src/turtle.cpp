@@ -6,10 +6,10 @@
 
 namespace
 {
-// Of an action: how fast it turns (rad/s), and how near it has to come (rad).
+// For the action: angular velocity (rad/s) and tolerance (rad).
 constexpr double TURNING = 1;
 constexpr double NEAR = 0.02;
-// A turtle that nobody commands stops after this time (s).
+// A turtle stops this long after its last command (s).
 constexpr double PATIENCE = 1;
 
 double wrapped(double angle)

@@ -1,4 +1,4 @@
-// A turtle: it goes where it is told to, says where it is, and draws.
+// A turtle: follows commands, publishes its pose and draws.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@
 class Turtle
 {
 public:
-  // `changed` is called when it has got another pen.
+  // `changed` is called when its pen changes.
   Turtle(
     rclcpp::Node & node, const std::string & name, std::uint32_t number, Point place,
     double heading, std::function<void()> changed);
 
-  // Move and draw, for as long as one frame takes (s).
+  // Move and draw for the duration of one frame (s).
   void update(double seconds, Canvas & canvas);
 
   turtlesim_window::msg::Turtle look() const;
@@ -51,7 +51,7 @@ private:
   bool pen_down_ = true;
   Rgb pen_{0xb3, 0xb8, 0xff};
   int pen_width_ = 3;
-  // What teleports wait for: the next frame.
+  // Teleports wait for the next frame.
   std::vector<std::function<void(Canvas &)>> teleports_;
   std::shared_ptr<Goal> goal_;
   double goal_from_ = 0;

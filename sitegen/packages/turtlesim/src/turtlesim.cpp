@@ -1,4 +1,4 @@
-// Turtles that draw. What they draw in is a window of the page, which is told by ~/window.
+// Turtles that draw in a window of the page, which receives ~/window.
 #include <chrono>
 #include <map>
 #include <memory>

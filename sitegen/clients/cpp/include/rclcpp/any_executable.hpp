@@ -16,8 +16,8 @@ class Waitable;
 
 namespace node_interfaces {class NodeBaseInterface;}
 
-/// Something that is ready; one of the first five is set. While it is there, nothing else of its callback
-/// group runs, if that is mutually exclusive.
+/// A ready entity; one of the first five members is set. While it exists, no other callback of its group
+/// runs if the group is mutually exclusive.
 struct AnyExecutable
 {
   AnyExecutable() = default;
@@ -31,7 +31,7 @@ struct AnyExecutable
   std::shared_ptr<Waitable> waitable;
   CallbackGroup::SharedPtr callback_group;
   std::shared_ptr<node_interfaces::NodeBaseInterface> node_base;
-  /// What a timer or a waitable calls back with.
+  /// The data for the callback of a timer or a waitable.
   std::shared_ptr<void> data;
 };
 

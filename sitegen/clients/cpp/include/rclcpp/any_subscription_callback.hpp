@@ -36,7 +36,7 @@ public:
 
   bool wants_bytes() const {return static_cast<bool>(on_bytes_);}
 
-  /// Whether what it is given becomes its own, so that it may change it.
+  /// Whether the callback takes ownership of the message.
   bool owns() const {return owns_;}
 
   void dispatch(std::shared_ptr<MessageT> message, const MessageInfo & info)

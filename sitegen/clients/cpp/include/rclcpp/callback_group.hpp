@@ -13,7 +13,7 @@ namespace rclcpp
 
 enum class CallbackGroupType {MutuallyExclusive, Reentrant};
 
-/// Callbacks of which an executor with several threads runs one at a time, or as many as it likes.
+/// A group of callbacks that an executor runs one at a time, or in parallel if it is reentrant.
 class CallbackGroup
 {
 public:
@@ -25,20 +25,20 @@ public:
   : type_(type), automatically_add_(automatically_add_to_executor_with_node) {}
 
   const CallbackGroupType & type() const {return type_;}
-  /// False while one of its callbacks runs that excludes the others.
+  /// False while a callback of a mutually exclusive group runs.
   std::atomic_bool & can_be_taken_from() {return can_be_taken_from_;}
   std::atomic_bool & get_associated_with_executor_atomic() {return associated_;}
-  /// Let callbacks of it run again, by those too who passed it by.
+  /// Allow callbacks to run again, and wake threads that skipped the group.
   void give_back();
   bool automatically_add_to_executor_with_node() const {return automatically_add_;}
   std::size_t size() const;
 
   void add(detail::ExecutableKind kind, std::weak_ptr<detail::Executable> executable);
   void remove(detail::ExecutableKind kind, const std::shared_ptr<detail::Executable> & executable);
-  /// The living ones of a kind; those that are gone leave the group.
+  /// The existing entities of a kind; expired ones are removed.
   std::vector<std::shared_ptr<detail::Executable>> living(detail::ExecutableKind kind);
 
-  /// Whether some thread passed it by because it was taken.
+  /// Whether a thread skipped the group because it was busy.
   std::atomic_bool waited_for{false};
 
 private:

@@ -23,7 +23,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// A future and the number of the request that it is for; as good as the future alone.
+/// A future with the number of its request; usable as a future.
 template<class FutureT>
 struct FutureAndRequestId
 {
@@ -62,7 +62,7 @@ public:
 
   const char * get_service_name() const {return name().c_str();}
   bool service_is_ready() const {return matched() > 0;}
-  /// Wait until a server is there; false when the time is over or the program was shut down.
+  /// Wait until a server is available; false on timeout or shutdown.
   template<class Rep = std::int64_t, class Period = std::milli>
   bool wait_for_service(
     std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
@@ -72,7 +72,7 @@ public:
 
 protected:
   std::int64_t send(const detail::MessageMembers & type, const void * request);
-  /// The node that it is of; throws RCLError when that is gone.
+  /// The node of the client; throws RCLError if it has been destroyed.
   std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
 
 private:
@@ -158,14 +158,14 @@ public:
     return SharedFutureWithRequestAndRequestId(std::move(future), id);
   }
 
-  /// Forget a request: its future will never be ready. False if it was not pending.
+  /// Remove a request: its future will never be ready. False if it was not pending.
   bool remove_pending_request(std::int64_t request_id) {return pending_.remove(request_id);}
   template<class FutureT>
   bool remove_pending_request(const detail::FutureAndRequestId<FutureT> & future)
   {
     return remove_pending_request(future.request_id);
   }
-  /// Forget requests that were sent before `time_point`, and add their ids to `pruned_requests`.
+  /// Remove requests sent before `time_point`, and add their ids to `pruned_requests`.
   template<class AllocatorT = std::allocator<std::int64_t>>
   std::size_t prune_requests_older_than(
     std::chrono::time_point<std::chrono::system_clock> time_point,
@@ -175,7 +175,7 @@ public:
   }
   std::size_t prune_pending_requests() {return pending_.clear();}
 
-  /// From now on publish what is sent and received on `<service>/_service_event`, or stop that.
+  /// Start or stop publishing requests and responses on `<service>/_service_event`.
   void configure_introspection(
     Clock::SharedPtr clock, const QoS & qos, rcl_service_introspection_state_t state)
   {

@@ -41,7 +41,7 @@ namespace rclcpp
 
 class TimeSource;
 
-/// Is told when its clock jumps further than `notice_threshold`.
+/// Callbacks for time jumps larger than `notice_threshold`.
 class JumpHandler
 {
 public:
@@ -61,7 +61,7 @@ public:
   rcl_jump_threshold_t notice_threshold;
 };
 
-/// Of three kinds: the system's, a steady one, and ROS time, which a TimeSource may set.
+/// A clock of system time, steady time or ROS time, which a TimeSource may set.
 class Clock
 {
 public:
@@ -73,9 +73,9 @@ public:
   Time now() const;
   rcl_clock_type_t get_clock_type() const {return clock_;}
   std::mutex & get_clock_mutex() noexcept {return mutex_;}
-  /// Whether ROS time is that of /clock. Throws RCLError for other clocks.
+  /// Whether ROS time comes from /clock. Throws RCLError for other clocks.
   bool ros_time_is_active() const;
-  /// These return false when the program was shut down or the clock changed its source meanwhile.
+  /// These return false on shutdown or if the source of the clock changes.
   bool sleep_for(
     Duration duration,
     Context::SharedPtr context = contexts::get_global_default_context());
@@ -91,7 +91,7 @@ public:
 private:
   friend class TimeSource;
 
-  /// Take ROS time from what `source` sets when it is called; null is the system.
+  /// Set the function that supplies ROS time; null for system time.
   void set_source(std::function<void()> source, std::int64_t nanoseconds);
   void set_ros_time(std::int64_t nanoseconds);
   void jump(std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act);

@@ -21,7 +21,7 @@ public:
   : std::runtime_error("context is already initialized") {}
 };
 
-/// Something that is called at a shutdown; to name it when it is removed.
+/// The handle of a shutdown callback, by which to remove it.
 struct ShutdownCallbackHandle
 {
   using ShutdownCallbackType = std::function<void ()>;
@@ -30,7 +30,7 @@ struct ShutdownCallbackHandle
 using OnShutdownCallbackHandle = ShutdownCallbackHandle;
 using PreShutdownCallbackHandle = ShutdownCallbackHandle;
 
-/// The life of what was initialized together, and its arguments.
+/// ROS from initialization to shutdown, with its arguments.
 class Context : public std::enable_shared_from_this<Context>
 {
 public:
@@ -43,7 +43,7 @@ public:
   Context() = default;
   virtual ~Context() = default;
 
-  /// Throws ContextAlreadyInitialized, and UnknownROSArgsError for arguments that are not known.
+  /// Throws ContextAlreadyInitialized, or UnknownROSArgsError for unknown arguments.
   virtual void init(
     int argc, char const * const * argv, const InitOptions & init_options = InitOptions());
   bool is_valid() const {return valid_;}
@@ -56,7 +56,7 @@ public:
   virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
   virtual PreShutdownCallbackHandle add_pre_shutdown_callback(PreShutdownCallback callback);
   virtual bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle);
-  /// Sleep; false if it was shut down meanwhile.
+  /// Sleep; false on shutdown.
   bool sleep_for(const std::chrono::nanoseconds & nanoseconds);
   void interrupt_all_sleep_for();
 

@@ -20,7 +20,7 @@ std::shared_ptr<GenericClient> create_generic_client(
   base->add(detail::ExecutableKind::kClient, client, group);
   return client;
 }
-/// As upstream has it, for the interfaces of a node.
+/// As upstream, for node interfaces.
 template<class GraphT>
 std::shared_ptr<GenericClient> create_generic_client(
   node_interfaces::NodeBaseInterface::SharedPtr base, std::shared_ptr<GraphT>,

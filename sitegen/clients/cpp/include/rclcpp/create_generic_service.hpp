@@ -11,7 +11,7 @@
 namespace rclcpp
 {
 
-/// As upstream has it, for the interfaces of a node.
+/// As upstream, for node interfaces.
 template<class CallbackT>
 std::shared_ptr<GenericService> create_generic_service(
   node_interfaces::NodeBaseInterface::SharedPtr base,

@@ -9,7 +9,7 @@
 namespace rclcpp
 {
 
-/// Its QoS is as given: only publishers that a Node makes may be overridden by parameters.
+/// Without QoS overrides by parameters; these require Node::create_publisher().
 template<
   class MessageT, class AllocatorT = std::allocator<void>,
   class PublisherT = Publisher<MessageT, AllocatorT>, class NodeT>

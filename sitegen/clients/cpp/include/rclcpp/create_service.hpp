@@ -22,7 +22,7 @@ std::shared_ptr<Service<ServiceT>> create_service(
   base->add(detail::ExecutableKind::kService, service, group);
   return service;
 }
-/// As upstream has it, for the interfaces of a node.
+/// As upstream, for node interfaces.
 template<class ServiceT, class CallbackT>
 std::shared_ptr<Service<ServiceT>> create_service(
   node_interfaces::NodeBaseInterface::SharedPtr base,

@@ -10,7 +10,7 @@
 namespace rclcpp
 {
 
-/// Its QoS is as given: only subscriptions that a Node makes may be overridden by parameters.
+/// Without QoS overrides by parameters; these require Node::create_subscription().
 template<class MessageT, class CallbackT, class AllocatorT = std::allocator<void>, class NodeT>
 std::shared_ptr<Subscription<MessageT>> create_subscription(
   NodeT && node, const std::string & topic_name, const QoS & qos, CallbackT && callback,

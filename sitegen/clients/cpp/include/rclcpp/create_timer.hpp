@@ -24,7 +24,7 @@ typename GenericTimer<CallbackT>::SharedPtr create_timer(
   return timer;
 }
 
-/// As upstream has it, for the interfaces of a node.
+/// As upstream, for node interfaces.
 template<class CallbackT>
 typename GenericTimer<CallbackT>::SharedPtr create_timer(
   node_interfaces::NodeBaseInterface::SharedPtr base,

@@ -9,7 +9,7 @@
 namespace rclcpp
 {
 
-/// A span of time in whole nanoseconds.
+/// A duration in nanoseconds.
 class Duration
 {
 public:
@@ -54,7 +54,7 @@ public:
   bool operator<=(const Duration & other) const {return nanoseconds_ <= other.nanoseconds_;}
   bool operator>(const Duration & other) const {return nanoseconds_ > other.nanoseconds_;}
   bool operator>=(const Duration & other) const {return nanoseconds_ >= other.nanoseconds_;}
-  /// These throw std::overflow_error or std::underflow_error, as upstream's do.
+  /// These throw std::overflow_error or std::underflow_error, as upstream.
   Duration operator+(const Duration & other) const;
   Duration operator-(const Duration & other) const;
   Duration & operator+=(const Duration & other) {return *this = *this + other;}

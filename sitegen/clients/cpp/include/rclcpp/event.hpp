@@ -7,7 +7,7 @@
 namespace rclcpp
 {
 
-/// A flag that somebody sets, and whoever looks may take down.
+/// A flag to set, check and clear.
 class Event
 {
 public:
@@ -17,7 +17,7 @@ public:
   Event() = default;
   virtual ~Event() = default;
 
-  /// Return what it was before.
+  /// Return the previous value.
   virtual bool set() {return std::exchange(state_, true);}
   virtual bool check() {return state_;}
   virtual bool check_and_clear() {return std::exchange(state_, false);}

@@ -67,7 +67,7 @@ class Events : public Waitable
 {
 public:
   using Waitable::execute;
-  /// With `defaults`, what is incompatible is logged by `logger` unless there is a callback for it.
+  /// With `defaults`, incompatible QoS is logged by `logger` unless there is a callback for it.
   Events(
     std::int32_t endpoint, const PublisherEventCallbacks & callbacks, bool defaults,
     const std::string & logger, const std::string & topic);
@@ -75,9 +75,9 @@ public:
     std::int32_t endpoint, const SubscriptionEventCallbacks & callbacks, bool defaults,
     const std::string & logger, const std::string & topic);
 
-  /// Note what happened to the endpoint since the last time; false if nothing did.
+  /// Record the events since the last call; false if there were none.
   bool look() override;
-  /// Call back for what was noted.
+  /// Run the callbacks for recorded events.
   void execute(const std::shared_ptr<void> & data) override;
 
 private:
@@ -87,7 +87,7 @@ private:
   void on(std::int32_t kind, const CallbackT & callback, StatusT (* status)(const ros_event &));
 
   std::int32_t endpoint_;
-  /// How many events of the program there had been when it looked the last time.
+  /// The program's number of events at the last check.
   std::uint32_t seen_ = 0;
   std::vector<std::pair<std::int32_t, Call>> calls_;
   std::vector<std::function<void()>> noted_;

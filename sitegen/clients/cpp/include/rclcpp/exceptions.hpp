@@ -18,7 +18,7 @@ public:
   const std::vector<std::string> unknown_ros_args;
 };
 
-/// Something that the layers below refused.
+/// An error of the layers below.
 class RCLError : public std::runtime_error
 {
 public:
@@ -31,7 +31,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A parameter was asked for that is not declared.
+/// The parameter is not declared.
 class ParameterNotDeclaredException : public std::runtime_error
 {
 public:
@@ -81,7 +81,7 @@ public:
   : std::runtime_error("event is invalid") {}
 };
 
-/// What cannot work in a page.
+/// A feature that is unsupported in the browser.
 class UnimplementedError : public std::runtime_error
 {
 public:
@@ -118,7 +118,7 @@ public:
 class NameValidationError : public std::invalid_argument
 {
 public:
-  /// `invalid_index` is where in `name` it is wrong.
+  /// `invalid_index` is the position of the fault in `name`.
   NameValidationError(
     const char * name_type, const char * name, const char * error_msg,
     std::size_t invalid_index);

@@ -19,7 +19,7 @@
 namespace rclcpp
 {
 
-/// Waits until something of its nodes is ready and calls back: timers first, then for one message of
+/// Waits until entities of its nodes are ready and runs their callbacks: timers first, then one message of
 /// each subscription, one request of each service and one response of each client.
 class Executor
 {
@@ -55,9 +55,9 @@ public:
   virtual std::vector<CallbackGroup::WeakPtr> get_automatically_added_callback_groups_from_nodes();
 
   virtual void spin();
-  /// Call back for what is ready now, each thing once at most.
+  /// Run the callbacks that are ready now, each once at most.
   virtual void spin_some(std::chrono::nanoseconds max_duration = std::chrono::nanoseconds(0));
-  /// Call back until nothing is ready any more.
+  /// Run callbacks until none is ready.
   virtual void spin_all(std::chrono::nanoseconds max_duration);
   virtual void spin_once(std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   void spin_node_some(NodeBase node);
@@ -96,19 +96,19 @@ public:
   }
 
 protected:
-  /// Throws std::runtime_error when it spins already; `name` is the function that was called.
+  /// Throws std::runtime_error if it is already spinning; `name` is the function called.
   void begin_spinning(const char * name);
   void end_spinning();
-  /// Call back for the next thing that is ready; false if nothing was.
+  /// Run the next callback that is ready; false if there is none.
   bool execute_next();
-  /// Suspend until something may be ready, `timeout` ms at most, negative for no limit.
+  /// Suspend until something may be ready, up to `timeout` ms; without a limit if negative.
   void wait(double timeout);
-  /// Call back and wait, until it is canceled or shut down.
+  /// Run callbacks and wait until canceled or shut down.
   void work();
 
   virtual void spin_once_impl(std::chrono::nanoseconds timeout);
-  /// What classes of users make their own loops of: the next thing that is ready, after a wait for it if
-  /// need be. Its callback group is taken until `any_executable` is gone.
+  /// For executors of users: get the next entity that is ready, and wait for one if needed. Its callback
+  /// group is busy until `any_executable` is destroyed.
   bool get_next_executable(
     AnyExecutable & any_executable,
     std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));

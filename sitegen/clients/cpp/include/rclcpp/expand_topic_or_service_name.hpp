@@ -7,7 +7,7 @@
 namespace rclcpp
 {
 
-/// The whole name of a topic or service of the node. Throws InvalidTopicNameError or
+/// The expanded name of a topic or service of the node. Throws InvalidTopicNameError or
 /// InvalidServiceNameError.
 inline std::string expand_topic_or_service_name(
   const std::string & name, const std::string & node_name, const std::string & namespace_,

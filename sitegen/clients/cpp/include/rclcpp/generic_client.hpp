@@ -17,7 +17,7 @@
 namespace rclcpp
 {
 
-/// A client of a service whose type is known when the program runs. Requests and responses are messages
+/// A client of a service whose type is known at run time. Requests and responses are messages
 /// of that type.
 class GenericClient : public ClientBase
 {
@@ -41,7 +41,7 @@ public:
   };
   using SharedFutureAndRequestId = detail::FutureAndRequestId<SharedFuture>;
 
-  /// Throws std::runtime_error for a type that the program includes no header of.
+  /// Throws std::runtime_error if the program does not include the header of the type.
   GenericClient(
     const node_interfaces::NodeBaseInterface & node, const std::string & name,
     const std::string & type, const QoS & qos);

@@ -12,7 +12,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// A type of which only the name is known.
+/// A type known only by name.
 struct NamedType
 {
   explicit NamedType(std::string type)
@@ -25,7 +25,7 @@ struct NamedType
 
 }  // namespace detail
 
-/// Publishes bytes of messages whose type is known when the program runs.
+/// Publishes serialized messages of a type known at run time.
 class GenericPublisher : private detail::NamedType, public PublisherBase
 {
 public:

@@ -11,8 +11,8 @@
 namespace rclcpp
 {
 
-/// A service whose type is known when the program runs. Its callback gets messages of that type, in the
-/// forms that those of other services have.
+/// A service whose type is known at run time. Its callback takes messages of that type, in the
+/// same forms as other services.
 class GenericService : public ServiceBase, public std::enable_shared_from_this<GenericService>
 {
 public:
@@ -26,7 +26,7 @@ public:
   using CallbackWithHeaderType = std::function<
     void (const std::shared_ptr<rmw_request_id_t>, const SharedRequest, SharedResponse)>;
 
-  /// Throws std::runtime_error for a type that the program includes no header of.
+  /// Throws std::runtime_error if the program does not include the header of the type.
   template<class CallbackT>
   GenericService(
     const node_interfaces::NodeBaseInterface & node, const std::string & name,
@@ -45,7 +45,7 @@ public:
   }
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override;
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override;
 
 private:
   const detail::NamedService & type_;

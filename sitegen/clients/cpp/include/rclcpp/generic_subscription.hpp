@@ -12,7 +12,7 @@
 namespace rclcpp
 {
 
-/// Gives its callback the bytes of messages whose type is known when the program runs.
+/// Passes serialized messages of a type known at run time to its callback.
 class GenericSubscription : private detail::NamedType, public SubscriptionBase
 {
 public:

@@ -24,7 +24,7 @@ public:
   Context::SharedPtr get_context() const {return context_;}
   rcl_guard_condition_t & get_rcl_guard_condition() {return handle_;}
   const rcl_guard_condition_t & get_rcl_guard_condition() const {return handle_;}
-  /// Add it to what a Waitable waits for.
+  /// Add the guard condition to a Waitable.
   void add_to_wait_set(rcl_wait_set_t & wait_set)
   {
     rcl_wait_set_add_guard_condition(&wait_set, &handle_, nullptr);
@@ -35,7 +35,7 @@ public:
   void set_on_trigger_callback(std::function<void (std::size_t)> callback);
 
   bool is_triggered() const {return triggers_ > 0;}
-  /// Whether it was triggered since it was asked the last time.
+  /// Whether it has been triggered since the last call.
   bool take();
 
 private:

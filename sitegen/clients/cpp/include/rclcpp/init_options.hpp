@@ -18,7 +18,7 @@ public:
     return *this;
   }
   void set_domain_id(std::size_t domain_id) {domain_id_ = domain_id;}
-  /// Kept and told; there is one graph in a page.
+  /// Has no effect: a page has one graph.
   std::size_t get_domain_id() const {return domain_id_;}
   void use_default_domain_id() {domain_id_ = 0;}
 

@@ -3,7 +3,7 @@
 namespace rclcpp
 {
 
-/// How upstream keeps messages within a program. Here they are lent, see detail/lent.hpp.
+/// Has no effect: see detail/intra_process.hpp.
 enum class IntraProcessBufferType {SharedPtr, UniquePtr, CallbackDefault};
 
 }  // namespace rclcpp

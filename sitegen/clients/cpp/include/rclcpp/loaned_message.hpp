@@ -5,7 +5,7 @@
 namespace rclcpp
 {
 
-/// A message to fill and publish. No middleware lends one here, so it is made as any other.
+/// A message to fill and publish. The middleware does not support loans, so it is an ordinary message.
 template<typename MessageT>
 class LoanedMessage
 {

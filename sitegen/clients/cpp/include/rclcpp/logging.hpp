@@ -58,7 +58,7 @@ struct FormatArgument
 /// Print like printf.
 std::string format(const char * text, const FormatArgument * arguments, std::size_t count);
 
-/// The level that was set for this logger itself.
+/// The level set for this logger itself.
 Logger::Level own_level(const Logger & logger);
 bool log_enabled(Logger::Level level, const Logger & logger);
 void log(Logger::Level level, const Logger & logger, const std::string & text);

@@ -7,7 +7,7 @@ namespace rclcpp
 namespace memory_strategy
 {
 
-/// Kept by executors and not asked: they look at what is there, and store nothing of it.
+/// Accepted and unused: executors do not store the entities of a wait.
 class MemoryStrategy
 {
 public:

@@ -10,7 +10,7 @@ namespace rclcpp
 namespace message_memory_strategy
 {
 
-/// Kept and not asked: messages are made by the standard allocator.
+/// Accepted and unused: messages use the standard allocator.
 template<typename MessageT, typename AllocatorT = std::allocator<void>>
 class MessageMemoryStrategy
 {

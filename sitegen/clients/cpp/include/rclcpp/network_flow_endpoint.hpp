@@ -7,7 +7,7 @@
 namespace rclcpp
 {
 
-/// An address of a network: no endpoint of a page has one.
+/// A network address, which no endpoint of a page has.
 class NetworkFlowEndpoint
 {
 public:

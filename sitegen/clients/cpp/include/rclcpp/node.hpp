@@ -69,7 +69,7 @@ public:
   }
   const NodeOptions & get_node_options() const {return options_;}
 
-  /// A node that is this one, with `sub_namespace` before its relative names.
+  /// The same node with `sub_namespace` as a prefix of relative names.
   SharedPtr create_sub_node(const std::string & sub_namespace);
   const std::string & get_sub_namespace() const {return sub_namespace_;}
   std::string get_effective_namespace() const;
@@ -174,7 +174,7 @@ public:
     base_->add(detail::ExecutableKind::kService, service, group);
     return service;
   }
-  /// The form of Humble.
+/// The signature of Humble.
   template<class ServiceT, class CallbackT>
   std::shared_ptr<Service<ServiceT>> create_service(
     const std::string & name, CallbackT && callback, const rmw_qos_profile_t & qos,
@@ -193,7 +193,7 @@ public:
     base_->add(detail::ExecutableKind::kClient, client, group);
     return client;
   }
-  /// The form of Humble.
+/// The signature of Humble.
   template<class ServiceT>
   std::shared_ptr<Client<ServiceT>> create_client(
     const std::string & name, const rmw_qos_profile_t & qos,
@@ -233,7 +233,7 @@ public:
     return timer;
   }
 
-  /// A timer on the node's clock, which may be that of /clock.
+  /// A timer on the node's clock, which may follow /clock.
   template<class Rep, class Period, class CallbackT>
   typename GenericTimer<CallbackT>::SharedPtr create_timer(
     std::chrono::duration<Rep, Period> period, CallbackT callback,
@@ -246,7 +246,7 @@ public:
   }
 
 protected:
-  /// `qos` as parameters have it, where `options` allow that.
+  /// `qos` with the overrides by parameters that `options` allow.
   template<class OptionsT>
   QoS with_overrides(
     const QoS & qos, const OptionsT & options, const std::string & topic,
@@ -258,7 +258,7 @@ protected:
     return override(parameters_, options.qos_overriding_options, name, endpoint, qos);
   }
 
-  /// Make a node that is `other` with more of a namespace.
+  /// Create a sub-node of `other`.
   Node(const Node & other, const std::string & sub_namespace);
   std::string extend_name(const std::string & name) const;
 

@@ -17,7 +17,7 @@ namespace rclcpp
 
 namespace detail
 {
-/// Serve the levels of loggers as long as what it returns lives.
+/// Provide the services for logger levels during the lifetime of the result.
 std::shared_ptr<void> make_logger_services(node_interfaces::NodeBaseInterface & node);
 }  // namespace detail
 
@@ -64,7 +64,7 @@ public:
     enable_rosout_ = enable_rosout;
     return *this;
   }
-  /// Whether nodes of a program hand over messages that are published as std::unique_ptr, and no copies.
+  /// Whether nodes of a program pass messages published as std::unique_ptr without copying them.
   bool use_intra_process_comms() const {return use_intra_process_comms_;}
   NodeOptions & use_intra_process_comms(bool use_intra_process_comms)
   {
@@ -113,7 +113,7 @@ public:
     return *this;
   }
   bool enable_logger_service() const {return logger_services_ != nullptr;}
-  /// What serves the levels of loggers is named, and linked, only by who wants it.
+  /// Referenced, and so linked, only by programs that enable the services for logger levels.
   NodeOptions & enable_logger_service(bool enable_logger_service)
   {
     logger_services_ = enable_logger_service ? &detail::make_logger_services : nullptr;

@@ -13,7 +13,7 @@
 namespace rclcpp
 {
 
-/// A name with a value.
+/// A parameter: a name with a value.
 class Parameter
 {
 public:

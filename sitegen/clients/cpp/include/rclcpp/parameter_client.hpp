@@ -23,7 +23,7 @@
 namespace rclcpp
 {
 
-/// Reads and sets the parameters of a node, its own or another's.
+/// Gets and sets the parameters of a node.
 class AsyncParametersClient
 {
 public:
@@ -33,7 +33,7 @@ public:
   template<class T>
   using Callback = std::function<void (std::shared_future<T>)>;
 
-  /// `remote` is the name of the node, that of `node` if it is empty.
+  /// `remote` is the name of the node; if empty, that of `node`.
   template<class NodeT>
   explicit AsyncParametersClient(
     NodeT node, const std::string & remote = "", const QoS & qos = ParametersQoS(),
@@ -55,10 +55,10 @@ public:
     const std::vector<Parameter> & parameters, Callback<std::vector<SetResult>> callback = nullptr);
   std::shared_future<SetResult> set_parameters_atomically(
     const std::vector<Parameter> & parameters, Callback<SetResult> callback = nullptr);
-  /// Set each to nothing.
+  /// Set each parameter to "not set".
   std::shared_future<std::vector<SetResult>> delete_parameters(
     const std::vector<std::string> & names);
-  /// Set what the file, or the map, has for the node; throws InvalidParametersException if it has nothing.
+  /// Set the parameters of a file or a map; throws InvalidParametersException if none is for the node.
   std::shared_future<std::vector<SetResult>> load_parameters(const std::string & yaml_filename);
   std::shared_future<std::vector<SetResult>> load_parameters(const ParameterMap & parameter_map);
   std::shared_future<rcl_interfaces::msg::ListParametersResult> list_parameters(
@@ -113,7 +113,7 @@ private:
   std::shared_ptr<Client<rcl_interfaces::srv::ListParameters>> list_;
 };
 
-/// The same, spinning the node until the answer is there.
+/// The same, but spins the node until the response arrives.
 class SyncParametersClient
 {
 public:

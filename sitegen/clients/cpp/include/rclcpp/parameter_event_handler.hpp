@@ -36,7 +36,7 @@ struct ParameterEventCallbackHandle
   ParameterEventCallbackType callback;
 };
 
-/// Calls back when parameters change, of any node.
+/// Runs callbacks when parameters of any node change.
 class ParameterEventHandler
 {
 public:
@@ -52,17 +52,17 @@ public:
   explicit ParameterEventHandler(
     node_interfaces::NodeBaseInterface::SharedPtr node, const QoS & qos = ParameterEventsQoS());
 
-  /// Keep the handle: without it, the callback is gone.
+  /// Keep the handle: the callback is removed with it.
   ParameterEventCallbackHandle::SharedPtr add_parameter_event_callback(
     ParameterEventCallbackType callback);
   void remove_parameter_event_callback(ParameterEventCallbackHandle::SharedPtr handle);
-  /// Of the node `node_name`, its own if that is empty.
+  /// For a parameter of the node `node_name`; if empty, of its own node.
   ParameterCallbackHandle::SharedPtr add_parameter_callback(
     const std::string & parameter_name, ParameterCallbackType callback,
     const std::string & node_name = "");
   void remove_parameter_callback(ParameterCallbackHandle::SharedPtr handle);
 
-  /// Hear only of these nodes from now on, of all if there are none. Always returns true.
+  /// Receive events of these nodes only, of all nodes if the list is empty. Always returns true.
   bool configure_nodes_filter(const std::vector<std::string> & node_names);
 
   /// Find the new value of a parameter in an event; false if it is not in it.

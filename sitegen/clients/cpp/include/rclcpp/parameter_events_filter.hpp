@@ -12,7 +12,7 @@
 namespace rclcpp
 {
 
-/// What an event tells of some parameters.
+/// The changes of some parameters in an event.
 class ParameterEventsFilter
 {
 public:

@@ -14,15 +14,15 @@ namespace rclcpp
 /// The parameters of nodes, by their full names.
 using ParameterMap = std::unordered_map<std::string, std::vector<Parameter>>;
 
-/// Those that are for the node `node_fqn`, also by a form like `/**`; of all nodes if that is null. Throws
-/// InvalidParametersException for what is not whole.
+/// The parameters for the node `node_fqn`, also by patterns such as `/**`; for all nodes if null. Throws
+/// InvalidParametersException if the structure is incomplete.
 ParameterMap parameter_map_from(
   const rcl_params_t * const c_params, const char * node_fqn = nullptr);
 
 /// Throws InvalidParameterValueException if there is none.
 ParameterValue parameter_value_from(const rcl_variant_t * const c_value);
 
-/// The same of a file, which is read. Throws RCLError for one that cannot be.
+/// The parameters of a file. Throws RCLError if it cannot be read.
 ParameterMap parameter_map_from_yaml_file(
   const std::string & yaml_filename, const char * node_fqn = nullptr);
 

@@ -31,7 +31,7 @@ enum ParameterType : std::uint8_t
 std::string to_string(ParameterType type);
 std::ostream & operator<<(std::ostream & os, ParameterType type);
 
-/// A value was asked for as another type than it has.
+/// The value is of another type.
 class ParameterTypeException : public std::runtime_error
 {
 public:
@@ -138,7 +138,7 @@ public:
     }
   }
 
-  /// As a C++ type; other integers, floats and vectors of them are converted.
+  /// The value as a C++ type; other integers, floats and vectors of them are converted.
   template<class T>
   decltype(auto) get() const
   {

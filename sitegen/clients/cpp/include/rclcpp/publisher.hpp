@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "rclcpp/detail/lent.hpp"
+#include "rclcpp/detail/intra_process.hpp"
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/event_handler.hpp"
 #include "rclcpp/loaned_message.hpp"
@@ -37,18 +37,18 @@ enum class IntraProcessSetting {Enable, Disable, NodeDefault};
 struct PublisherOptionsBase
 {
   PublisherEventCallbacks event_callbacks;
-  /// Log what is incompatible.
+  /// Whether to log incompatible QoS.
   bool use_default_callbacks = true;
   CallbackGroup::SharedPtr callback_group = nullptr;
-  /// Whether subscriptions of this program get the messages that are published as std::unique_ptr
-  /// themselves, and no copies.
+  /// Whether subscriptions of this program receive messages published as std::unique_ptr without
+  /// copying.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
   QosOverridingOptions qos_overriding_options;
 };
 
-/// The allocator is kept and not asked: messages are made by the standard one.
+/// The allocator is accepted and unused: messages use the standard allocator.
 template<typename AllocatorT>
 struct PublisherOptionsWithAllocator : PublisherOptionsBase
 {
@@ -72,17 +72,17 @@ public:
   std::size_t get_subscription_count() const {return endpoint_.matched();}
   std::size_t get_intra_process_subscription_count() const
   {
-    return lends_ ? detail::borrowers(endpoint_.name()) : 0;
+    return shares_ ? detail::intra_process::subscriptions(endpoint_.name()) : 0;
   }
   QoS get_actual_qos() const {return endpoint_.qos();}
   rmw_gid_t get_gid() const {return endpoint_.gid();}
   bool can_loan_messages() const {return false;}
-  /// There is no network below a page.
+  /// There is no network, so the list is empty.
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
-  /// Say that it is alive, where liveliness is manual.
+  /// Assert liveliness, for manual liveliness.
   bool assert_liveliness() const;
-  /// Wait until all reliable subscriptions have got all; false if they had not within `timeout`, which
-  /// is without end when negative.
+  /// Wait until all reliable subscriptions have received all messages; false after `timeout`, which is
+  /// unlimited if negative.
   template<class Rep = std::int64_t, class Period = std::milli>
   bool wait_for_all_acked(
     std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1)) const
@@ -90,22 +90,22 @@ public:
     return wait_until_sent(std::chrono::duration<double, std::milli>(timeout).count());
   }
 
-  /// What calls back for its events.
+  /// The waitable that runs the event callbacks.
   std::shared_ptr<Waitable> events() const {return events_;}
-  /// What its options leave to its node.
+  /// Apply the setting of the node where the options leave it to the node.
   void set_node_default(bool intra_process)
   {
-    if (intra_process_ == IntraProcessSetting::NodeDefault) {lends_ = intra_process;}
+    if (intra_process_ == IntraProcessSetting::NodeDefault) {shares_ = intra_process;}
   }
 
 protected:
   void publish_message(const void * message);
-  /// Give the message that was published last to subscriptions of this program.
-  void lend(std::shared_ptr<detail::Lent> message);
+  /// Share the last message published with the intra-process subscriptions.
+  void share(std::shared_ptr<detail::intra_process::Message> message);
   void publish_bytes(const SerializedMessage & bytes);
 
 private:
-  /// Where all has to be kept and there is no room, wait for some, and throw RCLError if none comes.
+  /// Send a message; with history KEEP_ALL, wait for full queues. Throws RCLError on timeout.
   void send(const std::uint8_t * data, std::uint32_t size);
   bool wait_until_sent(double milliseconds) const;
 
@@ -113,9 +113,9 @@ private:
   detail::Endpoint endpoint_;
   std::shared_ptr<detail::Events> events_;
   IntraProcessSetting intra_process_;
-  bool lends_;
+  bool shares_;
   std::uint64_t sent_ = 0;
-  std::shared_ptr<void> lender_;  // forgets what was lent when it goes
+  std::shared_ptr<void> shared_;  // drops shared messages on destruction
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -124,7 +124,7 @@ class Publisher : public PublisherBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Publisher<MessageT, AllocatorT>)
 
-  /// What is published, and what of it travels; they differ with a TypeAdapter.
+  /// The type published, and the type sent; they differ with a TypeAdapter.
   using PublishedType = detail::custom_type<MessageT>;
   using ROSMessageType = detail::ros_type<MessageT>;
 
@@ -148,12 +148,13 @@ public:
   void publish(std::unique_ptr<PublishedType, DeleterT> message)
   {
     publish(*message);
-    // One with an allocator of its own would be freed by another.
+    // A message with a custom deleter cannot be handed over.
     if constexpr (!detail::is_adapted<MessageT> &&
       std::is_same_v<DeleterT, std::default_delete<PublishedType>>)
     {
       if (get_intra_process_subscription_count()) {
-        lend(std::make_shared<detail::LentMessage<PublishedType>>(std::move(message)));
+        share(
+          std::make_shared<detail::intra_process::TypedMessage<PublishedType>>(std::move(message)));
       }
     }
   }

@@ -174,7 +174,7 @@ struct QoSCheckCompatibleResult
   std::string reason;
 };
 
-/// Whether a publisher and a subscription with these would match, and why not.
+/// Whether a publisher and a subscription with these profiles are compatible, and the reason if not.
 QoSCheckCompatibleResult qos_check_compatible(
   const QoS & publisher_qos, const QoS & subscription_qos);
 

@@ -43,7 +43,7 @@ QoS override_qos(
   const QoS & qos);
 }  // namespace detail
 
-/// Which policies parameters may change.
+/// The policies that parameters may override.
 class QosOverridingOptions
 {
 public:
@@ -65,7 +65,7 @@ public:
   const std::vector<QosPolicyKind> & get_policy_kinds() const {return policy_kinds_;}
   const QosCallback & get_validation_callback() const {return validation_callback_;}
 
-  /// What declares the parameters: null, and not linked, where no policy may be changed.
+  /// The function that declares the parameters; null, and not linked, without such policies.
   decltype(&detail::override_qos) override() const {return override_;}
 
 private:

@@ -31,7 +31,7 @@ public:
   explicit Rate(
     const Duration & period, Clock::SharedPtr clock = std::make_shared<Clock>(RCL_SYSTEM_TIME));
 
-  /// Sleep until the period ends; false at once when it had ended before.
+  /// Sleep until the end of the period; false at once if it has already ended.
   bool sleep() override;
   rcl_clock_type_t get_type() const override {return clock_->get_clock_type();}
   void reset() override;

@@ -6,7 +6,7 @@
 namespace rclcpp
 {
 
-/// Messages to bytes and back, with a type that is known when the program runs.
+/// Serializes and deserializes messages of a type known at run time.
 class SerializationBase
 {
 public:
@@ -14,7 +14,7 @@ public:
   virtual ~SerializationBase() = default;
 
   void serialize_message(const void * message, SerializedMessage * bytes) const;
-  /// Throws RCLError when the bytes are not of this type.
+  /// Throws RCLError if the bytes are not a valid message of this type.
   void deserialize_message(const SerializedMessage * bytes, void * message) const;
 
 private:

@@ -39,7 +39,7 @@ public:
     refresh();
     message_.buffer_length = 0;
   }
-  /// Give room for `size` bytes and return it, to be filled.
+  /// Resize to `size` bytes and return the buffer, for the caller to fill.
   std::uint8_t * resize(std::size_t size)
   {
     bytes_.resize(size);

@@ -36,8 +36,8 @@ protected:
   void respond(
     const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
   static std::shared_ptr<rmw_request_id_t> request_id(
-    const rmw_message_info_t & info, double writer);
-  /// The node that it is of; throws RCLError when that is gone.
+    const rmw_message_info_t & info, double writer_gid);
+  /// The node of the service; throws RCLError if it has been destroyed.
   std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
 
 private:
@@ -54,7 +54,7 @@ using ServiceHandler =
 template<class>
 constexpr bool unsupported = false;
 
-/// A callback of a service, in any of its forms, as one form.
+/// Any form of a service callback.
 template<class ServiceT, class RequestPtr, class CallbackT>
 ServiceHandler<ServiceT, RequestPtr> service_handler(CallbackT callback)
 {
@@ -98,7 +98,7 @@ ServiceHandler<ServiceT, RequestPtr> service_handler(CallbackT callback)
 
 }  // namespace detail
 
-/// A service. A callback that takes no response sends one later, by send_response.
+/// A service. A callback without a response parameter responds later, with send_response().
 template<class ServiceT>
 class Service : public ServiceBase, public std::enable_shared_from_this<Service<ServiceT>>
 {
@@ -123,7 +123,7 @@ public:
     respond(to, rosidl_typesupport_sitegen_cpp::members_of<Response>(), &response);
     introspect(detail::ServiceEvent::kResponseSent, to, nullptr, &response);
   }
-  /// From now on publish what is received and sent on `<service>/_service_event`, or stop that.
+  /// Start or stop publishing requests and responses on `<service>/_service_event`.
   void configure_introspection(
     Clock::SharedPtr clock, const QoS & qos, rcl_service_introspection_state_t state)
   {
@@ -132,12 +132,12 @@ public:
 
 protected:
   void handle(
-    const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override
+    const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override
   {
     auto request = std::make_shared<Request>();
     const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();
     if (!decode(type, bytes, request.get())) {return;}
-    auto id = request_id(info, writer);
+    auto id = request_id(info, writer_gid);
     introspect(detail::ServiceEvent::kRequestReceived, *id, request.get(), nullptr);
     callback_(*this, std::move(id), std::move(request));
   }

@@ -24,13 +24,13 @@ namespace rclcpp
 struct SubscriptionOptionsBase
 {
   SubscriptionEventCallbacks event_callbacks;
-  /// Log what is incompatible.
+  /// Whether to log incompatible QoS.
   bool use_default_callbacks = true;
   bool ignore_local_publications = false;
   CallbackGroup::SharedPtr callback_group = nullptr;
-  /// Whether it gets what publishers of this program lend.
+  /// Whether it takes part in intra-process communication.
   IntraProcessSetting use_intra_process_comm = IntraProcessSetting::NodeDefault;
-  /// Kept and not asked.
+  /// Accepted and unused.
   IntraProcessBufferType intra_process_buffer_type = IntraProcessBufferType::CallbackDefault;
   rmw_unique_network_flow_endpoints_requirement_t require_unique_network_flow_endpoints =
     RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_NOT_REQUIRED;
@@ -45,7 +45,7 @@ struct SubscriptionOptionsBase
   ContentFilterOptions content_filter_options;
 };
 
-/// The allocator is kept and not asked: messages are made by the standard one.
+/// The allocator is accepted and unused: messages use the standard allocator.
 template<typename AllocatorT>
 struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
 {
@@ -69,8 +69,8 @@ public:
   QoS get_actual_qos() const {return qos();}
   /// Whether a content filter is set.
   bool is_cft_enabled() const {return !filter_.filter_expression.empty();}
-  /// Get only messages that pass the filter from now on, all if `expression` is empty. Throws RCLError
-  /// that says what is wrong with it.
+  /// Receive only messages that pass the filter, all if `expression` is empty. Throws RCLError if it is
+  /// invalid.
   void set_content_filter(
     const std::string & expression, const std::vector<std::string> & parameters = {});
   /// Throws RCLError if none is set.
@@ -80,21 +80,21 @@ public:
   bool is_serialized() const {return false;}
   bool take_serialized(SerializedMessage & bytes, MessageInfo & info)
   {
-    double writer;
-    return take_bytes(bytes, info.get_rmw_message_info(), writer);
+    double writer_gid;
+    return take_bytes(bytes, info.get_rmw_message_info(), writer_gid);
   }
-  /// What callers that do not know the type take, handle and let go of a message by.
+  /// For callers that do not know the type.
   virtual std::shared_ptr<void> create_message() = 0;
   virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
   void return_message(std::shared_ptr<void> & message) {message.reset();}
 
-  /// What calls back for its events.
+  /// The waitable that runs the event callbacks.
   std::shared_ptr<Waitable> events() const {return events_;}
-  /// What its options leave to its node.
+  /// Apply the setting of the node where the options leave it to the node.
   void set_node_default(bool intra_process)
   {
-    if (intra_process_ == IntraProcessSetting::NodeDefault) {borrow(intra_process);}
+    if (intra_process_ == IntraProcessSetting::NodeDefault) {share(intra_process);}
   }
   void observe(detail::Arrival arrival) {arrival_ = std::move(arrival);}
 
@@ -104,20 +104,21 @@ protected:
     if (arrival_) {arrival_(info);}
   }
 
-  bool borrows() const {return borrows_;}
+  /// Whether intra-process communication is enabled.
+  bool shares() const {return shares_;}
 
   const detail::MessageMembers & type_;
 
 private:
-  void borrow(bool borrows);
-  /// Throws RCLError with `what` and what is wrong with the filter.
+  void share(bool shares);
+  /// Set the filter; throws RCLError with `what` and the reason.
   void filter(const ContentFilterOptions & options, const std::string & what);
 
   ContentFilterOptions filter_;
   detail::Arrival arrival_;
   std::shared_ptr<detail::Events> events_;
   IntraProcessSetting intra_process_;
-  bool borrows_ = false;
+  bool shares_ = false;
 };
 
 template<class MessageT, class AllocatorT = std::allocator<void>>
@@ -126,7 +127,7 @@ class Subscription : public SubscriptionBase
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Subscription<MessageT, AllocatorT>)
 
-  /// What the callback takes, and what travels; they differ with a TypeAdapter.
+  /// The type of the callback, and the type received; they differ with a TypeAdapter.
   using SubscribedType = detail::custom_type<MessageT>;
   using ROSMessageType = detail::ros_type<MessageT>;
 
@@ -138,7 +139,7 @@ public:
       node, topic, rosidl_typesupport_sitegen_cpp::members_of<ROSMessageType>(), qos, options),
     callback_(std::forward<CallbackT>(callback)) {}
 
-  /// Take the oldest message that waits; false if none does.
+  /// Take the oldest message; false if there is none.
   bool take(ROSMessageType & message, MessageInfo & info)
   {
     return take_type_erased(&message, info);
@@ -155,7 +156,7 @@ public:
   }
 
 protected:
-  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer) override
+  void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override
   {
     arrived(info);
     if (callback_.wants_bytes()) {
@@ -163,18 +164,19 @@ protected:
       return;
     }
     if constexpr (!detail::is_adapted<MessageT>) {
-      if (borrows() && take_lent(writer, info)) {return;}
+      if (shares() && take_shared(writer_gid, info)) {return;}
     }
     auto message = std::make_shared<ROSMessageType>();
     if (decode(type_, bytes, message.get())) {dispatch(std::move(message), MessageInfo(info));}
   }
 
 private:
-  /// Call back with the message itself that `writer` sent; false if there is none.
-  bool take_lent(double writer, const rmw_message_info_t & info)
+  /// Run the callback with the shared message of `writer_gid`; false if there is none.
+  bool take_shared(double writer_gid, const rmw_message_info_t & info)
   {
-    const auto found = std::static_pointer_cast<detail::LentMessage<ROSMessageType>>(
-      detail::lent(writer, info.publication_sequence_number));
+    namespace shared = detail::intra_process;
+    const auto found = std::static_pointer_cast<shared::TypedMessage<ROSMessageType>>(
+      shared::take(writer_gid, info.publication_sequence_number));
     if (!found) {return false;}
     MessageInfo told(info);
     told.get_rmw_message_info().from_intra_process = true;

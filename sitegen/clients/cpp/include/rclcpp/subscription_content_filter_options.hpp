@@ -6,7 +6,7 @@
 namespace rclcpp
 {
 
-/// An expression of DDS, such as "data > %0", and what stands for %0, %1, ….
+/// A DDS filter expression, such as "data > %0", and the values of %0, %1, ….
 struct ContentFilterOptions
 {
   std::string filter_expression;

@@ -3,7 +3,7 @@
 namespace rclcpp
 {
 
-/// What of a subscription a wait set waits for.
+/// The parts of a subscription that a wait set waits for.
 class SubscriptionWaitSetMask
 {
 public:

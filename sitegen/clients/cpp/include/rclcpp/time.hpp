@@ -11,7 +11,7 @@ using rcl_clock_type_t = rcl_clock_type_e;
 namespace rclcpp
 {
 
-/// A point in time of one kind of clock; points of different kinds do not compare.
+/// A point in time of one kind of clock; times of different kinds cannot be compared.
 class Time
 {
 public:
@@ -23,7 +23,7 @@ public:
     const builtin_interfaces::msg::Time & message, rcl_clock_type_t clock = RCL_ROS_TIME)
   : Time(message.sec, message.nanosec, clock) {}
 
-  /// The last that a message can say.
+  /// The maximum time of a message.
   static Time max(rcl_clock_type_t clock = RCL_SYSTEM_TIME)
   {
     return Time(INT32_MAX, 999999999, clock);

@@ -41,8 +41,8 @@ private:
   using ClockMessage = rosgraph_msgs::msg::Clock;
 
   void set_active(bool active);
-  /// Clocks ask for it whenever they are asked for the time, so /clock needs no executor and goes on
-  /// while a callback sleeps.
+  /// Clocks read it whenever they are read, so that /clock needs no executor and advances while a callback
+  /// sleeps.
   void take();
 
   QoS qos_;

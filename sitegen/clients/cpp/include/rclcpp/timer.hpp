@@ -12,14 +12,14 @@
 namespace rclcpp
 {
 
-/// When a timer should have called back, and when it does; both in nanoseconds of its clock.
+/// The expected and the actual time of a timer's call, in nanoseconds of its clock.
 struct TimerInfo
 {
   Time expected_call_time;
   Time actual_call_time;
 };
 
-/// Calls back once a period. A period that was missed is skipped, as in rcl.
+/// Runs a callback once per period. Missed periods are skipped, as in rcl.
 class TimerBase : public detail::Executable
 {
 public:
@@ -36,14 +36,14 @@ public:
   bool is_canceled() const {return canceled_;}
   void reset();
   bool is_ready() const;
-  /// Time until the next call, negative when it is late; max() when canceled.
+  /// Time until the next call, negative if late; max() if canceled.
   std::chrono::nanoseconds time_until_trigger() const;
   Clock::SharedPtr get_clock() const {return clock_;}
   bool is_steady() const {return clock_->get_clock_type() == RCL_STEADY_TIME;}
   bool exchange_in_use_by_wait_set_state(bool in_use);
 
-  /// Arm the timer for its next period; null if it is canceled. The callback comes after it, with what
-  /// is returned or without.
+  /// Start the next period; null if canceled. The callback runs afterwards, with or without the
+  /// result.
   std::shared_ptr<void> call();
   void execute_callback(const std::shared_ptr<void> & info = nullptr);
 

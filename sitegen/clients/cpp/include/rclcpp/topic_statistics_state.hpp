@@ -20,15 +20,15 @@ enum class TopicStatisticsState {Enable, Disable, NodeDefault};
 namespace detail
 {
 
-/// Called with what is known of each message that arrives.
+/// Called with the metadata of each message received.
 using Arrival = std::function<void (const rmw_message_info_t &)>;
 
-/// Publish statistics about a subscription of `node` as long as what it returns lives.
+/// Publish statistics about a subscription of `node` during the lifetime of the result.
 Arrival make_topic_statistics(
   node_interfaces::NodeBaseInterface & node, const SubscriptionOptionsBase & options);
 
-/// Whether statistics are wanted. What makes them is named only where somebody enables them, so that
-/// no other program is linked with it.
+/// Whether statistics are enabled. The implementation is referenced only where they are enabled, so that
+/// other programs do not link it.
 class TopicStatisticsSetting
 {
 public:

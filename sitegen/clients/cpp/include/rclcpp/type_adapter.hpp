@@ -15,7 +15,7 @@ struct TypeAdapter
   using ros_message_type = CustomType;
 };
 
-/// The adapter that is taken where only the class is named.
+/// The adapter for uses of the class alone.
 template<typename CustomType>
 struct ImplicitTypeAdapter
 {

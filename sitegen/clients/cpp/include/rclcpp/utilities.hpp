@@ -16,7 +16,7 @@ namespace rclcpp
 
 enum class SignalHandlerOptions {All, SigInt, SigTerm, None};
 
-/// Read the ROS arguments of the command line. The reader's Stop button is the only signal here.
+/// Parse the ROS arguments of the command line. SIGINT, from the Stop button, is the only signal.
 void init(
   int argc, char const * const * argv, const InitOptions & options = InitOptions(),
   SignalHandlerOptions signals = SignalHandlerOptions::All);
@@ -28,14 +28,14 @@ bool install_signal_handlers(SignalHandlerOptions signals = SignalHandlerOptions
 bool signal_handlers_installed();
 bool uninstall_signal_handlers();
 
-/// These take the global context where none is given.
+/// These use the global context by default.
 bool ok(Context::SharedPtr context = nullptr);
 bool shutdown(
   Context::SharedPtr context = nullptr,
   const std::string & reason = "user called rclcpp::shutdown()");
 void on_shutdown(std::function<void()> callback, Context::SharedPtr context = nullptr);
 
-/// Sleep; false when the program was shut down meanwhile.
+/// Sleep; false on shutdown.
 bool sleep_for(
   const std::chrono::nanoseconds & duration, Context::SharedPtr context = nullptr);
 

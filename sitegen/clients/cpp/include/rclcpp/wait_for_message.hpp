@@ -11,8 +11,8 @@
 namespace rclcpp
 {
 
-/// Wait for one message of `subscription`, whose callback is not called; false if none came in
-/// `time_to_wait`, which is without end when negative, or the program was shut down.
+/// Wait for one message of `subscription` without running its callback; false on shutdown or after
+/// `time_to_wait`, which is unlimited if negative.
 template<class MessageT, class Rep = std::int64_t, class Period = std::milli>
 bool wait_for_message(
   MessageT & out, std::shared_ptr<Subscription<MessageT>> subscription,

@@ -9,7 +9,7 @@
 namespace rclcpp
 {
 
-/// What a wait ended with, and the wait set, to see what is ready.
+/// The result of a wait, with the wait set to get what is ready.
 template<class WaitSetT>
 class WaitResult final
 {
@@ -21,7 +21,7 @@ public:
   const WaitSetT & get_wait_set() const {return *require();}
   WaitSetT & get_wait_set() {return *require();}
 
-  /// The next of each kind that is ready, null when there is no more; each is told once.
+  /// The next ready entity of each kind, or null; each is returned once.
   auto next_ready_timer() {return require()->next_ready_timer();}
   auto next_ready_subscription() {return require()->next_ready_subscription();}
   auto next_ready_service() {return require()->next_ready_service();}

@@ -22,7 +22,7 @@
 namespace rclcpp
 {
 
-/// What all wait sets are: what they wait for, and what of it is ready. Nothing is called back.
+/// The common part of wait sets: the entities, and which of them are ready. No callbacks run.
 class WaitSetBase
 {
 public:
@@ -64,16 +64,16 @@ public:
     const Waitables & waitables = {},
     Context::SharedPtr context = contexts::get_global_default_context());
 
-  /// These throw std::runtime_error for what is in it already.
+  /// These throw std::runtime_error for entities that are already in a wait set.
   void add_subscription(
     SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
   void add_guard_condition(GuardCondition::SharedPtr guard_condition);
   void add_timer(TimerBase::SharedPtr timer);
   void add_client(ClientBase::SharedPtr client);
   void add_service(ServiceBase::SharedPtr service);
-  /// Keeps what it belongs to, too.
+  /// Also keeps the owner of the waitable alive.
   void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> associated_entity = nullptr);
-  /// And these for what is not.
+  /// These throw std::runtime_error for entities that are not in the wait set.
   void remove_subscription(
     SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
   void remove_guard_condition(GuardCondition::SharedPtr guard_condition);

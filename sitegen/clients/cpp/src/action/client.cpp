@@ -10,7 +10,7 @@ bool ClientBase::wait(double milliseconds) const
 {
   const double end = rclcpp::detail::now() + milliseconds;
   while (!action_server_is_ready()) {
-    // ok() may let the event loop turn, and what then happens would not end the wait after it.
+    // ok() may yield to the event loop, and events that arrive there would not end the following wait.
     const bool valid = rclcpp::contexts::get_global_default_context()->is_valid();
     const double left = end - rclcpp::detail::now();
     if (!valid || (milliseconds >= 0 && left <= 0)) {return false;}

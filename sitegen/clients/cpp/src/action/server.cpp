@@ -25,7 +25,7 @@ GoalUUID make_goal_id()
 {
   GoalUUID id;
   if (getentropy(id.data(), id.size()) != 0) {
-    throw std::runtime_error("no random numbers for the id of a goal");
+    throw std::runtime_error("failed to generate a random goal ID");
   }
   return id;
 }
@@ -107,7 +107,7 @@ void ServerBase::cancel(const CancelGoal::Request & request, CancelGoal::Respons
     return;
   }
   bool any = false;
-  const auto entries = entries_;  // what is called back may change them
+  const auto entries = entries_;  // callbacks may change them
   for (const auto & [id, entry] : entries) {
     const bool meant = (!one && !timed) || (one && id == asked) ||
       (timed && rclcpp::Time(entry.stamp) <= before);

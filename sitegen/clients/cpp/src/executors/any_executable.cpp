@@ -1,4 +1,4 @@
-// By itself, so that programs without executors of their own do not have it.
+// In a file of its own, so that only programs with custom executors link it.
 #include "rclcpp/any_executable.hpp"
 
 #include "rclcpp/client.hpp"
@@ -19,7 +19,7 @@ namespace
 using detail::Executable;
 using detail::ExecutableKind;
 
-/// Set that member of `any` which `one` is of; false if it is not ready.
+/// Set the member of `any` for `one`; false if `one` is not ready.
 bool set_if_ready(AnyExecutable & any, ExecutableKind kind, const std::shared_ptr<Executable> & one)
 {
   switch (kind) {

@@ -19,7 +19,7 @@ double in_milliseconds(std::chrono::nanoseconds duration)
   return static_cast<double>(duration.count()) / 1e6;
 }
 
-/// Take `item` out of `list` of weak pointers, with those that are gone; false if it was not there.
+/// Remove `item` and expired pointers from `list`; false if `item` was not in it.
 template<class T>
 bool remove(std::vector<std::weak_ptr<T>> & list, const std::shared_ptr<T> & item)
 {
@@ -156,7 +156,7 @@ bool Executor::execute(const Candidate & candidate)
   }
   const bool exclusive = group->type() == CallbackGroupType::MutuallyExclusive;
   if (!exclusive) {return executable->execute_one();}
-  // Also when the callback throws.
+  // Also if the callback throws.
   struct Taken
   {
     explicit Taken(CallbackGroup & group)
@@ -190,7 +190,7 @@ void Executor::wait(double timeout)
       const std::int64_t left = timer->time_left();
       if (left == INT64_MAX) {continue;}
       const double milliseconds = static_cast<double>(std::max<std::int64_t>(left, 0)) / 1e6;
-      // One whose group is taken is looked at again when that is free.
+      // Entities of a busy callback group are checked again when the group is free.
       const bool ready = milliseconds <= 0 && !group->can_be_taken_from();
       if (!ready && (timeout < 0 || milliseconds < timeout)) {timeout = milliseconds;}
     }

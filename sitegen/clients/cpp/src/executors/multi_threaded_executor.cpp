@@ -1,4 +1,4 @@
-// By itself, so that programs without it have no threads.
+// In a file of its own, so that programs without this executor do not link threads.
 #include "rclcpp/executors/multi_threaded_executor.hpp"
 
 #include <thread>
@@ -11,7 +11,7 @@ namespace executors
 
 namespace
 {
-// A browser tells no program how many processors there are; these are stacks, so they cost little.
+// Threads are stacks here, so their number does not depend on processors, and they cost little.
 constexpr std::size_t kThreads = 4;
 }  // namespace
 

@@ -29,7 +29,7 @@ void remove(std::vector<std::shared_ptr<T>> & list, const std::shared_ptr<T> & i
   list.erase(found);
 }
 
-/// Which of `list` are ready; false if none is.
+/// Record which entities of `list` are ready; false if none is.
 template<class T, class ReadyT>
 bool note(
   const std::vector<std::shared_ptr<T>> & list, std::vector<const void *> & noted, ReadyT ready)
@@ -44,7 +44,7 @@ bool note(
   return any;
 }
 
-/// The first of `list` that is noted as ready, which it is then no more.
+/// Take the first entity of `list` that is recorded as ready.
 template<class T>
 std::shared_ptr<T> next(
   const std::vector<std::shared_ptr<T>> & list, std::vector<const void *> & noted)
@@ -122,7 +122,7 @@ void WaitSetBase::remove_waitable(Waitable::SharedPtr waitable)
 bool WaitSetBase::look()
 {
   const auto has_message = [](const detail::Receiver & receiver) {return receiver.is_ready();};
-  // All of them: what is not asked is not noted.
+  // Check all of them, so that each is recorded.
   const bool found[] = {
     note(subscriptions_, ready_.subscriptions, has_message),
     note(clients_, ready_.clients, has_message),
@@ -150,7 +150,7 @@ WaitResultKind WaitSetBase::wait_for(double milliseconds)
   while (true) {
     if (look()) {return WaitResultKind::Ready;}
     double left = milliseconds < 0 ? -1 : end - detail::now();
-    // Upstream, a shutdown ends no wait, and its time passes. Here nothing comes any more.
+    // Upstream, a wait continues after a shutdown until it times out. Here, nothing more can arrive.
     if (!context_->is_valid() || (milliseconds >= 0 && left <= 0)) {return WaitResultKind::Timeout;}
     for (const auto & timer : timers_) {
       const std::int64_t until = timer->time_left();

@@ -36,7 +36,7 @@ State state(std::uint8_t id)
   return State();
 }
 
-/// What can be asked of a node in the state `from`: it goes through a state to another.
+/// A transition that can be requested in state `from`: through a transition state to another state.
 struct Edge
 {
   std::uint8_t id;

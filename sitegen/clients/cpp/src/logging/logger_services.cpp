@@ -1,4 +1,4 @@
-// The services by which others read and set the levels of loggers.
+// The services that get and set logger levels.
 #include <memory>
 #include <string>
 #include <utility>

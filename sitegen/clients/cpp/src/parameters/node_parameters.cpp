@@ -51,7 +51,7 @@ bool is_in(const RangeT & range, T value)
   }
 }
 
-/// Whether a value suits its descriptor.
+/// Check a value against its descriptor.
 SetResult check(const std::string & name, const ParameterValue & value, const Descriptor & descriptor)
 {
   const auto type = value.get_type();
@@ -91,7 +91,7 @@ std::shared_ptr<HandleT> add(std::list<std::weak_ptr<HandleT>> & handles, Callba
 {
   auto handle = std::make_shared<HandleT>();
   handle->callback = std::move(callback);
-  handles.emplace_front(handle);  // the last that was added is called first
+  handles.emplace_front(handle);  // called in reverse order of registration
   return handle;
 }
 
@@ -104,7 +104,7 @@ void remove(std::list<std::weak_ptr<HandleT>> & handles, const HandleT * handle)
   handles.erase(found);
 }
 
-/// What callbacks must not do: change what they are asked about.
+/// Prevents callbacks from changing parameters.
 class Modifying
 {
 public:
@@ -132,7 +132,7 @@ NodeParametersInterface::NodeParametersInterface(
   for (const auto & rule : node_->arguments().parameters) {
     const bool applies = detail::applies_to(
       rule.node, node_->get_name(), node_->get_fully_qualified_name());
-    // What stands first counts: of the node's own arguments before those of the program.
+    // The first override takes precedence; those of the node come before those of the program.
     if (applies) {overrides_.emplace(rule.name, detail::parse_parameter(rule.value));}
   }
   for (const auto & parameter : options.parameter_overrides()) {
@@ -208,7 +208,7 @@ const ParameterValue & NodeParametersInterface::declare(
   Infos declared;
   declared[name].descriptor = descriptor;
   if (value.get_type() == PARAMETER_NOT_SET && !descriptor.dynamic_typing) {
-    // It is given a value later, but must have the type then.
+    // The value is set later, and must then have this type.
     parameters_.insert(*declared.begin());
     return parameters_.at(name).value;
   }
@@ -296,7 +296,7 @@ SetResult NodeParametersInterface::set_all(std::vector<Parameter> parameters)
       parameters_.at(name).value.get_type() != PARAMETER_NOT_SET;
     const auto message = Parameter(name, info.value).to_parameter_msg();
     if (info.value.get_type() == PARAMETER_NOT_SET) {
-      // To set it to nothing is to take it away.
+      // Setting a parameter to "not set" undeclares it.
       parameters_.erase(name);
       event.deleted_parameters.push_back(message);
       continue;

@@ -1,4 +1,4 @@
-// What is asked of the parameters of a node; node_parameters.cpp changes them.
+// Queries of a node's parameters; node_parameters.cpp changes them.
 #include <algorithm>
 #include <set>
 
@@ -9,7 +9,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-// Who makes the parameters of a node is linked where they are used, also if they are only asked for.
+// Strong reference: also links the implementation into programs that only query parameters.
 [[gnu::used]] NodeParametersInterface::SharedPtr (* const made)(
   NodeParametersInterface::SharedPtr) = &NodeParametersInterface::linked;
 

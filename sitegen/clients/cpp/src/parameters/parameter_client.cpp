@@ -10,7 +10,7 @@ namespace srv = rcl_interfaces::srv;
 namespace
 {
 
-/// Send `request` and turn the answer into what `read` makes of it.
+/// Send `request` and return a future of what `read` makes of the response.
 template<class ResultT, class ServiceT, class ReadT>
 std::shared_future<ResultT> ask(
   Client<ServiceT> & client, std::shared_ptr<typename ServiceT::Request> request, ReadT read,

@@ -32,7 +32,7 @@ std::string read(const std::string & path)
   return text;
 }
 
-/// Of two with one name, the last one counts.
+/// The last parameter of a name takes precedence.
 void set(std::vector<Parameter> & parameters, const Parameter & parameter)
 {
   for (auto & one : parameters) {

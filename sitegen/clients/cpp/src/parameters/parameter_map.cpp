@@ -12,7 +12,7 @@ using exceptions::InvalidParameterValueException;
 namespace
 {
 
-/// The name that the parameters of `rule` go by in a map for `node_fqn`; empty if they are not for it.
+/// The node name under which the parameters of `rule` are entered for `node_fqn`; empty if no match.
 std::string node_name(const std::string & rule, const char * node_fqn)
 {
   const std::string name = rule.rfind('/', 0) == 0 ? rule : "/" + rule;

@@ -30,7 +30,7 @@ std::vector<Parameter> read(const std::vector<rcl_interfaces::msg::Parameter> & 
   return parameters;
 }
 
-/// Do `act`; what it refuses by an exception is logged, and its text returned.
+/// Call `act`; if it throws, log the exception and return its text.
 template<class ActT>
 std::string attempt(const char * what, ActT act)
 {

@@ -29,7 +29,7 @@ bool is_one_of(const std::string & text, std::initializer_list<const char *> wor
   return false;
 }
 
-/// What stands between quotes, as YAML means it.
+/// The value of a quoted YAML scalar.
 std::string unquote(const std::string & text)
 {
   std::string result;
@@ -60,7 +60,7 @@ std::vector<std::string> split(const std::string & text)
     parts.back() += c;
   }
   for (auto & part : parts) {part = trim(part);}
-  if (parts.back().empty()) {parts.pop_back();}  // an empty list, or a comma at its end
+  if (parts.back().empty()) {parts.pop_back();}  // an empty list, or a trailing comma
   return parts;
 }
 

@@ -1,4 +1,4 @@
-// Parameters that change the quality of service of a publisher or a subscription.
+// Parameters that override the QoS of a publisher or a subscription.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -52,7 +52,7 @@ const Names<LivelinessPolicy> kLivelinesses[] = {
   {LivelinessPolicy::ManualByTopic, "manual_by_topic"},
   {LivelinessPolicy::BestAvailable, "best_available"}};
 
-/// Declares the parameters of one endpoint.
+/// Declares the QoS parameters of one endpoint.
 class Overrides
 {
 public:

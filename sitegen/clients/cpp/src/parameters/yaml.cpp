@@ -31,7 +31,7 @@ void refuse_alias(const YamlText & text)
   }
 }
 
-/// What comes after a dash or a colon: on the same line, or on lines of its own.
+/// Read the value after a dash or a colon: on the same line, or on the following lines.
 Yaml item(YamlText & text, std::size_t least, bool may_nest)
 {
   text.skip_blanks();
@@ -63,7 +63,7 @@ Yaml map(YamlText & text, std::size_t column)
     const unsigned line = text.line();
     const bool ends = text.is_at_end_of_line();
     if (ends) {text.seek();}
-    // The dashes of a list may stand below the key that it belongs to.
+    // A list may have the same indentation as its key.
     const bool below =
       ends && !text.is_over() && text.column() == column && text.looks_at_dash();
     Yaml part = below ? list(text, column) : item(text, column + 1, ends);
@@ -76,7 +76,7 @@ Yaml map(YamlText & text, std::size_t column)
   return node;
 }
 
-/// Text without quotes; it goes on in lines that are indented.
+/// Read a plain scalar, which continues on indented lines.
 Yaml plain(YamlText & text, std::size_t least)
 {
   if (text.looks_at_one_of("@`%,]}")) {text.fail();}
@@ -91,7 +91,7 @@ Yaml plain(YamlText & text, std::size_t least)
   }
 }
 
-/// `[a, b]`, `{a: b}`, `"text"`, or plain text between these, on any number of lines.
+/// Read a value in flow style: `[a, b]`, `{a: b}`, `"text"` or a plain scalar, on any number of lines.
 Yaml flow(YamlText & text)
 {
   refuse_alias(text);
@@ -130,7 +130,7 @@ Yaml flow(YamlText & text)
   return node;
 }
 
-/// A list or a map in lines of their own may begin here where `may_nest`: not after the colon of a key.
+/// Read a value; if `may_nest`, a block list or map may begin here, as it may not after a key.
 Yaml value(YamlText & text, std::size_t least, bool may_nest)
 {
   bool is_text = false;
@@ -161,7 +161,7 @@ Yaml value(YamlText & text, std::size_t least, bool may_nest)
   return node;
 }
 
-/// What begins on a line of its own, at `least` or further right.
+/// Read a block that starts on a line of its own, in column `least` or further right.
 Yaml block(YamlText & text, std::size_t least)
 {
   const Yaml empty = make(text, Yaml::kEmpty);

@@ -118,7 +118,7 @@ void assign(
   }
 }
 
-/// The index of `name` in a list; the list has its number if it is not there.
+/// The index of `name` in a list, or the length of the list if it is not in it.
 std::size_t find(char * const * names, std::size_t size, const char * name)
 {
   std::size_t i = 0;
@@ -126,7 +126,7 @@ std::size_t find(char * const * names, std::size_t size, const char * name)
   return i;
 }
 
-/// Make room for one more.
+/// Grow an array by one element.
 template<class T>
 void grow(const rcutils_allocator_t & allocator, T *& list, std::size_t size)
 {
@@ -156,7 +156,7 @@ rcl_params_t * rcl_yaml_node_struct_init(const rcutils_allocator_t allocator)
   auto * params = make<rcl_params_t>(allocator);
   if (!params) {return nullptr;}
   params->allocator = allocator;
-  // Even where there is none, lists are not null.
+  // Arrays are not null even if they are empty.
   grow(allocator, params->node_names, 0);
   grow(allocator, params->params, 0);
   params->capacity_nodes = 1;

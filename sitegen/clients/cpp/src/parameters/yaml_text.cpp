@@ -143,7 +143,7 @@ std::string YamlText::quoted()
 {
   std::string text;
   const char quote = look();
-  std::size_t kept = 0;  // what was escaped does not go with the blanks at the end of a line
+  std::size_t kept = 0;  // escaped blanks at the end of a line are not trimmed
   ++at_;
   while (look() != quote || (quote == '\'' && look(1) == quote)) {
     if (done()) {fail();}
@@ -159,7 +159,7 @@ std::string YamlText::quoted()
       }
       kept = text.size();
     } else {
-      if (look() == quote) {++at_;}  // two of them mean one
+      if (look() == quote) {++at_;}  // a doubled quote
       text += look();
       ++at_;
     }
@@ -207,8 +207,8 @@ std::string YamlText::block(std::size_t least)
   finish();
   skip_line();
   std::string text;
-  unsigned empty = 0;  // lines since the last one with anything on it
-  bool apart = true;   // what comes before this line is not folded
+  unsigned empty = 0;  // empty lines since the last one with text
+  bool apart = true;   // the line break before this line is not folded
   while (!done()) {
     new_line();
     while (look() == ' ' && (indent == 0 || column() < indent)) {++at_;}

@@ -1,4 +1,4 @@
-// The text of a YAML file: where a reader is in it, and what scalars stand for.
+// The text of a YAML file: the read position and the values of scalars.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// Goes over a text once, from left to right. A column is how far something is indented.
+/// Reads a text once, from start to end. A column is an indentation.
 class YamlText
 {
 public:
@@ -22,11 +22,11 @@ public:
   bool looks_at_one_of(const char * these, std::size_t ahead = 0) const;
   bool looks_at_space(std::size_t ahead = 0) const;
   bool looks_at_dash() const {return look() == '-' && looks_at_space(1);}
-  /// Whether a key and its colon begin here.
+  /// Whether there is a key with a colon at the read position.
   bool looks_at_key() const;
-  /// `---` or `...`, on a line of its own.
+  /// Whether there is a document marker, `---` or `...`, on a line of its own.
   bool looks_at_marker(const char * marker) const;
-  /// The document ends here.
+  /// End the document here.
   bool is_over() const;
   bool is_at_end_of_line() const {return looks_at_one_of("\n#") || look() == '\0';}
   std::size_t column() const {return at_ - start_;}
@@ -37,33 +37,33 @@ public:
   void skip(std::size_t characters = 1) {at_ += characters;}
   void skip_blanks();
   void skip_line();
-  /// Go to the next character that means something, on whatever line.
+  /// Skip blanks, line breaks and comments.
   void seek();
-  /// Nothing more may stand on the line.
+  /// Require the end of the line.
   void finish();
 
-  /// What stands before the next space.
+  /// Read up to the next space.
   std::string word();
-  /// The rest of the line without blanks around it, up to a comment, a colon or one of `ends`.
+  /// Read the rest of the line, trimmed, up to a comment, a colon or one of `ends`.
   std::string plain(const char * ends);
-  /// Text in quotes of either kind.
+  /// Read a string in single or double quotes.
   std::string quoted();
-  /// `|`, which keeps its lines, or `>`, which folds them; they stand at `least` or further right.
+  /// Read a block scalar, `|` (literal) or `>` (folded), in column `least` or further right.
   std::string block(std::size_t least);
-  /// What two texts are joined with that are so many lines apart.
+  /// The separator of two folded lines with a number of line breaks between them.
   static std::string fold(unsigned lines);
 
 private:
   bool done() const {return at_ >= text_.size();}
   void new_line();
-  /// Go to the next line with anything on it; how many lines further it is.
+  /// Skip to the next line that is not empty; return the number of line breaks.
   unsigned skip_lines();
-  /// What the character after a backslash stands for.
+  /// Read the character of an escape sequence.
   std::string escaped();
 
   std::string text_;
   std::size_t at_ = 0;
-  std::size_t start_ = 0;  // of the line
+  std::size_t start_ = 0;  // start of the line
   unsigned line_ = 1;
 };
 

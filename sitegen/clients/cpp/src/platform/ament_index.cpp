@@ -15,7 +15,7 @@ namespace ament_index_cpp
 
 namespace
 {
-// Where the files of packages are in a program (share/ament_index_cpp/cmake).
+// The prefix of package files in a program's file system (share/ament_index_cpp/cmake).
 const char * const kPrefix = "/ros";
 
 std::string index_of(const std::string & resource_type)

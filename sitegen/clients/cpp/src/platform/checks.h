@@ -1,4 +1,4 @@
-/* What programs of `sitegen build --debug` include before all else: containers check their indices. */
+/* Included first in programs of `sitegen build --debug`: makes containers check their indices. */
 #if __clang_major__ < 15
 #define _LIBCPP_DEBUG 0
 #elif __clang_major__ < 18

@@ -1,4 +1,4 @@
-// What programs of `sitegen build --debug` have besides: whence an exception came, and what the compiler checks.
+// Linked into programs of `sitegen build --debug`: the origin of exceptions, and the compiler's checks.
 #include <cstring>
 #include <exception>
 #include <typeinfo>
@@ -8,7 +8,7 @@
 namespace
 {
 
-/// End the program with these words; the page adds where it was.
+/// End the program with a message; the page adds the location.
 [[noreturn]] void fault(const char * text)
 {
   ros_fail(text);
@@ -17,7 +17,7 @@ namespace
 
 }  // namespace
 
-// The linker puts these in the place of libc++abi's and of the host's.
+// The linker replaces the functions of libc++abi and of the host with these.
 extern "C" {
 
 [[noreturn]] void __real___cxa_throw(void * exception, std::type_info * type, void (* destroy)(void *));
@@ -34,14 +34,14 @@ void __wrap_ros_fail(const char * text)
 {
   const auto exception = std::current_exception();
   void * thrown;
-  // All that it holds; the standard has no name for it.
+  // A reference to the exception; the standard has no function for its address.
   static_assert(sizeof exception == sizeof thrown);
   std::memcpy(&thrown, static_cast<const void *>(&exception), sizeof thrown);
   ros_blame(thrown);
   __real_ros_fail(text);
 }
 
-// The compiler calls these where what it checks is wrong: see cmake/engine.cmake.
+// Called by code that the compiler inserts where a check fails: see cmake/engine.cmake.
 [[noreturn]] void __ubsan_handle_type_mismatch_minimal_abort() {fault("a null pointer was used");}
 [[noreturn]] void __ubsan_handle_out_of_bounds_minimal_abort()
 {

@@ -1,11 +1,11 @@
-// Emscripten's side of include/rclcpp/detail/host.h: every call goes on to Module.ros, the worker's
-// host object (runtime/workers/cpp/cppHost.js), with the views on memory that it needs.
+// The host functions of include/rclcpp/detail/host.h: each call is forwarded to Module.ros, the
+// worker's host object (runtime/workers/cpp/cppHost.js), with the memory views that it needs.
 mergeInto(LibraryManager.library, {
   ros_create: function(kind, node, name, type, qos) {
     return Module["ros"]["create"](HEAPU8, kind, node, name, type, qos);
   },
   ros_destroy: function(id) { Module["ros"]["destroy"](id); },
-  ros_name: function(id) { return Module["ros"]["name"](id); },
+  ros_gid: function(id) { return Module["ros"]["name"](id); },
   ros_publish: function(id, data, size) { return Module["ros"]["publish"](HEAPU8, id, data, size); },
   ros_filter: function(id, definition, expression, parameters, count, problem, capacity) {
     return Module["ros"]["filter"](
@@ -36,7 +36,7 @@ mergeInto(LibraryManager.library, {
   ros_wait__async: true,
 #else
   ros_wait: function(milliseconds) { return Module["ros"]["wait"](milliseconds); },
-  // This compiler need not know JSPI: the import is wrapped here, where its name is certain.
+  // The compiler need not support JSPI: the import is wrapped here.
   ros_wait__postset: '_ros_wait = new WebAssembly.Suspending(_ros_wait);',
   ros_spawn: function(entry, argument) {
     var run = WebAssembly.promising(wasmTable.get(entry));
@@ -46,7 +46,7 @@ mergeInto(LibraryManager.library, {
   ros_wait__sig: 'id',
   ros_wake: function() { Module["ros"]["wake"](); },
   ros_reading: function(keyboard) {
-    // A question has no end of line, which would bring it to the console.
+    // Print a question that has no end of line.
     [FS.streams[1], FS.streams[2]].forEach(function(stream) {
       if (stream.tty.output && stream.tty.output.length) stream.tty.ops.put_char(stream.tty, 10);
     });

@@ -1,2 +1,2 @@
-// Where a function that C++ points to can be found: WebAssembly.promising needs the function itself.
+// Return the function at a C++ function pointer, for WebAssembly.promising.
 Module["rosFunction"] = function(pointer) { return wasmTable.get(pointer); };

@@ -1,5 +1,5 @@
-// The keyboard: what a visitor types in the console of the program. Who reads it waits, and other threads
-// go on meanwhile.
+// Standard input: the text that a visitor types in the console. A thread that reads waits while other
+// threads continue.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/select.h>
@@ -30,10 +30,10 @@ termios terminal()
 }
 termios settings = terminal();
 
-/// Of the open file; Emscripten's would never forget that nobody is to wait.
+/// File status flags; Emscripten cannot reset O_NONBLOCK.
 int flags = O_RDWR;
 
-/// As ros_reading() numbers it.
+/// The mode, as in ros_reading().
 int keyboard()
 {
   if (settings.c_lflag & ICANON) {return settings.c_lflag & ECHO ? 0 : 1;}
@@ -42,12 +42,12 @@ int keyboard()
 
 enum class Came { something, nothing, signal };
 
-/// Wait until something was typed, at most so long; a negative number waits without end.
+/// Wait for input, up to a number of milliseconds; without a limit if negative.
 Came wait_for_keys(double milliseconds)
 {
   const bool patient = milliseconds < 0;
   const double end = rclcpp::detail::now() + milliseconds;
-  // Who looks again and again lets the page breathe.
+  // A program that polls yields to the page.
   double left = milliseconds;
   if (patient) {std::fflush(stdout);}
   ros_reading(keyboard());
@@ -68,7 +68,7 @@ Came wait_for_keys(double milliseconds)
 double wait_of_read()
 {
   if (flags & O_NONBLOCK) {return 0;}
-  // Where a terminal need not wait for a character, it waits for some tenths of a second.
+  // Without a minimum number of characters, a terminal waits for VTIME tenths of a second.
   const bool patient = settings.c_lflag & ICANON || settings.c_cc[VMIN] > 0;
   return patient ? -1 : 100 * settings.c_cc[VTIME];
 }
@@ -92,7 +92,7 @@ int tcsetattr(int, int, const termios * wanted)
 __wasi_errno_t __real___wasi_fd_read(
   __wasi_fd_t file, const __wasi_iovec_t * parts, size_t count, __wasi_size_t * got);
 
-/// Everything that reads comes here: read(), the streams of C and those of C++.
+/// All input passes through here: read(), the streams of C and those of C++.
 __wasi_errno_t __wrap___wasi_fd_read(
   __wasi_fd_t file, const __wasi_iovec_t * parts, size_t count, __wasi_size_t * got)
 {

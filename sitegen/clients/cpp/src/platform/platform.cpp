@@ -37,7 +37,7 @@ std::int64_t nanoseconds(double milliseconds)
 
 namespace
 {
-// A busy program lets the event loop turn this often (ms): often enough for a Stop button, seldom
+// How often a busy program yields to the event loop (ms): often enough for the Stop button, rarely
 // enough to cost nothing.
 constexpr double kBreath = 4;
 double last_wait = 0;
@@ -53,24 +53,24 @@ void wait(double milliseconds)
 
 void breathe()
 {
-  // What runs at exit() cannot wait any more.
+  // Functions that run at exit() must not wait.
   if (!ending && now() - last_wait >= kBreath) {wait(0);}
 }
 
 void sleep(double milliseconds, const std::function<bool()> & stop)
 {
   const double end = now() + milliseconds;
-  // Once at least, so that a loop around a sleep of nothing lets the page breathe.
+  // At least once, so that a loop with sleeps of zero length yields to the page.
   do {
-    // The clock is read once: a negative rest would wait without end.
+    // The clock is read once: a negative remainder would wait forever.
     wait(std::max(0.0, end - now()));
   } while (now() < end && !(stop && stop()));
 }
 
 namespace
 {
-/// `mangled`, a class name as typeid gives it, as C++ writes it. abi::__cxa_demangle knows every
-/// name there is, and would be a third of a small program.
+/// Demangle a class name of typeid. abi::__cxa_demangle handles all names, and would be a third of a
+/// small program.
 std::string class_name(const char * mangled)
 {
   std::string name;
@@ -89,7 +89,7 @@ std::string class_name(const char * mangled)
   return name;
 }
 
-/// The type and text of the exception that is being handled.
+/// The type and text of the exception being handled.
 std::string describe_exception()
 {
   try {
@@ -103,7 +103,7 @@ std::string describe_exception()
   } catch (const char * text) {
     return text;
   } catch (...) {
-    return "an exception that is no std::exception";
+    return "an exception not derived from std::exception";
   }
 }
 
@@ -141,7 +141,7 @@ void guarded(const std::function<void()> & body)
 
 extern "C" {
 
-/// Run the program; the page enters it here. It ends by exit(), never by returning.
+/// Run the program; called by the page. It ends with exit() and never returns.
 EMSCRIPTEN_KEEPALIVE void ros_main(void)
 {
   auto words = rclcpp::detail::command_line();
@@ -159,8 +159,8 @@ EMSCRIPTEN_KEEPALIVE void * ros_main_pointer(void)
   return reinterpret_cast<void *>(&ros_main);
 }
 
-// Emscripten ends a program by an exception of JavaScript, which functions that are noexcept stop, and so
-// never end. A trap passes through all of them. The linker puts these in the place of Emscripten's.
+// Emscripten ends a program with a JavaScript exception, which cannot pass through noexcept functions,
+// so the program would not end. A trap can. The linker replaces Emscripten's functions with these.
 [[noreturn]] void __wrap_abort(void)
 {
   ros_fail("aborted");
@@ -175,7 +175,7 @@ EMSCRIPTEN_KEEPALIVE void * ros_main_pointer(void)
   __builtin_trap();
 }
 
-// libc's own sleeps would spin: std::this_thread::sleep_for and its elders come here instead.
+// The sleep functions of this libc would spin: sleep_for(), usleep() and others call these instead.
 int nanosleep(const struct timespec * time, struct timespec *)
 {
   rclcpp::detail::sleep(

@@ -1,4 +1,4 @@
-// What programs call of rcutils; its headers are upstream's.
+// The functions of rcutils that programs call; the headers are upstream's.
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -174,7 +174,7 @@ rcutils_ret_t rcutils_system_time_now(rcutils_time_point_value_t * now)
 
 rcutils_ret_t rcutils_steady_time_now(rcutils_time_point_value_t * now)
 {
-  return rcutils_system_time_now(now);  // it never steps back
+  return rcutils_system_time_now(now);  // never goes backwards
 }
 
 const char * rcutils_get_env(const char * name, const char ** value)

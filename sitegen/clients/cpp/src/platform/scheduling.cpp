@@ -1,5 +1,5 @@
-// What POSIX has for the priorities of threads. Threads take turns here and all count the same, so who
-// asks is answered as an ordinary user of Linux is.
+// POSIX functions for thread priorities. Threads take turns here and have equal priority, so the
+// results are those of an unprivileged user on Linux.
 #include <pthread.h>
 #include <sched.h>
 #include <time.h>
@@ -26,7 +26,7 @@ int pthread_setschedparam(pthread_t, int policy, const sched_param *)
 
 int pthread_setaffinity_np(pthread_t, size_t, const cpu_set_t *) {return EPERM;}
 
-/// The clock of a thread goes on while others have their turn.
+/// The CPU clock of a thread also counts the time of other threads.
 int pthread_getcpuclockid(pthread_t, clockid_t * clock)
 {
   *clock = CLOCK_MONOTONIC;

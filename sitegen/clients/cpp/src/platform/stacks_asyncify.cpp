@@ -1,4 +1,4 @@
-// Stacks with Asyncify: fibers. Only main() waits for the browser; the others give way to it.
+// Stacks with Asyncify: fibers. Only main() waits for the browser; other threads switch to it.
 #include "rclcpp/detail/stacks.hpp"
 
 #include <emscripten/fiber.h>
@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr std::size_t kSize = 256 * 1024;
-constexpr std::size_t kUnwound = 64 * 1024;  // where Asyncify keeps the frames of a stack that rests
+constexpr std::size_t kUnwound = 64 * 1024;  // where Asyncify saves the frames of a suspended stack
 constexpr std::size_t kAlignment = 16;
 
 struct Stack
@@ -27,15 +27,15 @@ struct Stack
   char * memory;
   void (* body)(Thread *);
   Thread * thread;
-  double until = 0;  // when its wait is over, if nothing happens before
+  double until = 0;  // when its wait times out
 };
 
 emscripten_fiber_t main_fiber;
-std::vector<Stack *> * running = nullptr;  // null until the first thread
+std::vector<Stack *> * running = nullptr;  // null before the first thread
 std::vector<Stack *> * pool = nullptr;
 Stack * current = nullptr;
 bool woken = false;
-// Set by the first thread, so that programs without threads have no fibers.
+// Set by the first thread, so that programs without threads do not link fibers.
 int (* schedule)(double milliseconds) = ros_wait;
 
 void enter(void * argument)
@@ -66,7 +66,7 @@ int wait_with_others(double milliseconds)
     Stack * const me = current;
     me->until = milliseconds < 0 ? std::numeric_limits<double>::infinity() : now + milliseconds;
     emscripten_fiber_swap(&me->fiber, &main_fiber);
-    return 0;  // signals are main()'s
+    return 0;  // main() handles signals
   }
   double until =
     milliseconds < 0 ? std::numeric_limits<double>::infinity() : now + milliseconds;

@@ -1,4 +1,4 @@
-// Stacks with JSPI: the browser sets the WebAssembly part of each aside; that in memory is ours.
+// Stacks with JSPI: the browser suspends the WebAssembly stack; we switch the stack in linear memory.
 #include "rclcpp/detail/stacks.hpp"
 
 #include <emscripten/stack.h>
@@ -20,7 +20,7 @@ namespace
 constexpr std::size_t kSize = 256 * 1024;
 constexpr std::size_t kAlignment = 16;
 
-/// A stack in memory and what is called there.
+/// A stack in linear memory and the function that runs on it.
 struct Stack
 {
   char * memory;
@@ -28,14 +28,14 @@ struct Stack
   Thread * thread;
 };
 
-// Those that are free. The last act of a thread puts its own here: nothing else runs until it is over.
+// Free stacks. A thread releases its own as its last step: nothing else runs before it has ended.
 std::vector<Stack *> & pool()
 {
   static auto * stacks = new std::vector<Stack *>;
   return *stacks;
 }
 
-// Not inlined: its frame has to lie on the new stack.
+// Not inlined: its frame must be on the new stack.
 __attribute__((noinline)) void run(Stack * stack)
 {
   current_thread = stack->thread;
@@ -66,7 +66,7 @@ int suspend(double milliseconds)
 
 void wake() {ros_wake();}
 
-void sent() {}  // the page has ended their waits
+void sent() {}  // the page has ended the waits
 
 bool launch(void (* body)(Thread *), Thread * thread)
 {
@@ -86,7 +86,7 @@ bool launch(void (* body)(Thread *), Thread * thread)
 }  // namespace detail
 }  // namespace rclcpp
 
-// Exceptions that are being handled belong to a thread. The linker puts these in the place of libc++abi's.
+// Each thread has its own exceptions in flight. The linker replaces libc++abi's functions with these.
 extern "C" {
 
 void * __wrap___cxa_get_globals(void)

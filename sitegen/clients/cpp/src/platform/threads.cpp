@@ -1,5 +1,5 @@
-// What <thread>, <mutex>, <condition_variable> and <future> stand on. This C library has one thread
-// only, so the linker puts these in the place of its pthread functions (cmake/engine.cmake).
+// The pthread functions that <thread>, <mutex>, <condition_variable> and <future> use. This C library
+// has no threads, so the linker replaces its functions with these (cmake/engine.cmake).
 #include <errno.h>
 #include <pthread.h>
 #include <sched.h>
@@ -20,7 +20,7 @@ namespace detail
 namespace
 {
 
-/// What we keep in a pthread_mutex_t; all zeros, as they are made, is one that is free.
+/// Our contents of a pthread_mutex_t; all zeros, its initial value, is an unlocked mutex.
 struct Mutex
 {
   const void * owner;
@@ -30,7 +30,7 @@ struct Mutex
 };
 static_assert(sizeof(Mutex) <= sizeof(pthread_mutex_t));
 
-/// What we keep in a pthread_cond_t.
+/// Our contents of a pthread_cond_t.
 struct Condition
 {
   unsigned signals;
@@ -43,12 +43,12 @@ Condition & as_condition(pthread_cond_t * condition)
   return *reinterpret_cast<Condition *>(condition);
 }
 
-const char kMain = 0;  // has an address, as threads have
+const char kMain = 0;  // its address identifies the main thread
 
 const void * self() {return current_thread ? static_cast<const void *>(current_thread) : &kMain;}
 
-/// A time of the system's clock on that of now(), never too early: the former counts whole
-/// milliseconds. Without one, infinity.
+/// Convert a time of the system clock to that of now(); infinity if there is none. The system clock
+/// has a resolution of a millisecond, so round up.
 double deadline(const timespec * time)
 {
   if (!time) {return std::numeric_limits<double>::infinity();}
@@ -58,7 +58,7 @@ double deadline(const timespec * time)
          static_cast<double>(time->tv_nsec - system.tv_nsec) / 1e6;
 }
 
-/// Wait for whatever happens, until `end` at most; false if that is over.
+/// Wait until anything happens or until `end`; false if that is past.
 bool wait_until(double end)
 {
   const double left = end - now();
@@ -112,7 +112,7 @@ int wait_at(Condition & condition, Mutex & mutex, const timespec * time)
 int signal(Condition & condition)
 {
   ++condition.signals;
-  wake();  // also executors that spin until the future is complete that this is for
+  wake();  // also wakes executors that spin until a future is complete
   return 0;
 }
 
@@ -258,7 +258,7 @@ int __wrap_pthread_cond_timedwait(
     rclcpp::detail::as_condition(condition), rclcpp::detail::as_mutex(mutex), end);
 }
 
-// To wake more than one is allowed: each looks again for what it waits for.
+// Spurious wake-ups are allowed: each thread checks its condition again.
 int __wrap_pthread_cond_signal(pthread_cond_t * condition)
 {
   return rclcpp::detail::signal(rclcpp::detail::as_condition(condition));

@@ -64,7 +64,7 @@ bool parse_parameter_rule(const std::string & text, Arguments & arguments)
   const auto colon = name.find(':');
   std::string node = colon == std::string::npos ? "" : name.substr(0, colon);
   if (colon != std::string::npos) {name.erase(0, colon + 1);}
-  // The last of several counts; the list is searched from its beginning.
+  // The last rule takes precedence; the list is searched from the start.
   arguments.parameters.insert(
     arguments.parameters.begin(), {std::move(node), std::move(name), text.substr(assign + 2)});
   return true;
@@ -118,7 +118,7 @@ Arguments parse_arguments(int argc, char const * const * argv)
     {
       ++i;
     } else if (is_about_outputs(word)) {
-      // Where the log goes is the page's to say.
+      // The page determines where log messages go.
     } else if (word == "--enclave" || word == "-e") {
       i += more;
     } else if (word == "--log-level" && more && parse_log_level(argv[i + 1], arguments)) {
@@ -134,7 +134,7 @@ Arguments parse_arguments(int argc, char const * const * argv)
 namespace
 {
 
-/// Whether `name` is of a form where `*` stands for one part between slashes, `**` for any number.
+/// Whether `name` matches a pattern in which `*` matches one part between slashes, `**` any number.
 bool fits(const char * form, const char * name)
 {
   while (*form == '/') {++form;}

@@ -91,7 +91,7 @@ void Context::interrupt_all_sleep_for()
 
 contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
 {
-  // Never destroyed: nodes with static lifetime still ask it while the program exits.
+  // Never destroyed: nodes with static lifetime use it while the program exits.
   static auto * context = new DefaultContext::SharedPtr(std::make_shared<DefaultContext>());
   return *context;
 }

@@ -11,7 +11,7 @@ namespace detail
 namespace
 {
 
-/// In ms.
+/// Convert to milliseconds.
 double limit(const Duration & duration)
 {
   const auto nanoseconds = duration.nanoseconds();

@@ -1,4 +1,4 @@
-// The quality of service of an endpoint: what is left to the system, and what the page takes for it.
+// The QoS of an endpoint: system defaults, and the form that the page uses.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace rclcpp
 namespace detail
 {
 
-/// `qos` with what Fast DDS has where it is left to the system: it offers much and asks for little.
+/// Replace system defaults with those of Fast DDS: strict for what is offered, lenient for requests.
 QoS settled(std::int32_t kind, QoS qos);
 
-/// What the page takes for settled `qos`.
+/// Convert QoS without system defaults to the page's form.
 ros_qos host_qos(const QoS & qos);
 
 }  // namespace detail

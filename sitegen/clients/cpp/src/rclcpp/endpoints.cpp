@@ -1,4 +1,4 @@
-// Publishers, subscriptions, services and clients, as far as their types do not matter.
+// Publishers, subscriptions, services and clients: the parts that do not depend on message types.
 #include <algorithm>
 #include <cstring>
 
@@ -20,14 +20,14 @@ namespace rclcpp
 namespace
 {
 
-// How long a publisher waits for room (ms). Fast DDS has 100, but a robot does not share its processor
-// with all the other tabs.
+// How long a publisher with history KEEP_ALL waits for its subscriptions (ms). Fast DDS waits 100, but
+// a browser shares the processor with other tabs.
 constexpr double kMaxBlocking = 1000;
 
-// ok() may let the event loop turn, and what then happens would not end the wait after it.
+// ok() may yield to the event loop, and events that arrive there would not end the following wait.
 bool is_valid() {return contexts::get_global_default_context()->is_valid();}
 
-/// Messages travel without a network.
+/// Reject a strict requirement: there is no network.
 void refuse_network_flow(rmw_unique_network_flow_endpoints_requirement_t required, const char * what)
 {
   if (required == RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
@@ -41,7 +41,7 @@ std::shared_ptr<const node_interfaces::NodeBaseInterface> living(
   const std::weak_ptr<const node_interfaces::NodeBaseInterface> & node)
 {
   const auto found = node.lock();
-  if (!found) {throw exceptions::RCLError("the node is gone");}
+  if (!found) {throw exceptions::RCLError("the node has been destroyed");}
   return found;
 }
 
@@ -53,13 +53,13 @@ namespace detail
 namespace
 {
 
-// A buffer larger than this (bytes) is not kept for smaller messages.
+// Larger buffers (bytes) are released after use.
 constexpr std::size_t kLarge = 1024 * 1024;
 
-rmw_gid_t gid_of(double name)
+rmw_gid_t rmw_gid(double number)
 {
   rmw_gid_t gid{rosidl_typesupport_sitegen_cpp::typesupport_identifier, {}};
-  std::memcpy(gid.data, &name, sizeof(name));
+  std::memcpy(gid.data, &number, sizeof(number));
   return gid;
 }
 
@@ -82,15 +82,15 @@ Endpoint::~Endpoint() {ros_destroy(id_);}
 
 std::size_t Endpoint::matched() const {return static_cast<std::size_t>(ros_matched(id_));}
 
-rmw_gid_t Endpoint::gid() const {return gid_of(ros_name(id_));}
+rmw_gid_t Endpoint::gid() const {return rmw_gid(ros_gid(id_));}
 
 bool Receiver::execute_one()
 {
   SerializedMessage bytes;
   rmw_message_info_t info;
-  double writer;
-  if (!take_bytes(bytes, info, writer)) {return false;}
-  handle(bytes, info, writer);
+  double writer_gid;
+  if (!take_bytes(bytes, info, writer_gid)) {return false;}
+  handle(bytes, info, writer_gid);
   return true;
 }
 
@@ -100,7 +100,7 @@ bool Receiver::is_ready() const
   return ros_next(id(), &from) >= 0;
 }
 
-bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer)
+bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer_gid)
 {
   ros_message_info from;
   const std::int32_t size = ros_next(id(), &from);
@@ -111,8 +111,8 @@ bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, 
   info.received_timestamp = detail::nanoseconds(from.received_timestamp);
   info.publication_sequence_number = from.sequence;
   info.reception_sequence_number = ++received_;
-  info.publisher_gid = gid_of(from.writer);
-  writer = from.writer;
+  info.publisher_gid = rmw_gid(from.writer_gid);
+  writer_gid = from.writer_gid;
   return true;
 }
 
@@ -123,7 +123,7 @@ bool Receiver::decode(
   const bool fits = deserialize(type, message, raw.buffer, raw.buffer_length);
   if (!fits) {
     RCLCPP_ERROR(
-      get_logger("rclcpp"), "a message of %zu bytes on '%s' is not a %s: it was dropped",
+      get_logger("rclcpp"), "dropped %zu bytes on '%s': not a valid %s",
       raw.buffer_length, name().c_str(), type.name);
   }
   return fits;
@@ -131,7 +131,7 @@ bool Receiver::decode(
 
 Bytes encode(const MessageMembers & type, const void * message)
 {
-  // One buffer for all: the host copies at once.
+  // A shared buffer: the host copies it immediately.
   static std::vector<std::uint8_t> buffer;
   const std::size_t size = serialized_size(type, message);
   if (buffer.size() < size) {
@@ -160,19 +160,20 @@ PublisherBase::PublisherBase(
       endpoint_.id(), options.event_callbacks, options.use_default_callbacks,
       detail::logger_name(node.get_fully_qualified_name()), endpoint_.name())),
   intra_process_(options.use_intra_process_comm),
-  lends_(intra_process_ == IntraProcessSetting::Enable)
+  shares_(intra_process_ == IntraProcessSetting::Enable)
 {
   refuse_network_flow(options.require_unique_network_flow_endpoints, "publisher");
 }
 
-void PublisherBase::lend(std::shared_ptr<detail::Lent> message)
+void PublisherBase::share(std::shared_ptr<detail::intra_process::Message> message)
 {
-  const double name = ros_name(endpoint_.id());
-  if (!lender_) {
-    lender_ = std::shared_ptr<void>(nullptr, [name](void *) {detail::forget_lent(name);});
+  const double gid = ros_gid(endpoint_.id());
+  if (!shared_) {
+    shared_ = std::shared_ptr<void>(nullptr, [gid](void *) {detail::intra_process::forget(gid);});
   }
   const std::size_t depth = std::max<std::size_t>(endpoint_.qos().depth(), 1);
-  detail::lend(name, sent_, std::move(message), detail::borrowers(endpoint_.name()), depth);
+  const auto subscriptions = detail::intra_process::subscriptions(endpoint_.name());
+  detail::intra_process::put(gid, sent_, std::move(message), subscriptions, depth);
 }
 
 bool PublisherBase::assert_liveliness() const
@@ -200,15 +201,15 @@ void PublisherBase::send(const std::uint8_t * data, std::uint32_t size)
     ++sent_;
     return;
   }
-  // While it waits another thread may publish, too, and the buffer is one for all.
+  // Copy the message: another thread may use the shared buffer during the wait.
   const std::vector<std::uint8_t> kept(data, data + size);
   const double end = detail::now() + kMaxBlocking;
   do {
     const double left = end - detail::now();
     if (left <= 0) {
       throw exceptions::RCLError(
-              std::string("failed to publish message: the subscriptions of '") +
-              get_topic_name() + "' have no room for more");
+              std::string("failed to publish message: the queues of the subscriptions to '") +
+              get_topic_name() + "' are full");
     }
     detail::wait(left);
   } while (!ros_publish(endpoint_.id(), kept.data(), size));
@@ -237,18 +238,18 @@ SubscriptionBase::SubscriptionBase(
   intra_process_(options.use_intra_process_comm)
 {
   refuse_network_flow(options.require_unique_network_flow_endpoints, "subscription");
-  borrow(intra_process_ == IntraProcessSetting::Enable);
+  share(intra_process_ == IntraProcessSetting::Enable);
   if (!options.content_filter_options.filter_expression.empty()) {
     filter(options.content_filter_options, "could not create subscription");
   }
 }
 
-SubscriptionBase::~SubscriptionBase() {borrow(false);}
+SubscriptionBase::~SubscriptionBase() {share(false);}
 
-void SubscriptionBase::borrow(bool borrows)
+void SubscriptionBase::share(bool shares)
 {
-  if (borrows != borrows_) {detail::borrow(name(), borrows);}
-  borrows_ = borrows;
+  if (shares != shares_) {detail::intra_process::subscribe(name(), shares);}
+  shares_ = shares;
 }
 
 void SubscriptionBase::set_content_filter(
@@ -300,10 +301,10 @@ std::shared_ptr<const node_interfaces::NodeBaseInterface> ServiceBase::node() co
 }
 
 std::shared_ptr<rmw_request_id_t> ServiceBase::request_id(
-  const rmw_message_info_t & info, double writer)
+  const rmw_message_info_t & info, double writer_gid)
 {
   auto id = std::make_shared<rmw_request_id_t>();
-  std::memcpy(id->writer_guid, &writer, sizeof(writer));
+  std::memcpy(id->writer_guid, &writer_gid, sizeof(writer_gid));
   id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
   return id;
 }
@@ -311,12 +312,12 @@ std::shared_ptr<rmw_request_id_t> ServiceBase::request_id(
 void ServiceBase::respond(
   const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response)
 {
-  double writer;
-  std::memcpy(&writer, to.writer_guid, sizeof(writer));
+  double client_gid;
+  std::memcpy(&client_gid, to.writer_guid, sizeof(client_gid));
   const auto bytes = detail::encode(type, response);
   const auto sequence = static_cast<std::uint32_t>(to.sequence_number);
   detail::sent();
-  ros_respond(id(), writer, sequence, bytes.data, bytes.size);
+  ros_respond(id(), client_gid, sequence, bytes.data, bytes.size);
 }
 
 ClientBase::ClientBase(

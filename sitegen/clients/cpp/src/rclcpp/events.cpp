@@ -11,7 +11,7 @@ namespace detail
 namespace
 {
 
-// The same for both sides, though each has its own name for it.
+// The same values for both sides, under different names.
 rmw_offered_deadline_missed_status_t deadline(const ros_event & event)
 {
   return {event.total, event.total_change};
@@ -146,7 +146,7 @@ bool Events::look()
 
 void Events::execute(const std::shared_ptr<void> &)
 {
-  // Some may be noted while others are called back for.
+  // Further events may be recorded during the callbacks.
   for (const auto & call : std::exchange(noted_, {})) {call();}
 }
 

@@ -1,5 +1,5 @@
-// Services and clients of types that are known by their names. By itself, so that programs without them
-// keep no list of their types.
+// Services and clients whose types are known by name. In a file of its own, so that programs without
+// them do not link a list of types.
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -82,11 +82,11 @@ void GenericClient::handle(const SerializedMessage & bytes, rmw_message_info_t &
 }
 
 void GenericService::handle(
-  const SerializedMessage & bytes, rmw_message_info_t & info, double writer)
+  const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid)
 {
   auto request = create_request();
   if (!decode(*type_.request, bytes, request.get())) {return;}
-  callback_(*this, request_id(info, writer), std::move(request));
+  callback_(*this, request_id(info, writer_gid), std::move(request));
 }
 
 }  // namespace rclcpp

@@ -1,4 +1,4 @@
-// Questions about the whole graph.
+// Graph queries.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -19,7 +19,7 @@ namespace
 
 using NamesAndTypes = NodeGraphInterface::NamesAndTypes;
 
-/// A node, or an endpoint of one.
+/// A node or one of its endpoints.
 struct Entry
 {
   ros_entry is;
@@ -28,7 +28,7 @@ struct Entry
   std::string type;
 };
 
-/// What is in the graph now, of these kinds.
+/// The entries of the graph of these kinds.
 std::vector<Entry> look(std::initializer_list<std::int32_t> kinds)
 {
   std::int32_t size;
@@ -52,7 +52,7 @@ std::vector<Entry> look(std::initializer_list<std::int32_t> kinds)
   return found;
 }
 
-/// Name and namespace of a node.
+/// The name and namespace of a node.
 std::pair<std::string, std::string> split(const std::string & node)
 {
   const auto slash = node.rfind('/');
@@ -66,7 +66,7 @@ void add(NamesAndTypes & found, const std::string & name, const std::string & ty
   if (place == types.end() || *place != type) {types.insert(place, type);}
 }
 
-/// Note the name and type by which DDS carries an endpoint, or a part of it.
+/// Add the DDS topic name and type of an endpoint, or of a part of it.
 void add_dds(
   NamesAndTypes & found, const Entry & entry, const char * prefix, const char * suffix,
   const char * part)
@@ -96,7 +96,7 @@ NamesAndTypes names_and_types(const std::vector<Entry> & entries, bool no_demang
   return found;
 }
 
-/// The endpoints of one kind that a node has; throws RCLError, which says `what` cannot be told.
+/// The endpoints of one kind of a node; throws RCLError if there is no such node.
 std::vector<Entry> of_node(
   std::int32_t kind, const char * what, const std::string & name, const std::string & name_space)
 {
@@ -138,9 +138,9 @@ TopicEndpointInfo info(const Entry & entry)
     LivelinessPolicy::ManualByTopic : LivelinessPolicy::Automatic)
   .deadline(duration(from.deadline)).lifespan(duration(from.lifespan))
   .liveliness_lease_duration(duration(from.lease));
-  // As messages carry the gid of their publisher.
+  // In the same form as a message's publisher_gid.
   TopicEndpointInfo::Gid gid{};
-  std::memcpy(gid.data(), &entry.is.name, sizeof(entry.is.name));
+  std::memcpy(gid.data(), &entry.is.gid, sizeof(entry.is.gid));
   const auto kind =
     entry.is.kind == ROS_PUBLISHER ? EndpointType::Publisher : EndpointType::Subscription;
   return TopicEndpointInfo(name, name_space, entry.type, kind, gid, qos);

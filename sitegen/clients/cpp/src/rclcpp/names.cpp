@@ -29,7 +29,7 @@ namespace
 {
 
 constexpr std::size_t kLongestNode = 255;
-// Middlewares add up to eight letters of their own.
+// Middlewares add a prefix or suffix of up to eight characters.
 constexpr std::size_t kLongestTopic = 255 - 8;
 
 struct Fault
@@ -41,7 +41,7 @@ struct Fault
 bool is_word(char c) {return std::isalnum(static_cast<unsigned char>(c)) || c == '_';}
 bool is_digit(char c) {return std::isdigit(static_cast<unsigned char>(c));}
 
-/// The first character of `name` that `allowed` refuses, from `begin` on.
+/// The position of the first character from `begin` on that `allowed` rejects.
 template<class AllowedT>
 std::size_t find_not(const std::string & name, AllowedT allowed, std::size_t begin = 0)
 {
@@ -93,7 +93,7 @@ Fault fault_of_namespace(const std::string & name)
   return {};
 }
 
-/// Of a name before it is expanded.
+/// The fault of a name before expansion.
 Fault fault_of_topic_name(const std::string & name)
 {
   if (name.empty()) {return {"topic name must not be empty string", 0};}
@@ -158,7 +158,7 @@ std::string join(const std::string & name_space, const std::string & name)
   return (name_space == "/" ? name_space : name_space + "/") + name;
 }
 
-/// Fill in what stands in braces.
+/// Replace substitutions in braces.
 std::string substitute(
   const std::string & node, const std::string & name_space, const std::string & name)
 {

@@ -10,7 +10,7 @@ namespace rclcpp
 namespace
 {
 
-/// What counts for a node: its own arguments first, then those of the program.
+/// The arguments that apply to a node: its own first, then those of the program.
 detail::Arguments arguments_of(const NodeOptions & options)
 {
   std::vector<const char *> words;

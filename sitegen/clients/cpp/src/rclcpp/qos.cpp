@@ -16,13 +16,13 @@ auto as_tuple(const rmw_qos_profile_t & p)
     p.liveliness_lease_duration.nsec, p.avoid_ros_namespace_conventions);
 }
 
-/// A time that is not given is none, which is the longest.
+/// An unspecified duration is infinite.
 std::int64_t limit(const Duration & duration)
 {
   return duration.nanoseconds() == 0 ? Duration::max().nanoseconds() : duration.nanoseconds();
 }
 
-/// What is left to the system by one side or both, so that nobody can tell whether it fits.
+/// Policies that one side leaves to the system, so that compatibility is unknown.
 std::string warnings(const rmw_qos_profile_t & offered, const rmw_qos_profile_t & requested)
 {
   std::string found;

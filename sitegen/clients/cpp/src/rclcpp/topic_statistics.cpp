@@ -1,4 +1,4 @@
-// Statistics about the messages of a subscription: how old they were and how far apart they came.
+// Topic statistics of a subscription: the age and the period of messages.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace
 using Metrics = statistics_msgs::msg::MetricsMessage;
 using Type = statistics_msgs::msg::StatisticDataType;
 
-/// Moments of a series, without its values (Welford's method).
+/// Mean and variance of a series without storing it (Welford's method).
 class Series
 {
 public:

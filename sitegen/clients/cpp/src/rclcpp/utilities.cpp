@@ -69,7 +69,7 @@ bool uninstall_signal_handlers()
 bool ok(Context::SharedPtr context)
 {
   const auto & asked = context_or_default(context);
-  // A loop that only asks this would never hear of Stop.
+  // A loop that only polls ok() must notice Stop.
   if (asked.is_valid()) {detail::breathe();}
   return asked.is_valid();
 }

@@ -45,7 +45,7 @@ void Cdr::align(std::size_t size)
 void Cdr::too_long(std::size_t size, std::size_t bound)
 {
   throw std::length_error(
-    "a text of " + std::to_string(size) + " where its type allows " + std::to_string(bound));
+    "the length of a string is " + std::to_string(size) + "; the maximum is " + std::to_string(bound));
 }
 
 bool Cdr::room(std::size_t size)
@@ -85,7 +85,7 @@ void Cdr::operator()(bool & value)
   value = byte != 0;
 }
 
-// Native ROS 2 writes a wide character as a wchar_t of Linux.
+// Native ROS 2 writes wide characters as wchar_t on Linux, four bytes.
 void Cdr::wide(char16_t & value)
 {
   std::uint32_t wide = value;
@@ -100,7 +100,7 @@ void Cdr::operator()(std::string & value)
     bytes(const_cast<char *>(value.c_str()), size);
   } else if (room(size)) {
     const char * text = reinterpret_cast<const char *>(in_ + position_);
-    // The zero at its end counts, though native ROS 2 does without one.
+    // The length includes the terminating zero, which native ROS 2 does not require.
     value.assign(text, size && text[size - 1] == '\0' ? size - 1 : size);
     position_ += size;
   }

@@ -45,7 +45,7 @@ bool Clock::sleep_until(Time until, Context::SharedPtr context)
   const bool active = static_cast<bool>(source_);
   do {
     const double left = static_cast<double>((until - now()).nanoseconds()) / 1e6;
-    // ROS time goes on when a message comes, which ends all waits.
+    // ROS time advances by messages, which end all waits.
     detail::wait(active ? -1 : std::max(0.0, left));
   } while (context->is_valid() && active == static_cast<bool>(source_) && now() < until);
   return context->is_valid() && active == static_cast<bool>(source_);

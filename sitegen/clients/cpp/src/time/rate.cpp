@@ -31,15 +31,15 @@ Rate::Rate(const Duration & period, Clock::SharedPtr clock)
 bool Rate::sleep()
 {
   const Time now = clock_->now();
-  if (now < last_) {last_ = now;}  // the clock went back
+  if (now < last_) {last_ = now;}  // the clock went backwards
   const Time next = last_ + period_;
   if (next <= now) {
-    // Late by more than a period: start anew instead of hurrying after.
+    // Late by more than a period: restart instead of catching up.
     last_ = now > next + period_ ? now : next;
     return false;
   }
   last_ = next;
-  // Stop may have come since the loop asked whether to go on: that is no mistake of the program.
+  // Stop may have arrived after the loop called ok(): not an error.
   return contexts::get_global_default_context()->is_valid() && clock_->sleep_for(next - now);
 }
 

@@ -15,7 +15,7 @@ TimerBase::TimerBase(
   callback_(std::move(callback))
 {
   if (period_ < 0) {throw std::invalid_argument("timer period cannot be negative");}
-  detail::wake();  // an executor in another thread has to count with it
+  detail::wake();  // an executor in another thread may be waiting without this timer
 }
 
 void TimerBase::reset()

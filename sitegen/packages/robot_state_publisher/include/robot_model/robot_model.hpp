@@ -1,4 +1,4 @@
-// What of a robot description is about motion: links, and the joints between them.
+// The kinematics of a robot description: links and the joints between them.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 namespace robot_model
 {
 
-/// One joint does what another does: its position is that one's, times `multiplier`, plus `offset`.
+/// A joint that follows another: its position is that of the other, times `multiplier`, plus `offset`.
 struct Mimic
 {
   std::string joint;
@@ -32,9 +32,9 @@ struct Joint
   double upper;
   std::optional<Mimic> mimic;
 
-  /// Whether it has a position.
+  /// Whether the joint can move.
   bool moves() const;
-  /// Where the child is in the parent, at a position in radians or meters.
+  /// The transform from child to parent at a position in radians or metres.
   tf2::Transform pose(double position) const;
 };
 
@@ -44,10 +44,10 @@ struct Model
   std::string root;
   bool root_has_inertia;
   std::map<std::string, Joint> joints;
-  std::vector<std::string> order;  // of the joints, as they are written
+  std::vector<std::string> order;  // of the joints, as in the document
 };
 
-/// Read a robot description. Throws std::runtime_error with what is wrong with it.
+/// Parse a robot description. Throws std::runtime_error if it is invalid.
 Model parse_urdf(const std::string & text);
 
 }  // namespace robot_model

@@ -14,13 +14,13 @@ struct Element
   std::map<std::string, std::string> attributes;
   std::vector<Element> children;
 
-  /// The first child of that name, or null.
+  /// The first child with this name, or null.
   const Element * child(const std::string & wanted) const;
-  /// The attribute, or `fallback` where there is none.
+  /// The attribute, or `fallback` if there is none.
   std::string attribute(const std::string & wanted, const std::string & fallback = "") const;
 };
 
-/// The root of a document. Throws std::runtime_error with the line of what is wrong.
+/// Parse a document and return its root. Throws std::runtime_error with a line number.
 Element parse_xml(const std::string & text);
 
 }  // namespace robot_model

@@ -57,12 +57,12 @@ public:
   bool is_ready() const;
   /// Remove the oldest message and return it in `bytes`, with what is known of it and the endpoint
   /// that sent it; false if none waits.
-  bool take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer);
+  bool take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer_gid);
 
 protected:
-  /// `writer` is the endpoint that sent the message.
+  /// Handle a message; `writer_gid` identifies its sender.
   virtual void handle(
-    const SerializedMessage & bytes, rmw_message_info_t & info, double writer) = 0;
+    const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) = 0;
 
   /// Read `bytes` into `message`; when they are of another type, log an error and return false.
   bool decode(

@@ -1,4 +1,4 @@
-// Says hello on /chatter twice a second.
+// Publishes a greeting on /chatter twice a second.
 #include <chrono>
 #include <memory>
 #include <string>

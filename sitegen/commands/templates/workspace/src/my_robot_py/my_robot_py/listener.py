@@ -1,4 +1,4 @@
-"""Prints what it hears on /chatter."""
+"""Logs the messages on /chatter."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -7,7 +7,7 @@ from std_msgs.msg import String
 
 
 class Listener(Node):
-    """Hears what the talker says."""
+    """Subscribes to the talker's topic."""
 
     def __init__(self):
         super().__init__("listener")

@@ -1,4 +1,4 @@
-#include "rclcpp/detail/lent.hpp"
+#include "rclcpp/detail/intra_process.hpp"
 
 #include <deque>
 #include <map>
@@ -7,6 +7,8 @@ namespace rclcpp
 {
 namespace detail
 {
+namespace intra_process
+{
 
 namespace
 {
@@ -14,7 +16,7 @@ namespace
 struct Entry
 {
   std::uint64_t sequence;
-  std::shared_ptr<Lent> message;
+  std::shared_ptr<Message> message;
 };
 
 std::map<std::string, std::size_t> & topics()
@@ -23,7 +25,7 @@ std::map<std::string, std::size_t> & topics()
   return all;
 }
 
-/// By the endpoint that published them.
+/// Messages by the gid of their publisher.
 std::map<double, std::deque<Entry>> & entries()
 {
   static std::map<double, std::deque<Entry>> all;
@@ -32,37 +34,37 @@ std::map<double, std::deque<Entry>> & entries()
 
 }  // namespace
 
-void borrow(const std::string & topic, bool begins)
+void subscribe(const std::string & topic, bool adds)
 {
-  if (begins) {
+  if (adds) {
     ++topics()[topic];
   } else if (--topics()[topic] == 0) {
     topics().erase(topic);
   }
 }
 
-std::size_t borrowers(const std::string & topic)
+std::size_t subscriptions(const std::string & topic)
 {
   const auto found = topics().find(topic);
   return found == topics().end() ? 0 : found->second;
 }
 
-void lend(
-  double writer, std::uint64_t sequence, std::shared_ptr<Lent> message, std::size_t borrowers,
+void put(
+  double gid, std::uint64_t sequence, std::shared_ptr<Message> message, std::size_t subscriptions,
   std::size_t depth)
 {
-  message->left = borrowers;
-  auto & own = entries()[writer];
+  message->left = subscriptions;
+  auto & own = entries()[gid];
   own.push_back({sequence, std::move(message)});
-  // What a subscription lost it never takes.
+  // Subscriptions that lost a message never take it.
   while (own.size() > depth) {own.pop_front();}
 }
 
-void forget_lent(double writer) {entries().erase(writer);}
+void forget(double gid) {entries().erase(gid);}
 
-std::shared_ptr<Lent> lent(double writer, std::uint64_t sequence)
+std::shared_ptr<Message> take(double gid, std::uint64_t sequence)
 {
-  const auto own = entries().find(writer);
+  const auto own = entries().find(gid);
   if (own == entries().end()) {return nullptr;}
   auto & all = own->second;
   for (auto one = all.begin(); one != all.end(); ++one) {
@@ -74,5 +76,6 @@ std::shared_ptr<Lent> lent(double writer, std::uint64_t sequence)
   return nullptr;
 }
 
+}  // namespace intra_process
 }  // namespace detail
 }  // namespace rclcpp
