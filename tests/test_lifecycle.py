@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,9 +10,10 @@ from pathlib import Path
 import pytest
 from browser import FLAGS, WHOLE_CHROMIUM, Built, Serve
 from panel import Panel, expect_nothing_left, numbers
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
-DEMOS = Path(__file__).parent.parent / "demos"
+ROOT = Path(__file__).parent.parent
+DEMOS = ROOT / "demos"
 RELOADS = 20
 
 
@@ -77,3 +79,28 @@ def test_a_page_is_reloaded_while_its_nodes_start(tab: Page, serve: Serve, built
     talker.stop()
     listener.stop()
     expect_nothing_left(tab)
+
+
+def test_widgets_end_with_their_page(tab: Page, serve: Serve, tmp_path: Path) -> None:
+    """A page in the back/forward cache keeps its widgets: it may be shown again."""
+    (tmp_path / "runtime").symlink_to(ROOT / "sitegen/runtime")
+    widgets = [
+        {"kind": "log", "element": name, "target": "", "options": {}} for name in ("one", "two")
+    ]
+    (tmp_path / "page.json").write_text(json.dumps({"nodes": {}, "widgets": widgets, "types": {}}))
+    (tmp_path / "index.html").write_text(
+        '<!doctype html><link rel="icon" href="data:,"><link id="ros-page" href="page.json">'
+        '<div id="one"></div><div id="two"></div>'
+        '<script type="module" src="runtime/rosMain.js"></script>'
+    )
+    tab.goto(serve(tmp_path))
+    one, two = tab.locator("#one > *"), tab.locator("#two > *")
+    hide = "(persisted) => dispatchEvent(new PageTransitionEvent('pagehide', { persisted }))"
+    expect(two).to_have_count(3)
+    tab.evaluate(hide, True)
+    expect(one).to_have_count(3)
+    tab.evaluate("async () => (await import('./runtime/rosMain.js')).ros.unmount('one')")
+    expect(one).to_have_count(0)
+    expect(two).to_have_count(3)
+    tab.evaluate(hide, False)
+    expect(two).to_have_count(0)
