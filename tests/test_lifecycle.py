@@ -104,3 +104,38 @@ def test_widgets_end_with_their_page(tab: Page, serve: Serve, tmp_path: Path) ->
     expect(two).to_have_count(3)
     tab.evaluate(hide, False)
     expect(two).to_have_count(0)
+
+
+@pytest.mark.chromium
+def test_a_line_has_one_time(tab: Page, serve: Serve, built: Built) -> None:
+    """The console and /rosout agree on when a line was logged, in Python and in C++."""
+    tab.goto(serve(built(DEMOS / "demo06")))
+    printed, logged = tab.evaluate(
+        r"""async () => {
+          const { ros } = await import(document.querySelector('script[src$="rosMain.js"]').src);
+          const printed = [], logged = [];
+          for (const node of ros.nodes.values()) {
+            node.addEventListener("lines", ({ detail }) => {
+              for (const { text } of detail) {
+                const [, at] = /^\[INFO\] \[([\d.]+)\]/.exec(text) ?? [];
+                if (at) printed.push(at);
+              }
+            });
+          }
+          const qos = { depth: 1000, reliable: true, transientLocal: true };
+          const seen = new Set();
+          ros.subscribe("/rosout", "rcl_interfaces/msg/Log", ({ stamp, name }) => {
+            seen.add(name);
+            logged.push(`${stamp.sec}.${String(stamp.nanosec).padStart(9, "0")}`);
+          }, qos);
+          for (const node of ros.nodes.values()) node.start();
+          const end = Date.now() + 60_000;
+          const agreed = () => logged.slice(0, 6).every((at) => printed.includes(at));
+          while ((seen.size < 2 || logged.length < 6 || !agreed()) && Date.now() < end) {
+            await new Promise((done) => setTimeout(done, 50));
+          }
+          return [printed, logged];
+        }"""
+    )
+    assert len(logged) >= 6
+    assert set(logged[:6]) <= set(printed)

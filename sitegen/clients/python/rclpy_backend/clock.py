@@ -20,7 +20,11 @@ MILLISECOND = 1_000_000
 
 def system_time() -> int:
     """Return nanoseconds since 1970, by the clock that stamps the messages of the page."""
-    milliseconds: float = ros_host.now()
+    return nanoseconds(ros_host.now())
+
+
+def nanoseconds(milliseconds: float) -> int:
+    """Return a time of the page, which has milliseconds, in nanoseconds."""
     whole = int(milliseconds)
     # The product as one float would be a quarter of a microsecond off.
     return whole * MILLISECOND + round((milliseconds - whole) * MILLISECOND)
