@@ -5,9 +5,10 @@
 import { Graph } from "./page/graph.js";
 import { isolate } from "./page/isolation.js";
 import { NodeProcess } from "./page/nodeProcess.js";
-import { place } from "./place.js";
 import { Sharing } from "./page/sharing.js";
+import { Widgets } from "./page/widgets.js";
 import { WorkerGroups } from "./page/workerGroup.js";
+import { place } from "./place.js";
 
 /** @import { PageEntry } from "./protocol.js" */
 
@@ -31,6 +32,7 @@ const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
 const groups = new WorkerGroups();
+const widgets = new Widgets();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
@@ -53,14 +55,10 @@ export const ros = {
   call: client?.call.bind(client),
   keep: sharing.keep.bind(sharing),
   link: () => sharing.fragment(nodes.values()),
+  unmount: widgets.unmount.bind(widgets),
 };
 
-await Promise.all(
-  page.widgets.map(async ({ kind, element, target, options }) => {
-    const { mount } = await import(place(`widgets/${kind}.js`));
-    mount(document.getElementById(element), ros, { node: target, ...options });
-  }),
-);
+await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
 
 showTime();
 sharing.tell();

@@ -1,6 +1,7 @@
 // @ts-check
 // Show the messages of a topic as YAML, the newest at the end, as `ros2 topic echo` does.
 
+import { isHidden, PAGE_NODE } from "../graphNames.js";
 import { button, create, setText } from "../ui/elements.js";
 import { toYaml } from "./yaml.js";
 import { say } from "../ui/words.js";
@@ -138,7 +139,7 @@ function describe(ros, topic) {
   const found = ros.graph.topics().find(({ name }) => name === topic);
   const type = found?.types.find((one) => ros.types[one]) ?? found?.types[0] ?? "";
   // What only a tool listens to, this panel for one, is no part of the robot.
-  const subscriptions = found?.subscriptions.filter((node) => !node.includes("/_")) ?? [];
+  const subscriptions = found?.subscriptions.filter((node) => !isHidden(node)) ?? [];
   return { type, publishers: found?.publishers ?? [], subscriptions };
 }
 
@@ -152,6 +153,6 @@ function qosFor(ros, topic) {
 
 /** @param {string[]} nodes @param {string} none */
 function list(nodes, none) {
-  const names = nodes.map((node) => (node.startsWith("/_page") ? say("this page") : node));
+  const names = nodes.map((node) => (node === PAGE_NODE ? say("this page") : node));
   return nodes.length ? [...new Set(names)].join(", ") : none;
 }

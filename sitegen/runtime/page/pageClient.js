@@ -1,6 +1,7 @@
 // @ts-check
 // The page's own part in the graph: topics and services as JavaScript functions and objects.
 
+import { PAGE_NODE } from "../graphNames.js";
 import { Codec } from "../messages/codec.js";
 import { Participant } from "../participant/participant.js";
 import { DEFAULT_QOS } from "../protocol.js";
@@ -10,7 +11,6 @@ import { say } from "../ui/words.js";
 /** @import { MessageInfo, MessageType, Publisher, Qos } from "../protocol.js" */
 
 // Hidden, as the tools of ROS hide the nodes that they look with.
-const NODE = "/_page";
 // A panel that is slower than what it shows has seen enough.
 const BEST_EFFORT = { ...DEFAULT_QOS, reliable: false };
 
@@ -57,7 +57,7 @@ export class PageClient {
 
   /** @param {string} topic @param {string} type @param {Partial<Qos>} [qos] @returns {Publisher} */
   advertise(topic, type, qos) {
-    const id = this.#participant.create("publisher", NODE, topic, type, { ...DEFAULT_QOS, ...qos });
+    const id = this.#participant.create("publisher", PAGE_NODE, topic, type, { ...DEFAULT_QOS, ...qos });
     return {
       publish: (message) => {
         const sent = this.#participant.publish(id, this.#codec.write(type, message));
@@ -106,7 +106,7 @@ export class PageClient {
    * @param {(sample: import("../participant/queue.js").Received) => void} handler
    */
   #receive(kind, name, type, qos, handler) {
-    const id = this.#participant.create(kind, NODE, name, type, qos);
+    const id = this.#participant.create(kind, PAGE_NODE, name, type, qos);
     this.#handlers.set(id, handler);
     this.#pump();
     return {

@@ -1,6 +1,7 @@
 // @ts-check
 // The nodes and topics of the page as a drawing, in the manner of rqt_graph.
 
+import { isHidden, isShown } from "../graphNames.js";
 import { shape, createDrawing } from "../ui/drawing.js";
 import { create, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
@@ -9,7 +10,6 @@ import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
-const MACHINERY = ["/rosout", "/parameter_events"];
 // Of the names' letters, which all have one width, and of what is around them; in pixels.
 const LETTER = 8.5;
 const PADDING = 28;
@@ -76,7 +76,7 @@ function keyOf({ name, isNode }) {
 
 /** @param {Ros} ros @param {boolean} hidden @returns {{boxes: Box[], arrows: Arrow[]}} */
 function partsOf(ros, hidden) {
-  const isShown = (/** @type {string} */ name) => hidden || !name.includes("/_");
+  const listed = (/** @type {string} */ name) => hidden || !isHidden(name);
   /** @type {Map<string, Box>} */
   const boxes = new Map();
   /** @type {Map<string, Arrow>} */
@@ -85,10 +85,10 @@ function partsOf(ros, hidden) {
     boxes.set(keyOf(box), box);
     return keyOf(box);
   };
-  for (const name of ros.graph.nodes().filter(isShown)) add({ name, isNode: true });
+  for (const name of ros.graph.nodes().filter(listed)) add({ name, isNode: true });
   for (const { name, publishers, subscriptions } of ros.graph.topics()) {
-    const [from, to] = [publishers.filter(isShown), subscriptions.filter(isShown)];
-    if (!isShown(name) || (!hidden && MACHINERY.includes(name)) || from.length + to.length === 0) continue;
+    const [from, to] = [publishers.filter(listed), subscriptions.filter(listed)];
+    if (!(hidden || isShown(name)) || from.length + to.length === 0) continue;
     const topic = add({ name, isNode: false });
     const arrow = (/** @type {Arrow} */ one) => arrows.set(`${one.from} > ${one.to}`, one);
     for (const node of from) arrow({ from: add({ name: node, isNode: true }), to: topic });

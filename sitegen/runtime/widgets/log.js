@@ -1,13 +1,13 @@
 // @ts-check
 // What all nodes log, from /rosout, by severity, node and text.
 
+import { ROSOUT } from "../graphNames.js";
 import { button, create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
-const TOPIC = "/rosout";
 const TYPE = "rcl_interfaces/msg/Log";
 /** Nodes keep what they logged lately for those who come late, and so does this panel. */
 const QOS = { depth: 1000, reliable: true, transientLocal: true };
@@ -122,7 +122,7 @@ export function mount(element, ros, { lines: limit = 1000 }) {
 
   const unlook = whileSeen(element, () => {
     draw();
-    const unsubscribe = ros.types[TYPE] ? ros.subscribe(TOPIC, TYPE, receive, QOS) : () => {};
+    const unsubscribe = ros.types[TYPE] ? ros.subscribe(ROSOUT, TYPE, receive, QOS) : () => {};
     return () => {
       unsubscribe();
       cancelAnimationFrame(frame);

@@ -1,6 +1,7 @@
 // @ts-check
 // What runs in the page: each program, and what its nodes have to do with the others.
 
+import { isShown } from "../graphNames.js";
 import { arrange, create, setText, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say, states } from "../ui/words.js";
@@ -16,11 +17,6 @@ const RELATIONS = [
   ["service", say("serves")],
   ["client", say("calls")],
 ];
-// What every node has for its own log and parameters.
-const MACHINERY = new RegExp(
-  "^/rosout$|^/parameter_events$|/_|/(describe_parameters|get_parameter_types|get_parameters" +
-    "|list_parameters|set_parameters|set_parameters_atomically|get_type_description)$",
-);
 
 /** @typedef {{element: HTMLElement, show(hidden: boolean): void, tell(): void}} Entry */
 
@@ -93,7 +89,7 @@ function createEntry(ros, node) {
       arrange(nodes, names.map((name) => {
         const relations = RELATIONS.flatMap(([kind, verb]) => {
           const found = endpoints.filter((one) => one.node === name && one.kind === kind);
-          const shown = new Set(found.map((one) => one.name).filter((one) => hidden || !MACHINERY.test(one)));
+          const shown = new Set(found.map((one) => one.name).filter((one) => hidden || isShown(one)));
           return shown.size ? [{ verb, names: [...shown].sort() }] : [];
         });
         return describe(nodes, name, relations);

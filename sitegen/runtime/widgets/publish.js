@@ -1,6 +1,7 @@
 // @ts-check
 // Publish on a topic what is typed into a form, once or again and again.
 
+import { isShown } from "../graphNames.js";
 import { button, create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { createForm } from "../messages/form.js";
@@ -11,7 +12,6 @@ import { say } from "../ui/words.js";
 // Messages a second.
 const SLOWEST = 0.1;
 const FASTEST = 100;
-const MACHINERY = ["/rosout", "/parameter_events"];
 
 /**
  * Publish on `topic`, or on one that the visitor chooses; `type` is needed where no node uses it yet.
@@ -191,7 +191,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
  */
 function offer(choice, ros, chosen) {
   const names = ros.graph.topics()
-    .filter(({ name, types }) => !name.includes("/_") && !MACHINERY.includes(name) && types.some((t) => ros.types[t]))
+    .filter(({ name, types }) => isShown(name) && types.some((t) => ros.types[t]))
     .map(({ name }) => name);
   if (chosen && !names.includes(chosen)) names.push(chosen);
   if (names.join() !== [...choice.options].map(({ value }) => value).join()) {

@@ -1,6 +1,7 @@
 // @ts-check
 // The services of the page, and a form to call one.
 
+import { isShown } from "../graphNames.js";
 import { arrange, button, create, setText, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { createForm } from "../messages/form.js";
@@ -13,11 +14,6 @@ const NONE = say("No services now. They come when nodes that serve start.");
 const ALL_HIDDEN = say("Only hidden services now.");
 // After this time (ms) a call is given up.
 const TIMEOUT = 5000;
-// Every node has these beside its own, for its parameters.
-const MACHINERY = new RegExp(
-  "/(describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters" +
-    "|set_parameters_atomically|get_type_description)$",
-);
 
 /**
  * @typedef {{name: string, types: string[], servers: string[]}} Service
@@ -103,7 +99,7 @@ function listed(services, show, hidden) {
   if (show) {
     return show.map((name) => services.find((s) => s.name === name) ?? { name, types: [], servers: [] });
   }
-  return services.filter(({ name }) => hidden || !(name.includes("/_") || MACHINERY.test(name)));
+  return services.filter(({ name }) => hidden || isShown(name));
 }
 
 /** @param {string} name @param {() => void} choose @returns {Row} */

@@ -1,6 +1,7 @@
 // @ts-check
 // Every topic of the page with what is on it, and the messages of one.
 
+import { isHidden, isShown } from "../graphNames.js";
 import { arrange, button, create, setText, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { createEcho } from "../messages/echo.js";
@@ -14,7 +15,6 @@ import { say } from "../ui/words.js";
 // How often rates are written, in milliseconds.
 const REFRESH = 500;
 // What a robot's own machinery talks on, which a list of topics leaves out at first.
-const MACHINERY = ["/rosout", "/parameter_events"];
 
 const HEADINGS = /** @type {const} */ ([
   [say("Topic"), say("name and type")],
@@ -136,14 +136,9 @@ function listed(topics, show, hidden) {
   const none = { types: [], publishers: [], subscriptions: [], missed: 0, mismatches: [] };
   if (show) return show.map((name) => topics.find((topic) => topic.name === name) ?? { name, ...none });
   // What only panels ask for is nothing of the robot.
-  const used = topics.filter(({ publishers, subscriptions }) => [...publishers, ...subscriptions].some(isShown));
+  const used = topics.filter(({ publishers, subscriptions }) => [...publishers, ...subscriptions].some((node) => !isHidden(node)));
   if (hidden) return used;
-  return used.filter(({ name }) => isShown(name) && !MACHINERY.includes(name));
-}
-
-/** Whether no part of a name begins with an underscore, as those of tools do. @param {string} name */
-function isShown(name) {
-  return !name.includes("/_");
+  return used.filter(({ name }) => isShown(name));
 }
 
 /** @param {Ros} ros @param {string} name @param {() => void} choose @returns {Row} */
@@ -182,14 +177,14 @@ function createRow(ros, name, choose) {
     stop,
     show({ types, publishers, subscriptions, missed, mismatches }) {
       setText(type, types.join(", "));
-      const listeners = subscriptions.filter(isShown);
+      const listeners = subscriptions.filter((node) => !isHidden(node));
       setText(from, String(publishers.length));
       from.title = publishers.join(", ");
       setText(listening, String(listeners.length));
       listening.title = listeners.join(", ");
       setText(lost, missed ? say("{} missed", compact.format(missed)) : "");
       lost.title = MISSED;
-      warn(warnings, mismatches.filter((pair) => isShown(pair.publisher) && isShown(pair.subscription)));
+      warn(warnings, mismatches.filter((pair) => !isHidden(pair.publisher) && !isHidden(pair.subscription)));
       element.classList.toggle("ros-idle", !publishers.length);
       const wanted = publishers.length ? (types[0] ?? "") : "";
       if (wanted === measured) return;

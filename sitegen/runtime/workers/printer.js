@@ -34,9 +34,16 @@ export class Printer {
     if (this.#lines.length >= BATCH || this.#posts < AT_ONCE) this.flush();
   }
 
-  /** A line of the log, as ROS writes it. @param {Severity} severity @param {string} logger @param {string} text */
-  log(severity, logger, text) {
-    const seconds = (now() / 1000).toFixed(9);
+  /**
+   * Print a line of the log in the format of ROS.
+   * @param {Severity} severity @param {string} logger @param {string} text
+   * @param {number} stamp ms since 1970, the same as in the message on /rosout
+   */
+  log(severity, logger, text, stamp) {
+    // Whole milliseconds apart: with them, a double has no room for nanoseconds.
+    const whole = Math.floor(stamp);
+    const nanoseconds = String(BigInt(whole) * 1_000_000n + BigInt(Math.round((stamp - whole) * 1e6)));
+    const seconds = `${nanoseconds.slice(0, -9)}.${nanoseconds.slice(-9)}`;
     this.print(severity, `[${severity.toUpperCase()}] [${seconds}] [${logger}]: ${text}`);
   }
 

@@ -5,7 +5,10 @@ const ISOLATION = {
   "cross-origin-embedder-policy": "require-corp",
 };
 
-/** A function that gives the answer to a request as the site wants it. */
+/**
+ * Return a function that adds these headers to the response to `request` where it needs them.
+ * @param {Request} request @returns {(response: Response) => Response}
+ */
 function isolating({ mode, destination }) {
   if (!BUILD.isolate || !(mode === "navigate" || destination === "worker")) return (response) => response;
   return (response) => {

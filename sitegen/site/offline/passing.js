@@ -9,7 +9,10 @@ self.addEventListener("fetch", (event) => {
   event.respondWith(whole(request).then(isolating(request)));
 });
 
-/** The answer to a request, never that nothing has changed: WebKit asks for that, and has no use for it from here. */
+/**
+ * The answer to a request, never that nothing has changed: WebKit asks for that, and has no use for it from here.
+ * @param {Request} request
+ */
 async function whole(request) {
   const response = await fetch(request);
   return response.status === 304 ? fetch(request.url, { credentials: "same-origin" }) : response;

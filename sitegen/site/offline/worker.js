@@ -17,7 +17,7 @@ self.addEventListener("install", (event) => event.waitUntil(install()));
 self.addEventListener("activate", (event) => event.waitUntil(forgetOthers()));
 self.addEventListener("message", (event) => {
   if (event.data === "take over") self.skipWaiting();
-  if (event.data === "keep") event.waitUntil(keepPage(nameOf(event.source.url)));
+  if (event.data === "keep") event.waitUntil(keepPage(nameOf(/** @type {Client} */ (event.source).url)));
 });
 self.addEventListener("fetch", (event) => {
   const { request } = event;
@@ -31,7 +31,7 @@ self.addEventListener("fetch", (event) => {
   }
 });
 
-/** The name of a file in BUILD that an address means; undefined outside of the site. */
+/** The name of a file in BUILD that an address means; undefined outside of the site. @param {string} address */
 function nameOf(address) {
   const url = new URL(address);
   const whole = url.origin + url.pathname;
@@ -43,11 +43,12 @@ function nameOf(address) {
   }
 }
 
+/** @param {string} name of a file in BUILD */
 function addressOf(name) {
   return SCOPE + name.split("/").map(encodeURIComponent).join("/");
 }
 
-/** A file of the build, from the cache where it is there. */
+/** A file of the build, from the cache where it is there. @param {string} name */
 async function answer(name) {
   const cache = await caches.open(CACHE);
   try {
@@ -60,7 +61,7 @@ async function answer(name) {
   }
 }
 
-/** A page that the build does not have. */
+/** A page that the build does not have. @param {Request} request @param {string} name */
 async function elsewhere(request, name) {
   if (`${name}/` in BUILD.files) return Response.redirect(addressOf(`${name}/`) + new URL(request.url).search);
   try {
@@ -71,7 +72,7 @@ async function elsewhere(request, name) {
   }
 }
 
-/** Fetch a file, and keep it if it is that of this build. */
+/** Fetch a file, and keep it if it is that of this build. @param {Cache} cache @param {string} name */
 async function fetched(cache, name) {
   // The browser's own cache may hold another one for minutes.
   const response = await fetch(addressOf(name), { cache: "no-cache", credentials: "same-origin" });
@@ -95,7 +96,7 @@ async function install() {
     let wanted = !later.has(name) && !name.includes(OTHER);
     for (const old of before) {
       const known = await old.match(addressOf(name));
-      if (known?.headers.get(HASH) === BUILD.files[name]) return cache.put(addressOf(name), known);
+      if (known && known.headers.get(HASH) === BUILD.files[name]) return cache.put(addressOf(name), known);
       // What was kept stays kept, as it is now.
       wanted ||= known !== undefined;
     }
@@ -103,8 +104,9 @@ async function install() {
   });
 }
 
-/** Keep what a page needs beside that which is kept anyway. */
+/** Keep what a page needs beside that which is kept anyway. @param {string | undefined} name */
 async function keepPage(name) {
+  if (name === undefined) return;
   const cache = await caches.open(CACHE);
   const wanted = (BUILD.pages[name] ?? []).filter((path) => !path.includes(OTHER));
   await each(wanted, async (path) => {
@@ -121,7 +123,10 @@ async function others() {
   return (await caches.keys()).filter((name) => name.startsWith(OURS) && name !== CACHE);
 }
 
-/** Do something for each, a few at once. */
+/**
+ * Do something for each, a few at once.
+ * @param {string[]} items @param {(item: string) => Promise<void>} work
+ */
 async function each(items, work) {
   const waiting = [...items];
   const next = async () => {

@@ -4,13 +4,20 @@
 // it imports, as "sitegen:path", and their addresses are put in. A worker makes blobs of its own: Chromium
 // lets none of a file's workers load what the page has made.
 
-const packed = document.getElementById("sitegen-files").textContent;
+/** @typedef {Record<string, {type: string, content: string | Uint8Array<ArrayBuffer>}>} Contents by path in the site */
+
+const scope = /** @type {typeof globalThis & {sitegenFiles: Record<string, string>}} */ (globalThis);
+const packed = document.getElementById("sitegen-files")?.textContent ?? "";
 const zipped = new Blob([Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0))]);
 const stream = zipped.stream().pipeThrough(new DecompressionStream("gzip"));
 const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
 const begin = 4 + new DataView(bytes.buffer).getUint32(0);
+/**
+ * @type {{files: {path: string, type: string, size: number}[], entries: string[], workers: Record<string, string[]>}}
+ */
 const { files, entries, workers } = JSON.parse(new TextDecoder().decode(bytes.subarray(4, begin)));
 
+/** @type {Contents} */
 const contents = {};
 let at = begin;
 for (const { path, type, size } of files) {
@@ -19,11 +26,12 @@ for (const { path, type, size } of files) {
   at += size;
 }
 
-/** Give each file an address, by the name that place.js asks for. */
+/** Give each file an address, by the name that place.js asks for. @param {Contents} contents */
 function unpack(contents) {
+  /** @type {Record<string, string>} */
   const addresses = {};
   for (const [path, { type, content }] of Object.entries(contents)) {
-    const body = type === "text/javascript"
+    const body = typeof content === "string"
       ? content.replace(/"(sitegen:[^"]+)"/g, (whole, name) => (name in addresses ? `"${addresses[name]}"` : whole))
       : content;
     addresses[`sitegen:${path}`] = URL.createObjectURL(new Blob([body], { type }));
@@ -31,23 +39,31 @@ function unpack(contents) {
   return addresses;
 }
 
-/** What a worker begins with: its modules, and a place for messages that come before those run. */
+/**
+ * What a worker begins with: its modules, and a place for messages that come before those run.
+ * @param {(contents: Contents) => Record<string, string>} unpack
+ * @param {Contents} contents @param {string} entry
+ */
 function boot(unpack, contents, entry) {
+  /** @type {MessageEvent[]} */
   const early = [];
   self.onmessage = (event) => early.push(event);
-  self.sitegenFiles = unpack(contents);
-  import(self.sitegenFiles[`sitegen:${entry}`]).then(
-    () => early.forEach((event) => self.onmessage(event)),
+  const files = unpack(contents);
+  Object.assign(self, { sitegenFiles: files });
+  import(files[`sitegen:${entry}`] ?? "").then(
+    () => early.forEach((event) => self.onmessage?.(event)),
     (error) => setTimeout(() => { throw error; }),
   );
 }
 
-globalThis.sitegenFiles = unpack(contents);
+scope.sitegenFiles = unpack(contents);
 for (const [entry, paths] of Object.entries(workers)) {
   const own = Object.fromEntries(paths.map((path) => [path, contents[path]]));
   const text = `(${boot})(${unpack}, ${JSON.stringify(own)}, ${JSON.stringify(entry)});`;
-  globalThis.sitegenFiles[`sitegen:${entry}`] = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+  scope.sitegenFiles[`sitegen:${entry}`] = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
 }
-const page = document.getElementById("ros-page");
-if (page) page.href = globalThis.sitegenFiles["sitegen:page.json"];
-await Promise.all(entries.map((path) => import(globalThis.sitegenFiles[`sitegen:${path}`])));
+const page = /** @type {HTMLLinkElement | null} */ (document.getElementById("ros-page"));
+if (page) page.href = scope.sitegenFiles["sitegen:page.json"] ?? "";
+await Promise.all(entries.map((path) => import(scope.sitegenFiles[`sitegen:${path}`] ?? "")));
+
+export {};

@@ -20,7 +20,11 @@ MILLISECOND = 1_000_000
 
 def system_time() -> int:
     """Return nanoseconds since 1970, by the clock that timestamps the page's messages."""
-    milliseconds: float = ros_host.now()
+    return nanoseconds(ros_host.now())
+
+
+def nanoseconds(milliseconds: float) -> int:
+    """Convert a time of the page to nanoseconds."""
     whole = int(milliseconds)
     # A single float product would be inexact by a quarter of a microsecond.
     return whole * MILLISECOND + round((milliseconds - whole) * MILLISECOND)

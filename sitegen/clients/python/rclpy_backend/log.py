@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import ros_host
 
 from rclpy_backend.arguments import severities
-from rclpy_backend.clock import system_time
+from rclpy_backend.clock import nanoseconds
 from rclpy_backend.enums import RCUTILS_LOG_SEVERITY
 from rclpy_backend.errors import RCLError
 from rclpy_backend.handles import Context
@@ -46,15 +46,17 @@ class Rosout:
             del _rosouts[name]
         self._publisher.destroy_when_not_in_use()
 
-    def publish(self, severity: int, name: str, text: str, where: tuple[str, str, int]) -> None:
-        """Publish a log message; `where` is its function, file and line."""
+    def publish(
+        self, severity: int, name: str, text: str, where: tuple[str, str, int], stamp: float
+    ) -> None:
+        """Publish a log message; `where` is its function, file and line, `stamp` its time in ms."""
         from builtin_interfaces.msg import Time
         from rcl_interfaces.msg import Log
 
-        seconds, nanoseconds = divmod(system_time(), 10**9)
+        seconds, rest = divmod(nanoseconds(stamp), 10**9)
         function, file, line = where
         message: Any = Log(level=severity, name=name, msg=text, file=file, function=function)
-        message.stamp = Time(sec=seconds, nanosec=nanoseconds)
+        message.stamp = Time(sec=seconds, nanosec=rest)
         message.line = line
         try:
             self._publisher.publish(message)
@@ -71,9 +73,10 @@ def rclpy_logging_rcutils_log(
     if not rclpy_logging_logger_is_enabled_for(name, severity):
         return
     sys.stdout.flush()
-    ros_host.log(int(severity), name, message)
+    stamp: float = ros_host.now()
+    ros_host.log(int(severity), name, message, stamp)
     if rosout := _rosouts.get(name):
-        rosout.publish(int(severity), name, message, (function_name, file_name, line_number))
+        rosout.publish(int(severity), name, message, (function_name, file_name, line_number), stamp)
 
 
 def report(text: str) -> None:

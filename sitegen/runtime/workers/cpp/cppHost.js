@@ -161,9 +161,12 @@ export function cppHost(participant, printer, args, fail, ended, grown) {
     },
     wake: () => participant.wake(),
     now,
-    /** @param {Uint8Array} heap @param {number} severity @param {number} logger @param {number} line */
-    log(heap, severity, logger, line) {
-      printer.log(SEVERITIES[severity] ?? "info", text(heap, logger), text(heap, line));
+    /**
+     * @param {Uint8Array} heap @param {number} severity @param {number} logger @param {number} line
+     * @param {number} [stamp] missing in programs compiled by an older sitegen
+     */
+    log(heap, severity, logger, line, stamp = now()) {
+      printer.log(SEVERITIES[severity] ?? "info", text(heap, logger), text(heap, line), stamp);
     },
     /** @param {Uint8Array} heap @param {number} index @param {number} to @param {number} capacity */
     argument(heap, index, to, capacity) {

@@ -12,7 +12,7 @@ const PREFIX = "/ros";
 
 export class Python {
   #download = new Download();
-  #loading = this.#load(new URL("../../vendor/pyodide", import.meta.url));
+  #loading = this.#load(new URL("../../vendor/pyodide/", import.meta.url));
   /** What was unpacked, by its address. @type {Set<string>} */
   #unpacked = new Set();
   /** The functions that run programs, and that are called before. @type {any} */

@@ -102,7 +102,7 @@ export function pythonHost(participant, printer, typed, post, failed) {
     },
     /** @param {"stdout" | "stderr"} stream @param {string} line */
     print: (stream, line) => printer.print(stream, line),
-    /** @param {number} severity @param {string} logger @param {string} text */
-    log: (severity, logger, text) => printer.log(SEVERITIES[severity] ?? "info", logger, text),
+    /** @param {number} severity @param {string} logger @param {string} text @param {number} stamp */
+    log: (severity, logger, text, stamp) => printer.log(SEVERITIES[severity] ?? "info", logger, text, stamp),
   };
 }

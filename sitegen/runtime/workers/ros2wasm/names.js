@@ -1,13 +1,10 @@
 // @ts-check
 // The names of the ROS2WASM project: which topics make up a service, and what each node has for itself.
 
+import { infrastructureOf } from "../../graphNames.js";
+
 // A service is two topics to its middleware; the second form is that of its first versions.
 const PART = /^\/(request|response)_?(\/.+)$/;
-const PARAMETERS = new RegExp(
-  "^(/.+)?/(?:describe_parameters|get_parameter_types|get_parameters|list_parameters|set_parameters" +
-    "|set_parameters_atomically)$",
-);
-const OWN = new Set(["/rosout", "/parameter_events"]);
 
 /** The name in the graph that a script means by `topic`. @param {string} topic */
 export function absolute(topic) {
@@ -38,7 +35,5 @@ export function topicsOf(service, isRequest) {
  * @param {string} name @returns {{node: string} | null}
  */
 export function ownOf(name) {
-  if (OWN.has(name)) return { node: "" };
-  const found = PARAMETERS.exec(partOf(name)?.service ?? name);
-  return found && { node: found[1] ?? "" };
+  return infrastructureOf(partOf(name)?.service ?? name);
 }

@@ -1,6 +1,7 @@
 // @ts-check
 // What a script of the ROS2WASM project says, and what that means in the graph.
 
+import { ROSOUT } from "../../graphNames.js";
 import { shown } from "./complaints.js";
 import { Endpoints } from "./endpoints.js";
 import { toLines, toLog } from "./log.js";
@@ -248,7 +249,7 @@ export class Script {
     this.#node = node;
     if (this.#nodes.has(node)) return;
     this.#nodes.set(node, this.#participant.create("node", node, "", "", DEFAULT_QOS));
-    this.#log ||= this.#participant.create("publisher", node, "/rosout", LOG, LOG_QOS);
+    this.#log ||= this.#participant.create("publisher", node, ROSOUT, LOG, LOG_QOS);
   }
 
   /** A program whose last participant is gone has no node any more. */

@@ -64,8 +64,10 @@ bool log_enabled(Logger::Level level, const Logger & logger)
 
 void log(Logger::Level level, const Logger & logger, const std::string & text)
 {
-  ros_log(static_cast<int>(level), logger.get_name(), text.c_str());
-  publish_rosout(static_cast<int>(level), logger.get_name(), text);
+  const auto severity = static_cast<int>(level);
+  const double stamp = now();
+  ros_log(severity, logger.get_name(), text.c_str(), stamp);
+  publish_rosout(severity, logger.get_name(), text, stamp);
 }
 
 namespace

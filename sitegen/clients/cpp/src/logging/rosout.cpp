@@ -3,8 +3,9 @@
 #include <map>
 
 #include "rcl_interfaces/msg/log.hpp"
-#include "rclcpp/clock.hpp"
+#include "rclcpp/detail/platform.hpp"
 #include "rclcpp/publisher.hpp"
+#include "rclcpp/time.hpp"
 
 namespace rclcpp
 {
@@ -46,12 +47,13 @@ Rosout::Rosout(const node_interfaces::NodeBaseInterface & node, const std::strin
 
 Rosout::~Rosout() {publishers().erase(logger_);}
 
-void publish_rosout(int severity, const std::string & logger, const std::string & text)
+void publish_rosout(
+  int severity, const std::string & logger, const std::string & text, double stamp)
 {
   const auto publisher = find(logger);
   if (!publisher) {return;}
   Log line;
-  line.stamp = Clock().now();
+  line.stamp = Time(nanoseconds(stamp));
   line.level = static_cast<std::uint8_t>(severity);
   line.name = logger;
   line.msg = text;

@@ -56,7 +56,9 @@ mergeInto(LibraryManager.library, {
   ros_typed: function() { return Module["ros"]["typed"](); },
   ros_take_typed: function(to, capacity) { return Module["ros"]["takeTyped"](HEAPU8, to, capacity); },
   ros_now: function() { return Module["ros"]["now"](); },
-  ros_log: function(severity, logger, text) { Module["ros"]["log"](HEAPU8, severity, logger, text); },
+  ros_log: function(severity, logger, text, stamp) {
+    Module["ros"]["log"](HEAPU8, severity, logger, text, stamp);
+  },
   ros_argument: function(index, to, capacity) {
     return Module["ros"]["argument"](HEAPU8, index, to, capacity);
   },

@@ -115,8 +115,8 @@ void ros_wake(void);
 void ros_spawn(void (* entry)(void * argument), void * argument);
 /* Milliseconds since 1970, with fractions; never goes backwards. */
 double ros_now(void);
-/* Write a log message; severity as in rcutils (10 debug … 50 fatal). */
-void ros_log(int32_t severity, const char * logger, const char * text);
+/* Write a log message; severity as in rcutils (10 debug … 50 fatal), stamp as of ros_now(). */
+void ros_log(int32_t severity, const char * logger, const char * text, double stamp);
 /* Copy argument `index` of the command line (0 is the program's name) to `to`, at most `capacity`
  * bytes, without a zero at its end. Returns its size, -1 if there is none. */
 int32_t ros_argument(int32_t index, char * to, int32_t capacity);

@@ -22,8 +22,10 @@ private:
   std::string logger_;
 };
 
-/// Publish a line of the log, if a node's logger or one above it has that name.
-void publish_rosout(int severity, const std::string & logger, const std::string & text);
+/// Publish a line of the log, if a node's logger or one above it has that name. `stamp` is in
+/// milliseconds since 1970.
+void publish_rosout(
+  int severity, const std::string & logger, const std::string & text, double stamp);
 
 }  // namespace detail
 }  // namespace rclcpp

@@ -1,0 +1,23 @@
+// The scope of these scripts: the compiler's library declares that of a dedicated worker.
+
+/** What the build writes above the scripts: see worker.py. */
+declare const BUILD: {
+  version: string;
+  files: Record<string, string>;
+  later: string[];
+  pages: Record<string, string[]>;
+  isolate: boolean;
+};
+
+interface WorkerGlobalScope {
+  readonly clients: Clients;
+  readonly registration: ServiceWorkerRegistration;
+  skipWaiting(): Promise<void>;
+}
+
+interface WorkerGlobalScopeEventMap {
+  install: ExtendableEvent;
+  activate: ExtendableEvent;
+  fetch: FetchEvent;
+  message: ExtendableMessageEvent;
+}
