@@ -84,7 +84,7 @@ def test_a_page_is_reloaded_while_its_nodes_start(tab: Page, serve: Serve, built
 def test_widgets_end_with_their_page(tab: Page, serve: Serve, tmp_path: Path) -> None:
     """A page in the back/forward cache keeps its widgets: it may be shown again."""
     (tmp_path / "runtime").symlink_to(ROOT / "sitegen/runtime")
-    widgets = [
+    widgets: list[dict[str, object]] = [
         {"kind": "log", "element": name, "target": "", "options": {}} for name in ("one", "two")
     ]
     (tmp_path / "page.json").write_text(json.dumps({"nodes": {}, "widgets": widgets, "types": {}}))
