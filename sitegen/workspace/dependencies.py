@@ -18,7 +18,7 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
     Raises: SiteError if packages depend on each other in a cycle.
     """
     graph: dict[str, list[str]] = {}
-    waiting = [name]
+    waiting = [name] if name in packages else []
     while waiting:
         one = waiting.pop()
         if one not in graph:
