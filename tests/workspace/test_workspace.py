@@ -264,7 +264,7 @@ def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path:
     )
     *needs, base = with_plugins(packages, "base")
     assert base.linked == ("square",)
-    assert [package.name for package in needs] == ["pluginlib", "base", "sides", "square"]
+    assert [package.name for package in needs] == ["pluginlib", "sides", "base", "square"]
     assert not needs[1].linked
     *needs, other = with_plugins(packages, "other")
     assert other.linked == ("square",)
