@@ -20,7 +20,7 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
     graph: dict[str, list[str]] = {}
     waiting = [name] if name in packages else []
     while waiting:
-        one = waiting.pop()
+        one = waiting.pop(0)
         if one not in graph:
             graph[one] = [each for each in packages[one].depends if each in packages]
             waiting += graph[one]
