@@ -53,6 +53,6 @@ def summarize(made: Made, report: Report) -> None:
     for page in listed:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
     if omitted:
-        report.say(f"  … and {count(len(omitted), 'page')} more, of text only")
+        report.say(f"  … and {count(len(omitted), 'page')} more without nodes")
     for program in made.programs.values():
         report.say(f"  {program.name}: {program.size}")

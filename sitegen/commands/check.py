@@ -49,6 +49,6 @@ def _images(site: Site) -> list[str]:
     texts += [site.look.footer] if site.look.footer else []
     for text in texts:
         for url, place in without_text(text):
-            message = f"'{url}' has no text for those who cannot see it; write ![what it shows](…)"
+            message = f"'{url}' has no alternative text; write ![what it shows](…)"
             problems.add(place, "image", message)
     return problems.lines

@@ -23,7 +23,7 @@ def workflows(folder: Path) -> dict[Path, str]:
     files = {root / PLACE / each.name: each.read_text() for each in sorted(TEMPLATES.iterdir())}
     there = [file for file in files if file.exists()]
     if there:
-        raise SiteError([f"{file} exists already; remove it, or edit it" for file in there])
+        raise SiteError([f"{file} already exists; remove or edit it" for file in there])
     site = json.dumps(folder.relative_to(root).as_posix(), ensure_ascii=False)
     branch = json.dumps(_branch(root))
     return {

@@ -57,13 +57,16 @@ class Reader:
     def _block(self, block: Block, place: Place) -> Iterator[Widget | Source]:
         fence = replace(place, line=place.line - 1)
         if not block.closed:
-            self.problems.add(fence, "ros", "this block has no end; close it with ```")
+            self.problems.add(fence, "ros", "this block is not closed; close it with ```")
             return
         if block.info != "ros":
-            message = f"a block begins with 'ros' only, found '{block.info}'; write the rest inside"
+            message = (
+                f"a block must begin with 'ros' alone, found '{block.info}'; "
+                "move the rest inside the block"
+            )
             self.problems.add(fence, "ros", message)
             return
-        empty = "this block is empty; write a widget, like 'console: talker'"
+        empty = "this block is empty; add a widget, like 'console: talker'"
         value = parse(block.text, place, self.problems, key="ros", empty=empty)
         widgets = value.items() if value and value.kind == "list" else [value]
         for item in filter(None, widgets):
@@ -85,7 +88,7 @@ class Reader:
             return None
         name, value = next(iter(entries.items()))
         if name not in known:
-            message = f"nothing is called '{name}' here; {nearest(name, known)}"
+            message = f"unknown widget '{name}'; {nearest(name, known)}"
             self.problems.add(value.place, value.key, message)
             return None
         return name, value
@@ -134,11 +137,11 @@ class Reader:
         file, region, lines = map(section.text, ("file", "region", "lines"))
         if not node and not file:
             if value.kind == "mapping" and not value.has("node", "file"):
-                message = "names nothing to show; write it like 'source: talker'"
+                message = "needs a node or a file; write it like 'source: talker'"
                 self.problems.add(value.place, value.key, message)
             return
         if lines and region:
-            message = "given beside 'region'; keep one of the two"
+            message = "cannot be combined with 'region'; keep one of the two"
             self.problems.add(value.place, f"{value.key}.lines", message)
         first, _, last = lines.partition("-")
         yield Source(
@@ -174,7 +177,7 @@ class Reader:
         if not kind:
             return
         if kind.text not in ROBOTS:
-            message = f"no robot is called '{kind.text}'; {nearest(kind.text, ROBOTS)}"
+            message = f"unknown robot '{kind.text}'; {nearest(kind.text, ROBOTS)}"
             self.problems.add(kind.place, kind.key, message)
             return
         own = ROBOTS[kind.text]

@@ -61,7 +61,7 @@ class Value:
         if self.kind == "text":
             return f"the text '{shortened(self.text)}'" if self.text.strip() else "an empty text"
         return {"number": f"the number {self.text}", "flag": f"the truth value {self.text}"}.get(
-            self.kind, f"'{shortened(self.text)}', which is not text for YAML"
+            self.kind, f"'{shortened(self.text)}', which YAML does not read as text"
         )
 
     @property
@@ -95,7 +95,7 @@ class Value:
             elif key.text in entries:
                 line = entries[key.text].place.line
                 problems.add(
-                    key.place, value.key, f"already given in line {line}; remove one of the two"
+                    key.place, value.key, f"already given on line {line}; remove one of the two"
                 )
             else:
                 entries[key.text] = value
@@ -186,4 +186,5 @@ def _explain(error: yaml.YAMLError, text: str) -> tuple[int, str]:
         return (mark.line if mark else 0), what
     position = getattr(error, "position", 0)
     code = ord(text[position : position + 1] or "\0")
-    return text.count("\n", 0, position), f"YAML allows no character 0x{code:02x}; remove it"
+    line = text.count("\n", 0, position)
+    return line, f"the character 0x{code:02x} is not allowed in YAML; remove it"

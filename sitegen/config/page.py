@@ -62,10 +62,12 @@ class PageReader:
         file, content, folder = map(page.get, ("file", "content", "folder"))
         given = [value for value in (content, file, folder) if value]
         if len(given) > 1:
-            message = f"given beside '{given[0].key.rpartition('.')[2]}'; keep one of the two"
+            message = (
+                f"cannot be combined with '{given[0].key.rpartition('.')[2]}'; keep one of the two"
+            )
             self.problems.add(given[1].place, given[1].key, message)
         if not given and not page.value.has("file", "content", "folder", "launch"):
-            message = "missing; write it like 'content: [{console: talker}]', or name a 'file'"
+            message = "missing; write it like 'content: [{console: talker}]', or give a 'file'"
             self.problems.add(item.place, page.label("content"), message)
         path = self._path(page, registered=not folder)
         if folder:
@@ -78,16 +80,20 @@ class PageReader:
         """Yield a page for every Markdown file of a folder, at any depth."""
         for name in OF_ONE:
             if value := page.get(name):
-                message = "given beside 'folder'; write it at the top of each file"
+                message = (
+                    "cannot be combined with 'folder'; write it in the front matter of each file"
+                )
                 self.problems.add(value.place, value.key, message)
         folder = locate(given, self.problems, folder=True)
         found = list(files(folder, self.languages, self.problems.root)) if folder else []
         if folder and not found:
-            message = f"no Markdown file in '{given.text}'; begin with 'index.md'"
+            message = f"no Markdown file in '{given.text}'; add 'index.md'"
             self.problems.add(given.place, given.key, message)
         for below, file in found:
             if taken := self.paths.get(path + below):
-                message = f"'{path + below}', of {file.name}, is taken by {taken.key}; rename it"
+                message = (
+                    f"'{path + below}' from {file.name} is already used by {taken.key}; rename it"
+                )
                 self.problems.add(given.place, given.key, message)
             self.paths[path + below] = given
             bare = Section(
@@ -180,7 +186,7 @@ class PageReader:
         front, body = front_matter(text)
         before = len(self.problems.found)
         if not front.closed:
-            message = "this front matter has no end; close it with ---"
+            message = "this front matter is not closed; close it with ---"
             self.problems.add(Place(file, 1), "yaml", message)
         top = parse(front.text, Place(file, 1 + front.line), self.problems) if front.text else None
         if len(self.problems.found) > before:
@@ -209,8 +215,8 @@ class PageReader:
         found = launched(file, arguments, packages, self.problems, self.notes)
         for node in found:
             if node.name in taken:
-                message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"
-                self.problems.add(given.place, given.key, f"{message}; name one otherwise")
+                message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"
+                self.problems.add(given.place, given.key, f"{message}; rename one of them")
         declared = {node.name: Declared(node, None) for node in found}
         self.declared += declared.values()
         return declared
@@ -224,7 +230,7 @@ class PageReader:
         path = f"{text.strip('/')}/".removeprefix("/")
         if registered and not fault and (first := self.paths.get(path)):
             where = self.problems.where(first.place)
-            fault = f"'{text}' is taken by {first.key} ({where}); choose another"
+            fault = f"'{text}' is already used by {first.key} ({where}); choose another"
         if fault:
             self.problems.add(given.place, given.key, fault)
         elif registered:
@@ -237,7 +243,7 @@ class PageReader:
         given = page.value.has("title") or front.value.has("title")
         if not given and not _title(page, front, parts):
             message = (
-                "missing; write it like 'title: My robot', or begin the text with '# My robot'"
+                "missing; write it like 'title: My robot', or start the text with '# My robot'"
             )
             in_folder = body and page.value.has("folder")
             place = body.place if body and in_folder else page.value.place

@@ -20,12 +20,11 @@ def read(section: Section, problems: Problems) -> Prebuilt | None:
     if "://" not in given.text:
         source = locate(given, problems)
     elif not allowed(given.text):
-        message = f"'{given.text}' is not safe; use an address that begins with https://"
+        message = f"'{given.text}' is not a secure address; use one that begins with https://"
         problems.add(given.place, given.key, message)
     elif not section.value.has("sha256"):
         message = (
-            "missing; what comes from elsewhere needs a hash, as `sitegen compile` prints it, or "
-            "`sha256sum`"
+            "missing; a download needs the hash that is printed by `sitegen compile` or `sha256sum`"
         )
         problems.add(given.place, section.label("sha256"), message)
     if source is None:

@@ -20,7 +20,7 @@ def pyodide(given: Value | None, problems: Problems) -> Pyodide:
     written = section.text("requirements")
     requirements = (problems.root / written).resolve() if written else None
     if requirements and not (requirements.is_relative_to(problems.root) and requirements.is_file()):
-        message = f"no file '{written}' below the folder of site.yaml"
+        message = f"no file '{written}' in the folder of site.yaml"
         problems.add(section.place("requirements"), section.label("requirements"), message)
         requirements = None
     text = section.text("packages")
@@ -31,7 +31,7 @@ def pyodide(given: Value | None, problems: Problems) -> Pyodide:
             message = f"no folder '{text}'; write it like 'vendor/pyodide', or an address"
             problems.add(section.place("packages"), section.label("packages"), message)
     elif text and not allowed(text):
-        message = f"'{text}' is no address to fetch from; write it like 'https://…/'"
+        message = f"'{text}' is not a valid address; write it like 'https://…/'"
         problems.add(section.place("packages"), section.label("packages"), message)
     elif text and not text.endswith("/"):
         packages = f"{text}/"

@@ -33,9 +33,11 @@ def load(file: Path) -> Site:
     file = root / file.name
     problems = Problems(root)
     if not file.exists():
-        raise SiteError([f"{file.name}: no such file in this folder; name the folder that has one"])
+        raise SiteError(
+            [f"{file.name}: no such file in this folder; give the folder that contains it"]
+        )
     text = read(file, problems)
-    empty = "the file is empty; begin with 'site: {title: My robot}'"
+    empty = "the file is empty; start with 'site: {title: My robot}'"
     top = None if text is None else parse(text, Place(file, 1), problems, empty=empty)
     if top is None:
         raise SiteError(problems.lines)
@@ -93,7 +95,9 @@ def _url(name: str, site: Section, problems: Problems) -> str:
     except ValueError:
         sound = False
     if url and not (sound and re.fullmatch(r"[^\s?#]+", url)):
-        message = f"'{url}' is not an http address; write it like 'https://me.github.io/robot/'"
+        message = (
+            f"'{url}' is not a valid http address; write it like 'https://me.github.io/robot/'"
+        )
         problems.add(site.place(name), site.label(name), message)
     return url if not url or url.endswith("/") else f"{url}/"
 
@@ -101,7 +105,7 @@ def _url(name: str, site: Section, problems: Problems) -> str:
 def _language(site: Section, problems: Problems) -> str:
     language = site.text("language")
     if not LANGUAGE.fullmatch(language):
-        message = f"'{language}' is not a language tag; write it like 'en' or 'pt-BR'"
+        message = f"'{language}' is not a valid language tag; write it like 'en' or 'pt-BR'"
         problems.add(site.place("language"), site.label("language"), message)
     return language
 
@@ -111,17 +115,17 @@ def _languages(site: Section, problems: Problems) -> list[str]:
     items = given.items() if given else []
     for item in items:
         if not LANGUAGE.fullmatch(item.text):
-            message = f"'{item.text}' is not a language tag; write it like 'de' or 'pt-BR'"
+            message = f"'{item.text}' is not a valid language tag; write it like 'de' or 'pt-BR'"
             problems.add(item.place, item.key, message)
         elif item.text == site.text("language"):
-            message = f"'{item.text}' is the language of the site; name the others only"
+            message = f"'{item.text}' is the site's own language; list only the others"
             problems.add(item.place, item.key, message)
     return list(dict.fromkeys(item.text for item in items))
 
 
 def _feed(site: Section, problems: Problems) -> bool:
     if site.option("feed") and not site.get("url"):
-        message = "a feed needs absolute links; say where the site will live with 'url'"
+        message = "a feed needs absolute links; set 'url' to the address of the site"
         problems.add(site.place("feed"), site.label("feed"), message)
     return bool(site.option("feed"))
 
@@ -130,7 +134,9 @@ def _page_items(file: Section, problems: Problems) -> list[Value]:
     given = file.get("pages")
     items = given.items() if given else []
     if given and not items:
-        message = "a site needs a page; write it like 'pages: [{path: /, file: index.md}]'"
+        message = (
+            "a site needs at least one page; write it like 'pages: [{path: /, file: index.md}]'"
+        )
         problems.add(given.place, given.key, message)
     for item in items:
         if item.kind != "mapping":
@@ -171,6 +177,6 @@ def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> t
     notes = Problems(root)
     for node, section in declared:
         if section and (node.name, node.place) not in used:
-            message = "no page uses this node; give it a console or buttons, or remove it"
+            message = "no page uses this node; add a console or buttons for it, or remove it"
             notes.add(node.place, section.value.key, message)
     return tuple(notes.lines)

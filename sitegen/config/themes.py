@@ -39,6 +39,6 @@ class Themes:
             message = f"no theme named '{name}'; {nearest(name, self.found)}"
             problems.add(section.place("theme"), section.label("theme"), message)
         elif found.parent == self.root / OWN and not found.resolve().is_relative_to(self.root):
-            message = f"'themes/{name}' leads out of the site's folder; copy the theme there"
+            message = f"'themes/{name}' is outside the site's folder; copy the theme into it"
             problems.add(section.place("theme"), section.label("theme"), message)
         return found or self.root / OWN

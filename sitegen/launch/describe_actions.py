@@ -127,7 +127,7 @@ def text(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, (str, int, float, Path)):
         return str(value)
-    raise TypeError(f"{type(value).__name__} does not work on a page")
+    raise TypeError(f"{type(value).__name__} is not supported in the browser")
 
 
 def written(value: Any) -> str:

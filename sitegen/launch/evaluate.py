@@ -101,14 +101,16 @@ class _Launch:
             read = self._read_python
         folders = (self._problems.root, *(each.path for each in self._packages.values()))
         if not any(scope.file.resolve().is_relative_to(folder) for folder in folders):
-            self._note(place, "include", f"'{scope.file}' is not below the folder of site.yaml")
+            self._note(place, "include", f"'{scope.file}' is outside the folder of site.yaml")
         elif read is None:
             kinds = ", ".join([*READERS, ".py"])
             self._note(
-                place, "include", f"'{scope.file.name}' cannot be read; of these can: {kinds}"
+                place,
+                "include",
+                f"'{scope.file.name}' is not a supported launch file; supported: {kinds}",
             )
         elif scope.depth > DEEPEST:
-            self._note(place, "include", "launch files include each other in a circle")
+            self._note(place, "include", "launch files include each other in a cycle")
         else:
             try:
                 self._all(read(scope.file), scope)
@@ -138,7 +140,7 @@ class _Launch:
         if do is None:
             known = sorted([*self._actions, *without.IGNORED, *without.LEFT_OUT])
             advice = nearest(action.kind, known)
-            raise ValueError(f"this does not work on a page; {advice}")
+            raise ValueError(f"this action is not supported in the browser; {advice}")
         do(action, scope)
 
     def _holds(self, action: Action, scope: Scope) -> bool:
@@ -147,7 +149,7 @@ class _Launch:
             if name in action.attributes:
                 text = self._text(action, name, scope).strip().lower()
                 if text not in ("true", "1", "false", "0"):
-                    raise ValueError(f"'{text}' is neither true nor false")
+                    raise ValueError(f"'{text}' is not a boolean; write 'true' or 'false'")
                 if (text in ("true", "1")) is not wanted:
                     return False
         return True
@@ -194,7 +196,10 @@ class _Launch:
 
     def _timer(self, action: Action, scope: Scope) -> None:
         period = self._needed(action, "period", scope)
-        message = f"nodes of a page start together: these do not wait for {period} s"
+        message = (
+            "delays are not supported in the browser: these nodes start at once, not after "
+            f"{period} s"
+        )
         self._notes.add(action.place, action.kind, message)
         self._all(action.inside, scope.inner())
 
@@ -265,7 +270,7 @@ class _Launch:
         name = self._needed(action, "exec", scope)
         if name not in containers.EXECUTORS:
             known = nearest(name, containers.EXECUTORS)
-            raise ValueError(f"'{name}' is no component container of a page; {known}")
+            raise ValueError(f"'{name}' is not a supported component container; {known}")
         node = self._started(action, scope)
         self._components[f"{node.namespace}/{node.remap.get('__node', name)}"] = (node.name, [])
         self._load_into(node.name, action, scope)

@@ -32,11 +32,15 @@ def read(file: Path, folders: Mapping[str, Path], calls: Sequence[Call] = ()) ->
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:
-        raise UnreadableError(Place(file, 1), f"it took longer than {LIMIT} s") from None
+        raise UnreadableError(
+            Place(file, 1), f"the launch file took longer than {LIMIT} s"
+        ) from None
     try:
         answer = json.loads(done.stdout)
     except ValueError:
-        raise UnreadableError(Place(file, 1), "it ended before it described anything") from None
+        raise UnreadableError(
+            Place(file, 1), "the launch file exited before it described anything"
+        ) from None
     if "error" in answer:
         raise UnreadableError(Place(file, answer["line"]), answer["error"].replace("\n", " "))
     return _action(file, answer).inside

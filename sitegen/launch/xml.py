@@ -26,7 +26,9 @@ def read(file: Path) -> list[Action]:
 
     def doctype(*_: Any) -> None:
         place = Place(file, parser.CurrentLineNumber)
-        raise UnreadableError(place, "a document type is not allowed here; remove <!DOCTYPE …>")
+        raise UnreadableError(
+            place, "a document type declaration is not allowed; remove <!DOCTYPE …>"
+        )
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_.pop()

@@ -54,7 +54,7 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
         elif kind == "group" or name == "children":
             inside += _actions(file, value)
         else:
-            raise UnreadableError(_place(file, value), f"'{name}' of '{kind}' has to be a text")
+            raise UnreadableError(_place(file, value), f"'{name}' of '{kind}' must be a string")
     return Action(kind, attributes, place, inside)
 
 

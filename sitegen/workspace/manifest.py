@@ -39,7 +39,7 @@ class _Tree(ElementTree.TreeBuilder):
     """Refuses document types: their entities can read files and fill the memory."""
 
     def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
-        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
+        raise ValueError("a document type declaration is not allowed; remove the line <!DOCTYPE …>")
 
 
 def read_manifest(file: Path, problems: Problems) -> Manifest | None:

@@ -34,7 +34,7 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
         if package.name in packages:
             first = relative(packages[package.name].path, found.root)
             message = (
-                f"package '{package.name}' is in '{first}' too; rename or remove one of the two"
+                f"package '{package.name}' is also in '{first}'; rename or remove one of the two"
             )
             found.add(place_of(path / "package.xml", "name"), "name", message)
         else:

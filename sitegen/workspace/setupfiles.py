@@ -69,10 +69,10 @@ def _py(folder: Path) -> dict[str, Any]:
         tree = ast.parse(file.read_text(encoding="utf-8"))
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
-        raise _UnreadableError(file, line, f"Python cannot read it: {error}") from None
+        raise _UnreadableError(file, line, f"not valid Python: {error}") from None
     call = next((node for node in ast.walk(tree) if _is_setup(node)), None)
     if not isinstance(call, ast.Call):
-        raise _UnreadableError(file, 1, "it does not call setup()")
+        raise _UnreadableError(file, 1, "no call of setup() found")
     reader = literals.Reader(tree, folder)
     given = {}
     for keyword in call.keywords:
@@ -80,8 +80,10 @@ def _py(folder: Path) -> dict[str, Any]:
             try:
                 given[keyword.arg or "**"] = reader.value(keyword.value)
             except literals.NotLiteralError as error:
-                what = f"{keyword.arg or 'setup'}: '{error}' is read only by running it"
-                advice = "sitegen does not run setup.py; write it out, or put it into setup.cfg"
+                what = f"{keyword.arg or 'setup'}: '{error}' is known only when setup.py runs"
+                advice = (
+                    "sitegen does not run setup.py; write the value out, or move it to setup.cfg"
+                )
                 raise _UnreadableError(file, error.line, f"{what}; {advice}") from None
     return given
 
@@ -101,7 +103,7 @@ def _cfg(folder: Path) -> dict[str, Any]:
         parser.read(file, encoding="utf-8")
     except (configparser.Error, ValueError) as error:
         line = getattr(error, "lineno", 1)
-        raise _UnreadableError(file, line, f"it cannot be read: {error}") from None
+        raise _UnreadableError(file, line, f"cannot be read: {error}") from None
     given: dict[str, Any] = {}
     if parser.has_section("options.entry_points"):
         given["entry_points"] = dict(parser["options.entry_points"])
@@ -166,7 +168,10 @@ def _scripts(folder: Path, entry_points: Any) -> Iterator[tuple[str, str]]:
     for text in scripts:
         match = ENTRY.fullmatch(str(text))
         if not match:
-            message = f"'{text}' is no entry point; write it like 'talker = my_package.talker:main'"
+            message = (
+                f"'{text}' is not a valid entry point; "
+                "write it like 'talker = my_package.talker:main'"
+            )
             raise _UnreadableError(_written_in(folder, "console_scripts"), 1, message)
         yield match[1], f"{match[2]}:{match[3]}"
 

@@ -79,7 +79,7 @@ def test_nesting_has_an_end(tmp_path: Path) -> None:
 
 def test_a_folder_without_site_yaml_is_said(tmp_path: Path) -> None:
     assert problems(tmp_path / "site.yaml") == [
-        "site.yaml: no such file in this folder; name the folder that has one"
+        "site.yaml: no such file in this folder; give the folder that contains it"
     ]
 
 
@@ -100,10 +100,10 @@ def test_links_do_not_lead_out_of_the_site(tmp_path: Path) -> None:
     (file.parent / "ws").symlink_to(tmp_path / "other/src")
     (file.parent / "page.md").symlink_to(tmp_path / "other/page.md")
     (file.parent / "themes/mine").symlink_to(tmp_path / "other/themes/default")
-    way = "leads out of the site's folder; keep everything below site.yaml"
+    way = "is outside the site's folder; keep all files below the folder of site.yaml"
     assert problems(file) == [
-        "site.yaml:1: site.theme: 'themes/mine' leads out of the site's folder; "
-        "copy the theme there",
+        "site.yaml:1: site.theme: 'themes/mine' is outside the site's folder; "
+        "copy the theme into it",
         f"site.yaml:2: workspace: 'ws' {way}",
         f"site.yaml:4: pages[0].file: 'page.md' {way}",
         f"site.yaml:5: pages[1].content[0].markdown: 'page.md' {way}",
@@ -288,7 +288,7 @@ def test_a_node_that_no_page_uses_is_a_note(tmp_path: Path) -> None:
     site = load_text(tmp_path, f"{TALKERS}    content: [console: talker]\n")
     assert site.notes == (
         "site.yaml:4: nodes.listener: no page uses this node; "
-        "give it a console or buttons, or remove it",
+        "add a console or buttons for it, or remove it",
     )
 
 

@@ -54,14 +54,14 @@ def test_what_is_no_parameter_is_told_with_its_line() -> None:
     _, wrong = read("a b: 1\nnone:\nmixed: [1, two]\nempty: []\nnested: [[1]]\n")
     assert wrong == [
         "site.yaml:1: parameters.a b: "
-        "'a b' is no name of a parameter; use letters, digits, '_' and '.'",
+        "'a b' is not a valid parameter name; use letters, digits, '_' and '.'",
         "site.yaml:2: parameters.none: "
-        "expected a flag, a number, a text or a list of these, found nothing",
+        "expected a boolean, a number, a string or a list of these, found nothing",
         "site.yaml:3: parameters.mixed: "
-        "a list has values of one type, found text and whole numbers",
-        "site.yaml:4: parameters.empty: an empty list has no type; leave it out",
+        "all values of a list must have the same type, found text and whole numbers",
+        "site.yaml:4: parameters.empty: an empty list has no type; remove it",
         "site.yaml:5: parameters.nested[0]: "
-        "expected a flag, a number, a text or a list of these, found a list",
+        "expected a boolean, a number, a string or a list of these, found a list",
     ]
 
 
@@ -98,6 +98,6 @@ def test_files_that_are_none_are_told(tmp_path: Path) -> None:
     parameters.read(listed, problems)
     assert [line.split(": ", 1)[1] for line in problems.lines] == [
         "p[0]: no file 'no.yaml'; did you mean 'list.yaml'?",
-        "p[1]: 'list.yaml' has no parameters; begin with the name of a node",
-        "p[2]: expected a file or names with a value each, found the number 3",
+        "p[1]: 'list.yaml' has no parameters; start with the name of a node",
+        "p[2]: expected a file or a mapping of names to values, found the number 3",
     ]

@@ -313,9 +313,9 @@ def test_what_is_missing_is_named_with_its_line(author: Author) -> None:
     assert problems(author) == [
         "page.md:12: image: no file 'robto.png' in .; did you mean 'robot.png'?",
         "page.md:14: link: no page 'demos/'; did you mean 'demo/'?",
-        "page.md:16: image: '../y.png' is outside the site's folder; move it beside site.yaml",
-        "page.md:17: image: 'https://z.org/z.png' is on another site; "
-        "save it in this one and name the file",
+        "page.md:16: image: '../y.png' is outside the site's folder; "
+        "move it below the folder of site.yaml",
+        "page.md:17: image: 'https://z.org/z.png' is on another site; copy the file into this site",
     ]
 
 

@@ -109,7 +109,7 @@ def bundle(
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
     for package, executable in sorted(small):
-        say(f"{package}/{executable}: without numpy; its arrays are ours and do no arithmetic")
+        say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
     for package, executable in sorted(programs):

@@ -28,8 +28,8 @@ LARGEST = 100_000_000
 THERE = {"pyyaml", "typing-extensions"}
 # How PyPI names the packages of ROS: those come with rclpy and the messages.
 OF_ROS = "ros-"
-ADVICE = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
-POINT = "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
+ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
+POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
 
 
 # Package and executable.
@@ -74,7 +74,7 @@ def collect(
                     lacks.add(place, f"import {module}", str(error))
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
-        say(f"{line}; left out, since not every run comes there")
+        say(f"{line} (skipped: imported only conditionally)")
     return {program: list(wheels.values()) for program, wheels in found.items()}
 
 
@@ -86,8 +86,8 @@ def lack(module: str) -> str:
 
 def _lack(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
     if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
-        return f"no module of this name comes to the page; {ADVICE}, or leave it out"
-    return f"'{origins[module]}' has to be compiled for the page; {POINT}"
+        return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"
+    return f"'{origins[module]}' needs a build for Pyodide; {POINT}"
 
 
 def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:
@@ -107,7 +107,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
                 names.append(need)
                 continue
             compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
-            advice = POINT if compiled else "it has to be in this file, too"
+            advice = POINT if compiled else "add it to this file"
             problems.add(place, wheel.package, f"it needs '{need}'; {advice}")
     for name in _with_needs(names, lock):
         if name not in there:
@@ -156,7 +156,9 @@ def _copy(source: Path, sha256: str, to: Path) -> None:
     try:
         data = source.read_bytes()
     except OSError as error:
-        raise FetchError(f"{source}: {error.strerror}; it is of release 314 of Pyodide") from None
+        raise FetchError(
+            f"{source}: {error.strerror}; the distribution must be Pyodide release 314"
+        ) from None
     found = hashlib.sha256(data).hexdigest()
     if found != sha256:
         raise FetchError(mismatch(source.name, found))

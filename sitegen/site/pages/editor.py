@@ -30,7 +30,7 @@ def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[st
     package = site.packages.get(node.package)
     setup = node.kind.setup if isinstance(node.kind, Python) else None
     if not setup or not package or not package.path.is_relative_to(site.root):
-        message = f"'{node.name}' has no Python source in this workspace; show it with 'source'"
+        message = f"'{node.name}' has no Python source in this workspace; use 'source' instead"
         problems.add(widget.place, "editor", message)
         return None
     files = {relative(file, package.path): place for place, file in setup.files.items()}
@@ -45,10 +45,10 @@ def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[st
     try:
         text = (package.path / name).read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        problems.add(widget.place, "editor", f"'{name}' is no text in UTF-8; name another")
+        problems.add(widget.place, "editor", f"'{name}' is not a UTF-8 text file; choose another")
         return None
     if len(text) > _LARGEST:
-        problems.add(widget.place, "editor", f"'{name}' is too large to edit; name another")
+        problems.add(widget.place, "editor", f"'{name}' is too large to edit; choose another")
         return None
     return {"file": name, "place": files[name], "text": text.replace("\r\n", "\n")}
 

@@ -25,10 +25,12 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
             file.read_text(encoding="utf-8").replace("\r\n", "\n").removesuffix("\n").split("\n")
         )
     except (OSError, UnicodeDecodeError):
-        problems.add(source.place, "source", f"'{file.name}' is no text in UTF-8; name another")
+        problems.add(
+            source.place, "source", f"'{file.name}' is not a UTF-8 text file; choose another"
+        )
         return ""
     if file.stat().st_size > _LARGEST:
-        problems.add(source.place, "source", f"'{file.name}' is too large to show; name another")
+        problems.add(source.place, "source", f"'{file.name}' is too large to show; choose another")
         return ""
     first, last = _range(source, lines, file.name, problems)
     marks = (_BEGIN, _END)
@@ -51,7 +53,7 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         folder, known = package.path, package.sources.get(source.node.executable, ())
     name = source.file or next(iter(known), "")
     if not name:
-        message = f"nothing tells the source of '{source.target}'; name the 'file'"
+        message = f"the source of '{source.target}' is unknown; give the 'file'"
         problems.add(source.place, "source", message)
         return None
     file = (folder / name).resolve()
@@ -59,7 +61,9 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         # A CMakeLists.txt further down names files from where it is.
         file = next(iter(sorted(folder.rglob(Path(name).name))), file).resolve()
     if not file.is_relative_to(root):
-        message = f"'{name}' is outside the site's folder; keep everything below site.yaml"
+        message = (
+            f"'{name}' is outside the site's folder; keep all files below the folder of site.yaml"
+        )
         problems.add(source.place, "source", message)
         return None
     if not file.is_file():
@@ -80,7 +84,7 @@ def _range(source: Source, lines: list[str], name: str, problems: Problems) -> t
     if source.lines:
         first, last = source.lines
         if not first <= last <= len(lines):
-            message = f"'{first}-{last}' are no lines of {name}, which has {len(lines)}"
+            message = f"'{first}-{last}' is not a valid range of lines: {name} has {len(lines)}"
             problems.add(
                 source.place, "source.lines", f"{message}; write 'lines: {1}-{len(lines)}'"
             )

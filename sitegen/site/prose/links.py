@@ -79,14 +79,16 @@ class Links:
         try:
             parts = urlsplit(url)
         except ValueError:
-            self.problems.add(line_of(source, url), key, f"'{url}' is no address; check it")
+            self.problems.add(
+                line_of(source, url), key, f"'{url}' is not a valid address; correct it"
+            )
             return None, None
         if parts.scheme == "javascript":
-            self.problems.add(line_of(source, url), key, "a link runs no script; write a widget")
+            self.problems.add(line_of(source, url), key, "a link cannot run a script; use a widget")
             return None, None
         if parts.scheme or parts.netloc:
             if key != "link" and parts.scheme != "data":
-                message = f"'{url}' is on another site; save it in this one and name the file"
+                message = f"'{url}' is on another site; copy the file into this site"
                 self.problems.add(line_of(source, url), key, message)
             return None, None
         name, target, file = unquote(parts.path), None, None
@@ -131,7 +133,7 @@ class Links:
         file = (source.folder / name).resolve()
         fault = ""
         if not file.is_relative_to(root):
-            fault = f"'{name}' is outside the site's folder; move it beside site.yaml"
+            fault = f"'{name}' is outside the site's folder; move it below the folder of site.yaml"
         elif not file.is_file():
             fault = self._missing(name, file, key)
         else:
@@ -149,7 +151,7 @@ class Links:
     def _missing(self, name: str, file: Path, key: str) -> str:
         folder = relative(file.parent, self.library.site.root.resolve())
         if file.is_dir():
-            return f"'{name}' is a folder and no page; name a file in it"
+            return f"'{name}' is a folder, not a page; link to a file in it"
         beside = file.parent.glob(f"*{file.suffix}") if file.parent.is_dir() else []
         hint = nearest(file.name, (other.name for other in beside if other.is_file()))
         if key in ("link", "frame") and not file.suffix:

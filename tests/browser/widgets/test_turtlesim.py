@@ -122,4 +122,4 @@ def test_the_keys_of_a_terminal_are_left_out() -> None:
     site = load(SITE / "site.yaml")
     assert "turtle_teleop_key" not in {n.executable for p in site.pages for n in p.nodes.values()}
     [note] = [note for note in site.notes if "turtle_teleop_key" in note]
-    assert note.endswith("is left out; the window of turtlesim has keys")
+    assert note.endswith("reads keys from a terminal; use the arrow keys in the turtlesim window")

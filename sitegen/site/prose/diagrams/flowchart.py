@@ -56,19 +56,21 @@ def flowchart(lines: Sequence[str]) -> str:
     _, _, direction = lines[0].partition(" ")
     direction = direction.strip() or "TB"
     if direction not in DIRECTIONS:
-        raise DiagramError(lines[0], f"'{direction}' is no direction; write 'flowchart LR'")
+        raise DiagramError(
+            lines[0], f"'{direction}' is not a valid direction; write 'flowchart LR'"
+        )
     chart = _Chart()
     for line in lines[1:]:
         for statement in filter(None, map(str.strip, line.split(";"))):
             _read(statement, chart)
     if not chart.boxes:
-        raise DiagramError(lines[0], "a flowchart without boxes; write 'talker --> listener'")
+        raise DiagramError(lines[0], "this flowchart has no boxes; write 'talker --> listener'")
     return _draw(chart, direction)
 
 
 def _read(line: str, chart: _Chart) -> None:
     if line.split()[0] in REFUSED:
-        fault = f"'{line.split()[0]}' is not drawn here; boxes and arrows are"
+        fault = f"'{line.split()[0]}' is not supported; use boxes and arrows"
         raise DiagramError(line, fault)
     rest, starts = line, list[str]()
     arrow: re.Match[str] | None = None
@@ -80,7 +82,7 @@ def _read(line: str, chart: _Chart) -> None:
             return
         arrow = ARROW.match(rest)
         if not arrow:
-            raise DiagramError(line, f"'{rest}' is no arrow; write it like 'a --> b'")
+            raise DiagramError(line, f"'{rest}' is not a valid arrow; write it like 'a --> b'")
         rest, starts = rest[arrow.end() :].lstrip(), names
 
 
@@ -104,7 +106,9 @@ def _names(rest: str, line: str, chart: _Chart) -> tuple[list[str], str]:
             if rest.startswith(opening):
                 inner, end, after = rest[len(opening) :].partition(closing)
                 if not end:
-                    raise DiagramError(line, f"'{opening}' has no end; close it with '{closing}'")
+                    raise DiagramError(
+                        line, f"'{opening}' is not closed; close it with '{closing}'"
+                    )
                 text, shape, rest = inner.strip().strip('"'), kind, after
                 break
         if shape or name not in chart.boxes:

@@ -77,9 +77,11 @@ def sequence(lines: Sequence[str]) -> str:
         _read(line, read)
     if read.open:
         frame = read.open[-1]
-        raise DiagramError(frame.kind, f"'{frame.kind}' has no end; close it with 'end'")
+        raise DiagramError(frame.kind, f"'{frame.kind}' is not closed; close it with 'end'")
     if not read.names:
-        raise DiagramError(lines[0], "nobody says anything; write 'client->>server: request'")
+        raise DiagramError(
+            lines[0], "this diagram has no messages; write 'client->>server: request'"
+        )
     return _draw(read)
 
 
@@ -114,7 +116,7 @@ def _read(line: str, read: _Sequence) -> None:
         read.messages.append(_Message(start, end, text or "", dash == "--", head, read.y))
         read.y += 18 if start == end else 0
     else:
-        fault = f"'{line}' is not understood; write it like 'client->>server: request'"
+        fault = f"'{line}' is not a valid statement; write it like 'client->>server: request'"
         raise DiagramError(line, fault)
 
 
