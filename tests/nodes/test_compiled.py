@@ -135,8 +135,8 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
     [
         (
             "compiled: http://example.org/x.zip",
-            "site.yaml:2: nodes.x.compiled: 'http://example.org/x.zip' is not a secure address; use one"
-            " that begins with https://",
+            "site.yaml:2: nodes.x.compiled: 'http://example.org/x.zip' is not a secure address; "
+            "use one that begins with https://",
         ),
         (
             "compiled: https://example.org/x.zip",
@@ -182,8 +182,8 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
         ),
         (
             f'compiled: nodes.zip, executable: talker, sha256: "{"0" * 64}"',
-            "site.yaml:2: nodes.x.compiled: 'nodes.zip' does not have the expected hash; if you trust it,"
-            " write 'sha256: HASH'",
+            "site.yaml:2: nodes.x.compiled: 'nodes.zip' does not have the expected hash; "
+            "if you trust it, write 'sha256: HASH'",
         ),
         (
             "compiled: nodes.zip, executable: talker, executble: x",

@@ -141,8 +141,8 @@ def test_pyproject_is_read(package: Path) -> None:
         (
             "from setuptools import setup\nsetup(packages=['py_pubsub'])\n",
             "talker",
-            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; declare them "
-            "in its setup.py: entry_points={'console_scripts': "
+            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; "
+            "declare them in its setup.py: entry_points={'console_scripts': "
             "['talker = my_package.talker:main']}",
         ),
         (

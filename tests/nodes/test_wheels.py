@@ -99,7 +99,8 @@ def test_what_is_missing_is_named_when_the_site_is_built(site: Path, tmp_path: P
         "give the location of the Pyodide distribution in 'pyodide: {packages: …}'",
         "src/mine/run.py:2: import nowhere: module 'nowhere' is not available in the browser; "
         f"{advice}, or remove the import",
-        "src/mine/run.py:3: import cachetools: module 'cachetools' is not available in the browser; "
+        "src/mine/run.py:3: import cachetools: "
+        "module 'cachetools' is not available in the browser; "
         f"{advice}, or remove the import",
     ]
 
