@@ -14,7 +14,7 @@ from sitegen import workspace
 from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
-from sitegen.errors import Place, Problems, SiteError, relative
+from sitegen.errors import Location, Problems, SiteError, relative
 from sitegen.launch import launched
 from sitegen.model import Node, Package
 from sitegen.nodes.python import archives, wheels
@@ -91,8 +91,8 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     faults: list[str] = []
     missing = {name: lacking(package) for name, package in packages.items()}
     for name, package in packages.items():
-        place = Place(package.path / "package.xml", 1)
-        nodes = [Node(each, name, each, place) for each in package.executables or ()]
+        location = Location(package.path / "package.xml", 1)
+        nodes = [Node(each, name, each, location) for each in package.executables or ()]
         wrong = _faults(root, nodes, packages, missing)
         running = tuple(node.executable for node in nodes if node.name not in wrong)
         if running:
@@ -133,8 +133,8 @@ def _faults(
             faults[node.name] = f"{folder}: {message}"
             continue
         if not problems.lines and setup and node.executable in setup.scripts:
-            for module, (place, _) in archives.lacking(node, there).items():
-                problems.add(place, f"import {module}", wheels.lack(module))
+            for module, (location, _) in archives.lacking(node, there).items():
+                problems.add(location, f"import {module}", wheels.lack(module))
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults

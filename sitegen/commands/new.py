@@ -52,13 +52,13 @@ def _check_free(folder: Path) -> None:
 
 def _write(file: Path, to: Path, name: str) -> str:
     """Write a file of the template below `to`, called and filled for `name`; return its path."""
-    place = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
+    path = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
     text = file.read_text(encoding="utf-8")
     title = name.replace("_", " ").capitalize()
-    copy = to / place
+    copy = to / path
     copy.parent.mkdir(parents=True, exist_ok=True)
     copy.write_text(text.replace(NAME, name).replace(TITLE, title), encoding="utf-8")
-    return place
+    return path
 
 
 def _like(name: str) -> str:

@@ -30,7 +30,7 @@ def build_single(folder: Path, path: str, *, output: Path | None, report: Report
     made = make(folder, report)
     text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
     if "<iframe" in text:
-        line = Problems(site.root).where(page.place)
+        line = Problems(site.root).where(page.location)
         raise SiteError([f"{line}: a single file cannot embed another page; link to it instead"])
     artifacts += assets.runtime(replace(made.site, pages=(page,)), made.programs)
     artifacts += (file for program in made.programs.values() for file in program.files)
@@ -59,7 +59,7 @@ def check_single(site: Site, path: str) -> Page:
     problems = Problems(site.root)
     for name, node in page.nodes.items():
         if why := _needs_server(node):
-            problems.add(node.place, f"nodes.{name}", f"does not work in a single file: {why}")
+            problems.add(node.location, f"nodes.{name}", f"does not work in a single file: {why}")
     problems.raise_if_any()
     return page
 

@@ -17,7 +17,7 @@ def locate(value: Value, problems: Problems, *, folder: bool = False) -> Path | 
     except (OSError, RuntimeError, ValueError):
         path, fault = root, f"'{text}' cannot be opened; check the path"
     if fault:
-        problems.add(value.place, value.label, fault)
+        problems.add(value.location, value.label, fault)
         return None
     return path
 

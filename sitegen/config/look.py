@@ -21,7 +21,7 @@ def look(site: Section, problems: Problems) -> Look:
         message = (
             f"'{logo.text}' is not a supported image; use a file that ends in {', '.join(IMAGES)}"
         )
-        problems.add(logo.place, logo.key, message)
+        problems.add(logo.location, logo.key, message)
     return Look(
         accent=site.text("accent").lower(),
         font=_font("font", site, problems),
@@ -40,5 +40,5 @@ def _font(name: str, site: Section, problems: Problems) -> Path | str:
         return locate(given, problems) or ""
     if any(letter in given.text for letter in "{};<>\\/@"):
         message = f"'{given.text}' is not a valid list of fonts; write it like 'Georgia, serif'"
-        problems.add(given.place, given.key, message)
+        problems.add(given.location, given.key, message)
     return given.text

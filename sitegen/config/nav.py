@@ -28,7 +28,7 @@ class NavReader:
             else:
                 message = f"expected the path of a page or a title, found {item.found}"
                 way = "write it like 'demo01/' or 'Demos: [demo01/, demo02/]'"
-                self.problems.add(item.place, item.key, f"{message}; {way}")
+                self.problems.add(item.location, item.key, f"{message}; {way}")
 
     def _titled(self, title: str, value: Value) -> Iterator[Section]:
         if value.kind == "list" and value.items():
@@ -38,7 +38,7 @@ class NavReader:
         else:
             message = f"expected a path, an address or a list of them, found {value.found}"
             self.problems.add(
-                value.place, value.key, f"{message}; write it like '{title}: demo01/'"
+                value.location, value.key, f"{message}; write it like '{title}: demo01/'"
             )
 
     def _target(self, title: str, value: Value) -> Iterator[Section]:
@@ -50,4 +50,6 @@ class NavReader:
             yield Section(title or self.pages[path].title, page=path)
         else:
             names = [page or "/" for page in self.pages]
-            self.problems.add(value.place, value.key, f"no page '{text}'; {nearest(text, names)}")
+            self.problems.add(
+                value.location, value.key, f"no page '{text}'; {nearest(text, names)}"
+            )

@@ -11,7 +11,7 @@ from sitegen.config import parameters, prebuilt, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
-from sitegen.errors import Place, Problems, nearest
+from sitegen.errors import Location, Problems, nearest
 from sitegen.model import Container, Cpp, Node, Package, Python
 from sitegen.workspace import containers
 
@@ -31,11 +31,11 @@ class Declared(NamedTuple):
     node: Node
     section: Section | None
 
-    def where(self, name: str) -> tuple[Place, str]:
-        """Return the place of `name`, and what it is called in a message."""
+    def where(self, name: str) -> tuple[Location, str]:
+        """Return the location of `name`, and what it is called in a message."""
         if self.section is None:
-            return self.node.place, "node"
-        return self.section.place(name), self.section.label(name)
+            return self.node.location, "node"
+        return self.section.location(name), self.section.label(name)
 
 
 def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> dict[str, Declared]:
@@ -47,15 +47,15 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
                 f"'{name}' is not a valid node name; "
                 "use letters, digits and '_', not starting with a digit"
             )
-            problems.add(entry.place, entry.key, message)
+            problems.add(entry.location, entry.key, message)
         if name in taken:
-            where = problems.where(taken[name].node.place)
+            where = problems.where(taken[name].node.location)
             message = f"'{name}' is already defined ({where}); use that node or choose another name"
-            problems.add(entry.place, entry.key, message)
+            problems.add(entry.location, entry.key, message)
         section = check(entry, _keys(entry), problems)
         if section.keys is ROS2WASM:
             script = ros2wasm.read(section, problems)
-            node = Node(name, "", "", entry.place, kind=script or Cpp())
+            node = Node(name, "", "", entry.location, kind=script or Cpp())
         else:
             _check_names(section, problems)
             node = _node(name, section, problems)
@@ -82,7 +82,7 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         if component.package not in packages:
             advice = nearest(component.package, packages)
             message = f"no package '{component.package}' in the workspace; {advice}"
-            problems.add(component.place, "composable_node", message)
+            problems.add(component.location, "composable_node", message)
     if not node.package or components:
         return
     package = packages.get(node.package)
@@ -139,7 +139,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         name=name,
         package=section.text("package"),
         executable=section.text("executable"),
-        place=section.value.place,
+        location=section.value.location,
         namespace=section.text("namespace"),
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
         parameters=parameters.read(given, problems) if given else {},
@@ -152,20 +152,20 @@ def _check_names(section: Section, problems: Problems) -> None:
     group = section.text("group") if section.keys is NODE else ""
     if group and not GROUP.fullmatch(group):
         message = f"'{group}' is not a valid group name; use letters, digits, '_' and '-'"
-        problems.add(section.place("group"), section.label("group"), message)
+        problems.add(section.location("group"), section.label("group"), message)
     namespace = section.text("namespace")
     if namespace and not NAMESPACE.fullmatch(namespace):
         message = f"'{namespace}' is not a valid namespace; write it like '/demo' or '/demo/left'"
-        problems.add(section.place("namespace"), section.label("namespace"), message)
+        problems.add(section.location("namespace"), section.label("namespace"), message)
     remap = section.get("remap")
     for old, new in remap.entries(problems).items() if remap else ():
         if old in ("__ns", "__node", "__name"):
             message = f"'{old}' cannot be remapped here; write 'namespace: /demo' next to 'remap'"
-            problems.add(new.place, new.key, message)
+            problems.add(new.location, new.key, message)
             continue
         for name in (old, new.text):
             if not REMAP.fullmatch(name):
                 message = (
                     f"'{name}' is not a valid ROS name; write it like 'chatter' or '/demo/chatter'"
                 )
-                problems.add(new.place, new.key, message)
+                problems.add(new.location, new.key, message)

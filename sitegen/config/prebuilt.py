@@ -21,13 +21,13 @@ def read(section: Section, problems: Problems) -> Prebuilt | None:
         source = locate(given, problems)
     elif not allowed(given.text):
         message = f"'{given.text}' is not a secure address; use one that begins with https://"
-        problems.add(given.place, given.key, message)
+        problems.add(given.location, given.key, message)
     elif not section.value.has("sha256"):
         message = (
             "missing; a download needs the hash that is printed by `sitegen compile` or `sha256sum`"
         )
-        problems.add(given.place, section.label("sha256"), message)
+        problems.add(given.location, section.label("sha256"), message)
     if source is None:
         return None
     sha256, package, executable = map(section.text, ("sha256", "package", "executable"))
-    return Prebuilt(source, sha256, package, executable, given.place, given.key)
+    return Prebuilt(source, sha256, package, executable, given.location, given.key)

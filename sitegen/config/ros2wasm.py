@@ -25,7 +25,7 @@ def read(section: Section, problems: Problems) -> Ros2wasm | None:
         return None
     if script.suffix != ".js":
         message = f"'{given.text}' is not a script; give the .js file that the compiler wrote"
-        problems.add(given.place, given.key, message)
+        problems.add(given.location, given.key, message)
         return None
     files = [script, *_loaded(script)]
     for file in files:
@@ -34,10 +34,10 @@ def read(section: Section, problems: Problems) -> Ros2wasm | None:
                 f"'{file.name}', which the script loads, is outside the site's folder; "
                 "copy it into the folder"
             )
-            problems.add(given.place, given.key, message)
+            problems.add(given.location, given.key, message)
         elif not file.is_file():
             message = f"it loads '{file.name}', which does not exist; copy it next to the script"
-            problems.add(given.place, given.key, message)
+            problems.add(given.location, given.key, message)
     entries = types.entries(problems) if types else {}
     return Ros2wasm(script, tuple(files), {name: each.text for name, each in entries.items()})
 
@@ -49,9 +49,9 @@ def check_types(section: Section, packages: Mapping[str, Package], problems: Pro
     for name, given in types.entries(problems).items() if types else ():
         if not FORMS["name"].fullmatch(name):
             message = f"'{name}' is not a valid topic or service name; write it like '/chatter'"
-            problems.add(given.place, given.key, message)
+            problems.add(given.location, given.key, message)
         if given.text not in known:
-            problems.add(given.place, given.key, _unknown(given.text, known))
+            problems.add(given.location, given.key, _unknown(given.text, known))
 
 
 def _loaded(script: Path) -> Iterator[Path]:

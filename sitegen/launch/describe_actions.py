@@ -91,7 +91,7 @@ class Condition:
 
 
 class Context:
-    """The arguments at one place of a launch file, for the functions that files hand over."""
+    """The launch arguments that functions of launch files read."""
 
     def __init__(self, variables: Mapping[str, str]) -> None:
         self.launch_configurations = dict(variables)

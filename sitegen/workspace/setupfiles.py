@@ -27,8 +27,8 @@ PROGRAMS = "lib/programs"
 class Listing:
     """What a package installs.
 
-    `scripts` are its executables, each "module:function" or the place of a file; `files` its files,
-    by their place below the prefix ("python/" stands for where modules are installed), relative to
+    `scripts` are its executables, each "module:function" or the path of a file; `files` its files,
+    by their path below the prefix ("python/" stands for where modules are installed), relative to
     the package. `fault` says what could not be read: a file, a line and a message.
     """
 
@@ -52,9 +52,9 @@ def read(folder: Path) -> Listing:
         listing.files = dict(_files(folder, given))
         for script in given.get("scripts") or ():
             name = PurePosixPath(str(script)).name
-            for place, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
-                listing.scripts[name] = place
-                listing.files[place] = file
+            for installed, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
+                listing.scripts[name] = installed
+                listing.files[installed] = file
     except _UnreadableError as error:
         listing.fault = error.fault
     return listing
@@ -193,8 +193,8 @@ def _files(folder: Path, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         source = folder / roots[name] if name in roots else top / name.replace(".", "/")
         patterns = ["*.py", *_patterns(given, name), *_patterns(given, "")]
         for file in sorted({file for pattern in patterns for file in source.glob(pattern)}):
-            place = f"python/{name.replace('.', '/')}/{file.relative_to(source).as_posix()}"
-            yield from _placed(folder, place, file)
+            installed = f"python/{name.replace('.', '/')}/{file.relative_to(source).as_posix()}"
+            yield from _placed(folder, installed, file)
     for module in given.get("py_modules") or ():
         path = f"{module.replace('.', '/')}.py"
         yield from _placed(folder, f"python/{path}", top / path)
@@ -216,8 +216,8 @@ def _discovered(top: Path) -> Iterator[str]:
             yield ".".join(parts)
 
 
-def _placed(folder: Path, place: str, file: Path) -> Iterator[tuple[str, str]]:
-    path = PurePosixPath(place)
+def _placed(folder: Path, installed: str, file: Path) -> Iterator[tuple[str, str]]:
+    path = PurePosixPath(installed)
     inside = file.resolve().is_relative_to(folder.resolve())
     if file.is_file() and inside and not path.is_absolute() and ".." not in path.parts:
         yield path.as_posix(), file.relative_to(folder).as_posix()

@@ -55,4 +55,4 @@ def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
         text = file.read_text(encoding="utf-8", errors="replace")
         yield text
         near = (file.parent, folder / "include", folder / "src", folder)
-        waiting += (place / name for name in OWN.findall(text) for place in near)
+        waiting += (folder / name for name in OWN.findall(text) for folder in near)

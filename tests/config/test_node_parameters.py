@@ -6,11 +6,11 @@ from pathlib import Path
 
 from sitegen.config import parameters
 from sitegen.config.document import Value, parse
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 
 
 def value(text: str, problems: Problems) -> Value:
-    found = parse(text, Place(Path("site.yaml"), 1), problems, key="parameters")
+    found = parse(text, Location(Path("site.yaml"), 1), problems, key="parameters")
     assert found
     return found
 
@@ -71,7 +71,9 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
         "arm:\n  left:\n    ros__parameters: {joints: {count: 6}}\n"
     )
     problems = Problems(tmp_path)
-    listed = parse("[robot.yaml, {speed: 2.0}, robot.yaml]", Place(Path("x"), 1), problems, key="p")
+    listed = parse(
+        "[robot.yaml, {speed: 2.0}, robot.yaml]", Location(Path("x"), 1), problems, key="p"
+    )
     assert listed
     assert list(parameters.read(listed, problems).items()) == [
         ("speed", "2.0"),
@@ -80,7 +82,7 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
         ("/arm/left:joints.count", "6"),
     ]
     words = parse(
-        "[-v, --ros-args, --params-file, robot.yaml, -r, a:=b]", Place(Path("x"), 1), problems
+        "[-v, --ros-args, --params-file, robot.yaml, -r, a:=b]", Location(Path("x"), 1), problems
     )
     assert words
     assert parameters.arguments(words, problems) == (
@@ -93,7 +95,7 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
 def test_files_that_are_none_are_told(tmp_path: Path) -> None:
     (tmp_path / "list.yaml").write_text("[1]\n")
     problems = Problems(tmp_path)
-    listed = parse("- no.yaml\n- list.yaml\n- 3\n", Place(Path("x"), 1), problems, key="p")
+    listed = parse("- no.yaml\n- list.yaml\n- 3\n", Location(Path("x"), 1), problems, key="p")
     assert listed
     parameters.read(listed, problems)
     assert [line.split(": ", 1)[1] for line in problems.lines] == [

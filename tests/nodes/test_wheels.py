@@ -79,7 +79,7 @@ def test_a_program_needs_what_its_modules_import_and_cannot_do_without(site: Pat
     setup = loaded.packages["mine"].setup
     assert setup
     found = imports.outside(setup.files, setup.scripts["run.py"])
-    places = {name: one.place for name, one in found.items() if one.sure}
+    places = {name: one.location for name, one in found.items() if one.sure}
     assert {name: (place.file.name, place.line) for name, place in places.items()} == {
         "json": ("run.py", 1),
         "one": ("run.py", 2),

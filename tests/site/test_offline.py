@@ -135,7 +135,9 @@ def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Pa
     tab.reload()
     # Still that of the version that the page began with, until the visitor wants the new one.
     expect(tab.locator("main")).to_contain_text("The first text.")
-    expect(tab.get_by_text("A new version of this site is available.")).to_be_visible(timeout=30_000)
+    expect(tab.get_by_text("A new version of this site is available.")).to_be_visible(
+        timeout=30_000
+    )
     assert len(cached(tab)) == 2
     other = tab.context.new_page()
     other.goto(url)

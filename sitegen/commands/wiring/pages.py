@@ -103,7 +103,7 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
     advice = close if close.startswith("did") else f"add {way}, or remap the name"
     where = f"on page /{page.path}, {lacks}"
     key = "service" if endpoint.kind == CLIENT else "topic"
-    problems.add(endpoint.place, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
+    problems.add(endpoint.location, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
 
 
 def _is_common(name: str) -> bool:
@@ -116,12 +116,12 @@ def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
     for one, other in _pairs(sure):
         if one.endpoint.type != other.endpoint.type:
             key = "service" if one.endpoint.kind == SERVICE else "topic"
-            name, there = other.endpoint.name, problems.where(one.endpoint.place)
+            name, there = other.endpoint.name, problems.where(one.endpoint.location)
             message = (
                 f"'{name}' is {other.endpoint.type} for {other.who}, "
                 f"but {one.endpoint.type} for {one.who} ({there}); use the same type for both"
             )
-            problems.add(other.endpoint.place, key, message)
+            problems.add(other.endpoint.location, key, message)
 
 
 def _pairs(sides: list[_Side]) -> Iterator[tuple[_Side, _Side]]:

@@ -13,7 +13,7 @@ from typing import Any
 from packaging.utils import canonicalize_name
 
 from sitegen.cache.fetch import FetchError, fetch, mismatch
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
@@ -56,13 +56,13 @@ def collect(
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
-        for module, (place, sure) in modules.items():
+        for module, (location, sure) in modules.items():
             lacks = problems if sure else notes
             if module in given:
                 # What one of them needs is among them, or the build has said so.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
-                lacks.add(place, f"import {module}", _lack(module, origins, lock))
+                lacks.add(location, f"import {module}", _lack(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -71,7 +71,7 @@ def collect(
                     wheels += pinned if len(others) < len(names) else []
                     found[program] |= {wheel.name: wheel for wheel in wheels}
                 except FetchError as error:
-                    lacks.add(place, f"import {module}", str(error))
+                    lacks.add(location, f"import {module}", str(error))
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
         say(f"{line} (skipped: imported only conditionally)")
@@ -99,7 +99,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
     there = {wheel.package for wheel in wheels}
     names: list[str] = []
     for wheel in wheels:
-        place = Place(file, _line(file, wheel.package))
+        location = Location(file, _line(file, wheel.package))
         for need in sorted(wheel.needs - there - THERE):
             if need.startswith(OF_ROS):
                 continue
@@ -108,13 +108,13 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
                 continue
             compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
             advice = POINT if compiled else "add it to this file"
-            problems.add(place, wheel.package, f"it needs '{need}'; {advice}")
+            problems.add(location, wheel.package, f"it needs '{need}'; {advice}")
     for name in _with_needs(names, lock):
         if name not in there:
             try:
                 wheels.append(_of_distribution(site, lock[name], cache))
             except FetchError as error:
-                problems.add(Place(file, 1), name, str(error))
+                problems.add(Location(file, 1), name, str(error))
     return wheels
 
 

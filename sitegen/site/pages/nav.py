@@ -65,7 +65,7 @@ class Navigation:
         self._entries: dict[str, _Entry] = {}
         self._index(self._top, None)
         self._order = list(self._entries)
-        self._places = {path: place for place, path in enumerate(self._order)}
+        self._places = {path: index for index, path in enumerate(self._order)}
 
     def menu(self, page: Page) -> list[Link]:
         """Return the lines of the menu on `page`."""
@@ -79,10 +79,10 @@ class Navigation:
 
     def around(self, page: Page) -> tuple[Link | None, Link | None]:
         """Return the pages before and after `page`."""
-        place = self._places.get(_original(page))
-        if place is None:
+        index = self._places.get(_original(page))
+        if index is None:
             return None, None
-        sides = (place - 1, place + 1)
+        sides = (index - 1, index + 1)
         before, after = (self._order[s] if 0 <= s < len(self._order) else None for s in sides)
         return self._to(before, page), self._to(after, page)
 

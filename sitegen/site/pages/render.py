@@ -227,8 +227,8 @@ class Renderer:
 _forked: Renderer
 
 
-def _chunk(places: range) -> list[Rendered]:
-    return [_forked.page(_forked.site.pages[place]) for place in places]
+def _chunk(indexes: range) -> list[Rendered]:
+    return [_forked.page(_forked.site.pages[index]) for index in indexes]
 
 
 def _toc(headings: Sequence[Heading]) -> list[Heading]:
@@ -240,8 +240,8 @@ def _toc(headings: Sequence[Heading]) -> list[Heading]:
 def _check_anchors(rendered: Sequence[Rendered], problems: Problems) -> None:
     ids = {each.page.path: each.ids for each in rendered}
     for each in rendered:
-        for path, name, place in each.anchors:
+        for path, name, location in each.anchors:
             if name not in ids[path]:
                 where = "this page" if path == each.page.path else f"/{path}"
                 message = f"no heading '#{name}' in {where}; {nearest(name, ids[path] - ALWAYS)}"
-                problems.add(place, "link", message)
+                problems.add(location, "link", message)

@@ -79,8 +79,8 @@ def _index(rows: Iterable[tuple[Page, Section]]) -> bytes:
             words = WORD.findall(text.lower())
             lengths[number].append(len(set(words)))
             for word in words:
-                places = terms.setdefault(word, {}).setdefault(field, {})
-                places[number] = places.get(number, 0) + 1
+                counts = terms.setdefault(word, {}).setdefault(field, {})
+                counts[number] = counts.get(number, 0) + 1
     count = len(ids)
     averages = [sum(row[field] for row in lengths.values()) / max(count, 1) for field in range(3)]
     index = {

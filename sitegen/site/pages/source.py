@@ -26,11 +26,13 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
         )
     except (OSError, UnicodeDecodeError):
         problems.add(
-            source.place, "source", f"'{file.name}' is not a UTF-8 text file; choose another"
+            source.location, "source", f"'{file.name}' is not a UTF-8 text file; choose another"
         )
         return ""
     if file.stat().st_size > _LARGEST:
-        problems.add(source.place, "source", f"'{file.name}' is too large to show; choose another")
+        problems.add(
+            source.location, "source", f"'{file.name}' is too large to show; choose another"
+        )
         return ""
     first, last = _range(source, lines, file.name, problems)
     marks = (_BEGIN, _END)
@@ -54,7 +56,7 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
     name = source.file or next(iter(known), "")
     if not name:
         message = f"the source of '{source.target}' is unknown; give the 'file'"
-        problems.add(source.place, "source", message)
+        problems.add(source.location, "source", message)
         return None
     file = (folder / name).resolve()
     if not file.is_file() and not source.file:
@@ -64,12 +66,12 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         message = (
             f"'{name}' is outside the site's folder; keep all files below the folder of site.yaml"
         )
-        problems.add(source.place, "source", message)
+        problems.add(source.location, "source", message)
         return None
     if not file.is_file():
         beside = sorted(folder.rglob(f"*{file.suffix}")) if file.suffix else []
         hint = nearest(name, (relative(other, folder) for other in beside[:200]))
-        problems.add(source.place, "source", f"no file '{name}' in {folder.name}; {hint}")
+        problems.add(source.location, "source", f"no file '{name}' in {folder.name}; {hint}")
         return None
     return file
 
@@ -86,7 +88,7 @@ def _range(source: Source, lines: list[str], name: str, problems: Problems) -> t
         if not first <= last <= len(lines):
             message = f"'{first}-{last}' is not a valid range of lines: {name} has {len(lines)}"
             problems.add(
-                source.place, "source.lines", f"{message}; write 'lines: {1}-{len(lines)}'"
+                source.location, "source.lines", f"{message}; write 'lines: {1}-{len(lines)}'"
             )
         return first, last
     if source.region:
@@ -98,5 +100,5 @@ def _range(source: Source, lines: list[str], name: str, problems: Problems) -> t
                     ends = (n for n, text in enumerate(lines, 1) if n > number and _END.match(text))
                     return number + 1, next(ends, len(lines) + 1) - 1
         message = f"no region '{source.region}' in {name}; {nearest(source.region, names)}"
-        problems.add(source.place, "source.region", message)
+        problems.add(source.location, "source.region", message)
     return 1, len(lines)

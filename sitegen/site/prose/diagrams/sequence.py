@@ -147,13 +147,13 @@ def _draw(read: _Sequence) -> str:
 def _columns(read: _Sequence) -> dict[str, float]:
     """Return where each line of life stands: as far apart as what is written between needs."""
     names = list(read.names)
-    place = {name: number for number, name in enumerate(names)}
+    column = {name: number for number, name in enumerate(names)}
     gaps: list[float] = [
         max(APART, (svg.width(read.names[a]) + svg.width(read.names[b])) / 2 + 48)
         for a, b in pairwise(names)
     ]
     for message in read.messages:
-        first, last = sorted((place[message.start], place[message.end]))
+        first, last = sorted((column[message.start], column[message.end]))
         if first == last and first < len(gaps):
             gaps[first] = max(gaps[first], svg.width(message.text) + 60)
         if first < last:
@@ -162,9 +162,9 @@ def _columns(read: _Sequence) -> dict[str, float]:
                 gaps[gap] += max(lacks, 0) / (last - first)
     left = svg.width(read.names[names[0]]) / 2 + 14
     for note in read.notes:
-        if note.side == "left of" and place[note.names[0]] == 0:
+        if note.side == "left of" and column[note.names[0]] == 0:
             left = max(left, svg.width(note.text) + 40)
-        if note.side == "over" and place[note.names[0]] == 0:
+        if note.side == "over" and column[note.names[0]] == 0:
             left = max(left, svg.width(note.text) / 2 + 20)
     at = [MARGIN + left + 10 * bool(read.frames)]
     for apart in gaps:
