@@ -232,13 +232,13 @@ class Page:
 
 
 @dataclass(frozen=True)
-class Section:
+class NavItem:
     """A line of the navigation as the author ordered it: a page, an address, or a group."""
 
     title: str
     page: str | None = None
     url: str = ""
-    inside: tuple[Section, ...] = ()
+    inside: tuple[NavItem, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -296,7 +296,7 @@ class Site:
     packages: Mapping[str, Package] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     look: Look = field(default_factory=lambda: Look())
-    nav: tuple[Section, ...] = ()
+    nav: tuple[NavItem, ...] = ()
     languages: tuple[str, ...] = ()
     repository: str = ""
     branch: str = "main"

@@ -17,9 +17,9 @@ from sitegen.config.paths import segment
 from sitegen.errors import Location, Problems, SiteError, relative
 from sitegen.launch import launched
 from sitegen.model import Node, Package
-from sitegen.nodes.python import archives, wheels
+from sitegen.nodes.python import archives, dependencies
 from sitegen.report import Report
-from sitegen.workspace.unsupported import lacking
+from sitegen.workspace.unsupported import unsupported_libraries
 
 FILE = "site.yaml"
 # Both ways in which ROS names them: robot.launch.py and robot_launch.py.
@@ -89,7 +89,7 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     shown: list[Package] = []
     launch: dict[str, Path] = {}
     faults: list[str] = []
-    missing = {name: lacking(package) for name, package in packages.items()}
+    missing = {name: unsupported_libraries(package) for name, package in packages.items()}
     for name, package in packages.items():
         location = Location(package.path / "package.xml", 1)
         nodes = [Node(each, name, each, location) for each in package.executables or ()]
@@ -133,8 +133,8 @@ def _faults(
             faults[node.name] = f"{folder}: {message}"
             continue
         if not problems.lines and setup and node.executable in setup.scripts:
-            for module, (location, _) in archives.lacking(node, there).items():
-                problems.add(location, f"import {module}", wheels.lack(module))
+            for module, (location, _) in archives.missing_modules(node, there).items():
+                problems.add(location, f"import {module}", dependencies.unavailable(module))
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sitegen.config.blocks import Block, split
 from sitegen.config.document import Value, parse, read
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.schema import MARKDOWN, ROBOTS, WIDGETS
 from sitegen.config.section import Section, check, conforms
 from sitegen.errors import Location, Problems, nearest

@@ -11,8 +11,8 @@ from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Part, Reader
 from sitegen.config.document import Value, parse, read
+from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
-from sitegen.config.location import locate
 from sitegen.config.nodes import Declared, declare
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE

@@ -7,7 +7,7 @@ import re
 import yaml
 
 from sitegen.config.document import Value
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.errors import Problems
 from sitegen.workspace import parameterfiles
 

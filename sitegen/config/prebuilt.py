@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sitegen.cache.fetch import allowed
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.section import Section
 from sitegen.errors import Problems
 from sitegen.model import Prebuilt

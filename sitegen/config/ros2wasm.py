@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from sitegen import workspace
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.schema import FORMS
 from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest

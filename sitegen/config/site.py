@@ -12,7 +12,7 @@ from urllib.parse import urlsplit
 from sitegen import workspace
 from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare, with_kind
@@ -75,7 +75,7 @@ def _site(file: Section, problems: Problems) -> Site:
         packages=packages,
         notes=(*_notes(pages, reader.declared, root), *reader.notes.lines),
         look=look(site, problems),
-        nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
+        nav=tuple(NavReader({p.path: p for p in pages}, problems).items(nav)) if nav else (),
         languages=tuple(languages),
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),

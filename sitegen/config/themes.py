@@ -9,7 +9,7 @@ from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest
 from sitegen.shipped import THEMES
 
-OWN = "themes"
+FOLDER = "themes"
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Themes:
         """Return the themes that a site in `root` can name: folders, but hidden ones."""
         folders = (
             folder
-            for themes in (THEMES, root / OWN)
+            for themes in (THEMES, root / FOLDER)
             if themes.is_dir()
             for folder in sorted(themes.iterdir())
             if folder.is_dir() and not folder.name.startswith(".")
@@ -38,7 +38,7 @@ class Themes:
         if found is None:
             message = f"no theme named '{name}'; {nearest(name, self.found)}"
             problems.add(section.location("theme"), section.label("theme"), message)
-        elif found.parent == self.root / OWN and not found.resolve().is_relative_to(self.root):
+        elif found.parent == self.root / FOLDER and not found.resolve().is_relative_to(self.root):
             message = f"'themes/{name}' is outside the site's folder; copy the theme into it"
             problems.add(section.location("theme"), section.label("theme"), message)
-        return found or self.root / OWN
+        return found or self.root / FOLDER

@@ -16,7 +16,7 @@ from playwright.sync_api import Browser
 from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.nodes.cpp.toolchain import Toolchain
-from sitegen.nodes.python import wheels
+from sitegen.nodes.python import dependencies
 from sitegen.report import Report
 from tests.native.test_rclpy import printed, run
 
@@ -94,7 +94,7 @@ def shelved(shelf: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         for name, (file, depends, imports) in packages.items()
     }
     lock.write_text(json.dumps({"packages": entries}))
-    monkeypatch.setattr(wheels, "DISTRIBUTION", lock)
+    monkeypatch.setattr(dependencies, "DISTRIBUTION", lock)
 
 
 def test_packages_of_the_distribution_run_with_the_libraries_that_they_need(

@@ -13,7 +13,7 @@ import pytest
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.nodes.programs import nodes_of
-from sitegen.nodes.python import archives, imports, wheels
+from sitegen.nodes.python import archives, dependencies, imports
 
 SHA256 = "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0"
 REQUIREMENT = f"sortedcontainers==2.4.0 --hash=sha256:{SHA256}\n"
@@ -151,7 +151,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     entry["sha256"] = SHA256
     lock = tmp_path / "lock.json"
     lock.write_text(json.dumps({"packages": {"sortedcontainers": entry}}))
-    monkeypatch.setattr(wheels, "DISTRIBUTION", lock)
+    monkeypatch.setattr(dependencies, "DISTRIBUTION", lock)
     write(site, {"run.py": "import sortedcontainers\n"})
     (site / "site.yaml").write_text(SITE + "pyodide: {packages: shelf}\n")
     loaded = load(site / "site.yaml")

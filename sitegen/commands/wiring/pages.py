@@ -85,7 +85,7 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
     others = {each.endpoint.name for each in sides if each.endpoint.kind == wanted}
     if wanted is None or {endpoint.name, widgets.ANY} & others or _is_common(endpoint.name):
         return
-    does, lacks, way = {
+    does, missing, way = {
         SUBSCRIPTION: (
             "subscribes to",
             "which has no publisher",
@@ -101,7 +101,7 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
     known = sorted(name for name in others if not _is_common(name))
     close = nearest(endpoint.name, known)
     advice = close if close.startswith("did") else f"add {way}, or remap the name"
-    where = f"on page /{page.path}, {lacks}"
+    where = f"on page /{page.path}, {missing}"
     key = "service" if endpoint.kind == CLIENT else "topic"
     problems.add(endpoint.location, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
 

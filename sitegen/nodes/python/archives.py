@@ -14,7 +14,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, imports, wheels
+from sitegen.nodes.python import bytecode, dependencies, imports
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
@@ -101,11 +101,11 @@ def bundle(
     if workspace.SITEGEN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
-    lacks = _wanted(programs, needs, common)
-    small = set() if site.pyodide.packages else _content_with_ours(lacks, needs)
+    missing = _wanted(programs, needs, common)
+    small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
     for program in small:
-        del lacks[program]["numpy"]
-    collected = wheels.collect(site, lacks, cache=cache, say=say)
+        del missing[program]["numpy"]
+    collected = dependencies.collect(site, missing, cache=cache, say=say)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
     for package, executable in sorted(small):
@@ -131,7 +131,7 @@ def _own(package: str) -> str:
     return f"nodes/{package}/python.zip"
 
 
-def lacking(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
+def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
     """Return the modules that a node imports in every run, and that no page has by itself.
 
     `packages` are those of the workspace and those that come with sitegen.

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from sitegen.model import Page, Section, Site
+from sitegen.model import NavItem, Page, Site
 from sitegen.site.prose import address
 
 
@@ -150,7 +150,7 @@ def _original(page: Page) -> str:
     return page.path if page.original is None else page.original
 
 
-def _given(sections: Iterable[Section]) -> list[_Entry]:
+def _given(sections: Iterable[NavItem]) -> list[_Entry]:
     return [_Entry(s.title, s.page, s.url, _given(s.inside)) for s in sections]
 
 

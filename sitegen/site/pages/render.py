@@ -43,7 +43,7 @@ class Rendered:
     artifacts: tuple[Artifact, ...]
     ids: frozenset[str]
     anchors: tuple[Anchor, ...]
-    sections: tuple[search.Section, ...]
+    passages: tuple[search.Passage, ...]
     found: tuple[tuple[str, int, str], ...]
 
 
@@ -124,7 +124,7 @@ class Renderer:
             tuple(artifacts),
             frozenset(prose.ids | slots | ALWAYS),
             tuple(prose.links.anchors),
-            tuple(search.sections(page, (block.html for block in parts))),
+            tuple(search.passages(page, (block.html for block in parts))),
             tuple(problems.found),
         )
 
@@ -141,7 +141,7 @@ class Renderer:
 
     def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return what a search looks into."""
-        return search.artifacts(self.site, ((each.page, each.sections) for each in rendered))
+        return search.artifacts(self.site, ((each.page, each.passages) for each in rendered))
 
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return the artifacts of pages and those of the whole site, or raise a SiteError.

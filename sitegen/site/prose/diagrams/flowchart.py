@@ -12,7 +12,7 @@ from sitegen.site.prose.diagrams.layers import Box, place
 from sitegen.site.prose.diagrams.svg import Point
 
 DIRECTIONS = {"TB", "TD", "BT", "LR", "RL"}
-MARGIN, OWN = 12.0, 36.0
+MARGIN, LOOP = 12.0, 36.0
 
 # What stands around the text of a box, the longer ones first.
 SHAPES = {
@@ -128,7 +128,7 @@ def _draw(chart: _Chart, direction: str) -> str:
     for name, (text, shape) in chart.boxes.items():
         w, h = _size(text, shape)
         # An arrow to itself is on the right of a box, which stays in the middle of its room.
-        w += 2 * (OWN + svg.width(own[name].text)) if name in own else 0
+        w += 2 * (LOOP + svg.width(own[name].text)) if name in own else 0
         boxes[name] = Box(h, w) if sideways else Box(w, h)
     ways = place(boxes, [(a.start, a.end, _label_size(a.text, sideways)) for a in arrows])
     total = (
@@ -152,12 +152,12 @@ def _draw(chart: _Chart, direction: str) -> str:
         right = x + w / 2
         points = [
             (right, y - 8),
-            (right + OWN - 8, y - 9),
-            (right + OWN - 8, y + 9),
+            (right + LOOP - 8, y - 9),
+            (right + LOOP - 8, y + 9),
             (right, y + 8),
         ]
         parts.append(_line(arrow, points))
-        labels.append(_label(arrow.text, right + OWN + svg.width(arrow.text) / 2, y))
+        labels.append(_label(arrow.text, right + LOOP + svg.width(arrow.text) / 2, y))
     for name, (text, shape) in chart.boxes.items():
         x, y = at(boxes[name])
         w, h = _size(text, shape)

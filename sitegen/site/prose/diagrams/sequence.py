@@ -157,9 +157,9 @@ def _columns(read: _Sequence) -> dict[str, float]:
         if first == last and first < len(gaps):
             gaps[first] = max(gaps[first], svg.width(message.text) + 60)
         if first < last:
-            lacks = svg.width(message.text) + 36 - sum(gaps[first:last])
+            needed = svg.width(message.text) + 36 - sum(gaps[first:last])
             for gap in range(first, last):
-                gaps[gap] += max(lacks, 0) / (last - first)
+                gaps[gap] += max(needed, 0) / (last - first)
     left = svg.width(read.names[names[0]]) / 2 + 14
     for note in read.notes:
         if note.side == "left of" and column[note.names[0]] == 0:

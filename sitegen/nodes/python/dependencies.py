@@ -57,12 +57,12 @@ def collect(
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
         for module, (location, sure) in modules.items():
-            lacks = problems if sure else notes
+            report = problems if sure else notes
             if module in given:
                 # What one of them needs is among them, or the build has said so.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
-                lacks.add(location, f"import {module}", _lack(module, origins, lock))
+                report.add(location, f"import {module}", _unavailable(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -71,20 +71,22 @@ def collect(
                     wheels += pinned if len(others) < len(names) else []
                     found[program] |= {wheel.name: wheel for wheel in wheels}
                 except FetchError as error:
-                    lacks.add(location, f"import {module}", str(error))
+                    report.add(location, f"import {module}", str(error))
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
         say(f"{line} (skipped: imported only conditionally)")
     return {program: list(wheels.values()) for program, wheels in found.items()}
 
 
-def lack(module: str) -> str:
+def unavailable(module: str) -> str:
     """Return why a module is not on pages by itself, and what to do."""
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
-    return _lack(module, {name: each for each, of in lock.items() for name in of["imports"]}, lock)
+    return _unavailable(
+        module, {name: each for each, of in lock.items() for name in of["imports"]}, lock
+    )
 
 
-def _lack(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
+def _unavailable(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
     if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
         return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"
     return f"'{origins[module]}' needs a build for Pyodide; {POINT}"
