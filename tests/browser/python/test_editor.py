@@ -120,7 +120,7 @@ def test_the_line_of_an_exception_is_marked(browser: Browser, serve: Serve, buil
             "no Python file 'py_counter/conter.py' of py_counter is installed; "
             "did you mean 'py_counter/counter.py'?",
         ),
-        ("shell", "'shell' has no Python source in this workspace; show it with 'source'"),
+        ("shell", "'shell' has no Python source in this workspace; use 'source' instead"),
     ],
 )
 def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: str) -> None:
