@@ -20,7 +20,7 @@ from sitegen.report import Report
 pytestmark = pytest.mark.firefox
 
 PROSE = ROOT / "tests/sites/prose"
-LEFT_OUT = "Not all of this link fits this page"
+LEFT_OUT = "Parts of this link no longer match this page"
 
 
 @pytest.fixture
@@ -72,7 +72,7 @@ def test_a_link_carries_what_runs_and_what_panels_show(tab: Page, fresh: Page, u
     panel(tab, "topics").get_by_role("checkbox").check()
     panel(tab, "topics").get_by_role("button", name="/rosout").click()
     panel(tab, "publish").get_by_label("data").fill("Grüße, 世界 “”")
-    panel(tab, "publish").get_by_label("messages a second").fill("5")
+    panel(tab, "publish").get_by_label("messages per second").fill("5")
     services = panel(tab, "services")
     services.get_by_label("a int64").fill("no number")
     services.get_by_label("b int64").fill("2")
@@ -95,7 +95,7 @@ def test_a_link_carries_what_runs_and_what_panels_show(tab: Page, fresh: Page, u
     expect(topics.locator(".ros-echo")).to_contain_text("Hello, world!")
     publish = panel(fresh, "publish")
     expect(publish.get_by_label("data")).to_have_value("Grüße, 世界 “”")
-    expect(publish.get_by_label("messages a second")).to_have_value("5")
+    expect(publish.get_by_label("messages per second")).to_have_value("5")
     services = panel(fresh, "services")
     expect(services.get_by_label("a int64")).to_have_value("no number")
     expect(services.get_by_label("b int64")).to_have_value("2")

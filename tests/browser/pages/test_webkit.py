@@ -83,7 +83,7 @@ def test_demo03_talks_and_listens(page: Window) -> None:
 def test_demo04_dances_and_says_why_there_is_no_real_robot(page: Window) -> None:
     open_demo(page, "demo04")
     robot = 'section[aria-label="Robot"]'
-    page.wait_for(f"{robot} [role=status]", "This browser has no Web Bluetooth.")
+    page.wait_for(f"{robot} [role=status]", "This browser does not support Web Bluetooth.")
     assert not page.find(f"{robot} .ros-connect").is_enabled()
     WindowPanel(page, "colors").start()
     page.wait_for(f"{robot} dl", "yellow")

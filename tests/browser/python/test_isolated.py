@@ -111,14 +111,14 @@ def test_a_page_that_cannot_be_isolated_says_why(
     )
     state, lines = run(tab, "greeter")
     assert state == "failed"
-    assert "loading this page once more did not isolate it; close its other tabs" in lines[0][1]
+    assert "reloading did not isolate this page; close its other tabs" in lines[0][1]
     assert noted(tab, "loads") == "2"
     # A frame of another page has to be opened by itself.
     (tmp_path / "index.html").write_text(f'<iframe src="{url}?embed"></iframe>')
     tab.goto(serve(tmp_path))
     inner = tab.frame_locator("iframe").get_by_role("region", name="greeter", exact=True)
     inner.get_by_role("button", name="Start").click()
-    expect(inner.get_by_role("log")).to_contain_text("inside of another one; open it by itself")
+    expect(inner.get_by_role("log")).to_contain_text("embedded in another page; open it in its own tab")
 
 
 def test_an_isolated_page_without_shared_memory_says_so(

@@ -66,7 +66,7 @@ def test_topics_tell_who_does_not_hear_whom_and_what_was_missed(stage: Tab) -> N
     assert warnings.count() == 4
     expect(warnings.last).to_have_text("and 2 more")
     expect(warnings.first).to_contain_text("/<b>1 does not receive from /talker")
-    expect(panel.get_by_text("12K missed")).to_have_attribute("title", re.compile("replaced by newer"))
+    expect(panel.get_by_text("12K missed")).to_have_attribute("title", re.compile("newer ones"))
     stage.evaluate("ros.graph.mismatches = {}; ros.graph.missed = {}; ros.graph.changed()")
     assert cells(panel) == [f"/chatter std_msgs/msg/String 1 1 {NONE}"]
 
@@ -248,7 +248,7 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
     rate = panel.get_by_label("messages per second (Hz)")
     rate.fill("1000")
     panel.get_by_role("button", name="Repeat").click()
-    expect(panel.get_by_role("status")).to_have_text("The rate is a number from 0.1 to 100 Hz")
+    expect(panel.get_by_role("status")).to_have_text("The rate must be a number from 0.1 to 100 Hz")
     rate.fill("50")
     panel.get_by_role("button", name="Repeat").click()
     stage.wait_for_function("ros.published.length > 10")
@@ -269,7 +269,7 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
 
 def test_the_visitor_chooses_a_topic(stage: Tab) -> None:
     panel = show(stage, "publish")
-    expect(panel.get_by_text("No topic to publish on")).to_be_visible()
+    expect(panel.get_by_text("No topics to publish on")).to_be_visible()
     chatter(stage)
     add(stage, "subscription", "/arm", "/grip", "arm_msgs/msg/Grip")
     add(stage, "subscription", "/robot", "/cmd_vel", "geometry_msgs/msg/Twist")
