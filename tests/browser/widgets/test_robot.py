@@ -156,7 +156,7 @@ def test_the_light_of_vernie(stage: Tab) -> None:
     expect(reading(panel, "Light")).to_have_text("lightblue")
     color(stage, "<b>mauve</b>")
     expect(panel.get_by_role("status")).to_contain_text(
-        "Its light has no colour '<b>mauve</b>'; it knows off, pink,"
+        "The light has no colour '<b>mauve</b>'; choose one of off, pink,"
     )
     expect(reading(panel, "Light")).to_have_text("lightblue")
     color(stage, "off")
@@ -253,7 +253,7 @@ def test_nothing_is_left_after_unmount(stage: Tab) -> None:
         ),
         (
             "Object.defineProperty(window, 'isSecureContext', { value: false })",
-            "Browsers allow Bluetooth on pages from https:// and from this computer only.",
+            "Browsers allow Bluetooth only on https:// pages and on this computer.",
         ),
     ],
     ids=["no Bluetooth", "no https"],
