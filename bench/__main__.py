@@ -9,13 +9,15 @@ import os
 import platform
 import sys
 import time
+import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from bench import building, crowd, messages, pages, prose, python
+from bench.counts import FULL, SMALLEST, Counts
 from bench.figure import Figure, table
 
-PARTS: dict[str, Callable[[], list[Figure]]] = {
+PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "latency": messages.latency,
     "throughput": messages.throughput,
     "services": messages.services,
@@ -32,39 +34,54 @@ PARTS: dict[str, Callable[[], list[Figure]]] = {
 RESULTS = Path(__file__).parent / "results"
 
 
-def main(argv: Sequence[str] | None = None) -> None:
-    """Measure the parts that `argv` names."""
+def main(argv: Sequence[str] | None = None) -> int:
+    """Measure the parts that `argv` names; return how many failed."""
     parser = argparse.ArgumentParser("bench", description="Measure the speed of sitegen.")
     parser.add_argument("part", nargs="*", choices=[[], *PARTS], help=", ".join(PARTS))
-    wanted = parser.parse_args(argv).part or list(PARTS)
+    parser.add_argument(
+        "--smallest", action="store_true", help="see that everything runs; the figures mean nothing"
+    )
+    arguments = parser.parse_args(argv)
+    counts = SMALLEST if arguments.smallest else FULL
 
     load = os.getloadavg()[0]
     if load > 0.5:
         print(f"the machine is busy (load {load:.1f}): take the figures as upper bounds")
-    figures = []
-    for part in wanted:
+    file = RESULTS / f"{datetime.datetime.now():%Y-%m-%d-%H%M%S}.json"
+    figures: list[Figure] = []
+    failed = []
+    for part in arguments.part or PARTS:
         print(f"{part} …", file=sys.stderr)
         begun = time.monotonic()
-        figures += PARTS[part]()
+        try:
+            found = PARTS[part](counts)
+        except Exception:
+            # The other parts do not depend on it, and some took minutes.
+            traceback.print_exc()
+            failed.append(part)
+            continue
         print(f"{part}: {time.monotonic() - begun:.0f} s", file=sys.stderr)
-    print(table(figures))
-    print(f"→ {save(figures, load)}")
+        print(table(found), flush=True)
+        figures += found
+        save(figures, load, file)
+    if figures:
+        print(f"\n{table(figures)}\n→ {file.relative_to(RESULTS.parents[1])}")
+    if failed:
+        print(f"failed: {', '.join(failed)}", file=sys.stderr)
+    return len(failed)
 
 
-def save(figures: Sequence[Figure], load: float) -> Path:
-    """Keep the figures, and where they were measured."""
-    now = datetime.datetime.now()
+def save(figures: Sequence[Figure], load: float, file: Path) -> None:
+    """Write the figures so far, and where they were measured, to `file`."""
     machine = {"processor": platform.processor() or platform.machine(), "cores": os.cpu_count()}
     result = {
-        "date": now.isoformat(timespec="seconds"),
+        "date": datetime.datetime.now().isoformat(timespec="seconds"),
         "machine": machine | {"load": load},
         "figures": [figure.entry() for figure in figures],
     }
-    RESULTS.mkdir(exist_ok=True)
-    file = RESULTS / f"{now:%Y-%m-%d-%H%M%S}.json"
+    file.parent.mkdir(exist_ok=True)
     file.write_text(json.dumps(result, indent=1, ensure_ascii=False) + "\n")
-    return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -14,35 +14,30 @@ from statistics import median
 from playwright.sync_api import Browser, Page
 
 from bench.browser import chromium, serving_site
+from bench.counts import Counts
 from bench.figure import Figure, Target
 
 SITE = Path(__file__).parent / "site"
 MANY = Path(__file__).parent.parent / "tests" / "sites" / "many"
-TURNS = 5
 SINKS = [f"sink_{n}" for n in range(2, 11)]
 POURS = [f"pour_{n}" for n in range(1, 11)]
 TICKS = [f"tick_{n}" for n in range(1, 11)]
-# How long a flood and an idle page are watched (s).
-FLOOD = 60
-IDLE = 10
-# How many nodes there are in a large page, and how many topics each publishes.
-NODES, TOPICS = 50, 10
 
 
-def fan() -> list[Figure]:
+def fan(counts: Counts) -> list[Figure]:
     """20,000 messages of 1 KB: to ten nodes beside to one, and from ten beside from one."""
     with serving_site(SITE, isolated=True) as url, chromium() as browser:
         page = _open(browser, url)
         _start(page, ["sink"])
-        one = _times(page, "burst_1k")
+        one = _times(page, "burst_1k", counts)
         _start(page, SINKS)
-        ten = _times(page, "burst_10")
+        ten = _times(page, "burst_10", counts)
         _stop(page, ["sink", *SINKS])
         _start(page, ["pour"])
-        from_one = _times(page, "collect_1")
+        from_one = _times(page, "collect_1", counts)
         _stop(page, ["pour"])
         _start(page, POURS)
-        from_ten = _times(page, "collect_10")
+        from_ten = _times(page, "collect_10", counts)
     name = "fan-out 1 → 10, 1 KB (bare: ours to one)"
     return [
         Figure(name, "ms", median(ten), median(one), Target("ratio", "≤", 12)),
@@ -52,7 +47,7 @@ def fan() -> list[Figure]:
     ]
 
 
-def flood() -> list[Figure]:
+def flood(counts: Counts) -> list[Figure]:
     """Memory of the page while a node publishes as fast as it can for one that is far too slow."""
     with serving_site(SITE, isolated=True) as url, chromium() as browser:
         page = _open(browser, url)
@@ -61,37 +56,38 @@ def flood() -> list[Figure]:
         time.sleep(2)
         early = _memory(browser)
         most = early
-        for _ in range(FLOOD):
+        for _ in range(counts.flood):
             time.sleep(1)
             most = max(most, _memory(browser))
+        page.evaluate("drive.keptSome('slow')")
         ages = [float(age) for age in page.evaluate("drive.kept('slow')")]
         _stop(page, ["flood", "slow"])
-    title = f"a flood for {FLOOD} s and a slow reader"
+    title = f"a flood for {counts.flood} s and a slow reader"
     return [
         Figure(f"{title}: memory at most (bare: after 2 s)", "MB", most / 1e6, early / 1e6),
         Figure(f"{title}: age of a message, p50", "ms", median(ages)),
     ]
 
 
-def idle() -> list[Figure]:
+def idle(counts: Counts) -> list[Figure]:
     """What ten nodes that publish once a second take of a core."""
     with serving_site(SITE, isolated=True) as url, chromium() as browser:
         page = _open(browser, url)
         _start(page, TICKS)
         time.sleep(3)
         before = _processor(browser)
-        time.sleep(IDLE)
+        time.sleep(counts.idle)
         used = _processor(browser) - before
-    share = used / IDLE * 100
+    share = used / counts.idle * 100
     return [Figure("idle page, ten nodes at 1 Hz", "%", share, target=Target("figure", "≤", 2))]
 
 
-def many() -> list[Figure]:
-    """Fifty nodes and five hundred topics, from the first Start until all of them run."""
+def many(counts: Counts) -> list[Figure]:
+    """Many nodes and topics, from the first Start until all of them run."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary) / "many"
         shutil.copytree(MANY, folder)
-        (folder / "site.yaml").write_text(json.dumps(_ring()))
+        (folder / "site.yaml").write_text(json.dumps(_ring(counts)))
         with serving_site(folder) as url, chromium() as browser:
             page = _open(browser, url)
             names = page.evaluate("[...drive.nodes.keys()]")
@@ -99,10 +95,11 @@ def many() -> list[Figure]:
             _start(page, names)
             took = time.monotonic() - begun
     target = Target("figure", "≤", 10)
-    return [Figure(f"{NODES} nodes with {NODES * TOPICS} topics start", "s", took, target=target)]
+    name = f"{counts.nodes} nodes with {counts.nodes * counts.topics} topics start"
+    return [Figure(name, "s", took, target=target)]
 
 
-def _ring() -> dict[str, object]:
+def _ring(counts: Counts) -> dict[str, object]:
     """Return a site (JSON is YAML) whose nodes each hear a topic of each of those before it."""
     nodes = {
         f"node{n}": {
@@ -110,11 +107,11 @@ def _ring() -> dict[str, object]:
             "executable": "many",
             "arguments": [
                 f"n:node{n}",
-                *(f"p:/node{n}/topic{k}" for k in range(TOPICS)),
-                *(f"s:/node{(n - k - 1) % NODES}/topic{k}" for k in range(TOPICS)),
+                *(f"p:/node{n}/topic{k}" for k in range(counts.topics)),
+                *(f"s:/node{(n - k - 1) % counts.nodes}/topic{k}" for k in range(counts.topics)),
             ],
         }
-        for n in range(NODES)
+        for n in range(counts.nodes)
     }
     page = {"path": "/", "title": "Many", "content": [{"buttons": name} for name in nodes]}
     site = {"title": "Many", "asyncify": False}
@@ -136,8 +133,8 @@ def _stop(page: Page, names: list[str]) -> None:
     page.evaluate("(names) => drive.stop(names)", names)
 
 
-def _times(page: Page, name: str) -> list[float]:
-    return [page.evaluate(f"drive.runNode('{name}')")[0] for _ in range(TURNS)]
+def _times(page: Page, name: str, counts: Counts) -> list[float]:
+    return [page.evaluate(f"drive.runNode('{name}')")[0] for _ in range(counts.bursts)]
 
 
 def _memory(browser: Browser) -> float:

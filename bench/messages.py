@@ -11,11 +11,10 @@ from statistics import median, median_grouped, quantiles
 from playwright.sync_api import Page
 
 from bench.browser import chromium, serving_site
+from bench.counts import Counts
 from bench.figure import Figure, Target
 
 SITE = Path(__file__).parent / "site"
-# Ours and bare take turns, so that what else the machine does hits both.
-TURNS = 8
 
 
 @dataclass(frozen=True)
@@ -51,13 +50,13 @@ CALL_TARGET = 1.5
 BUSY = 16
 
 
-def latency() -> list[Figure]:
+def latency(counts: Counts) -> list[Figure]:
     """One way from node to node: half of a round trip."""
     figures = []
     with _bench_page() as page:
         idle: list[float] = []
         for size in SIZES:
-            ours, bare = _ping(page, size)
+            ours, bare = _ping(page, size, counts)
             idle = ours if size is SMALL else idle
             for name, middle in (("p50", p50), ("p99", p99)):
                 limit = LATENCY_TARGETS.get((size.title, name))
@@ -65,7 +64,7 @@ def latency() -> list[Figure]:
                 title = f"latency {size.title}, {name}"
                 figures.append(one_way(title, middle(ours), middle(bare), target))
         page.evaluate(f"window.rest = drive.beBusy({BUSY})")
-        busy, _ = _ping(page, SMALL)
+        busy, _ = _ping(page, SMALL, counts)
         page.evaluate("rest()")
         name = f"latency 16 B, page busy {BUSY} ms a frame, p50 (bare: ours when idle)"
         target = Target("ratio", "≤", BUSY_TARGET)
@@ -73,13 +72,13 @@ def latency() -> list[Figure]:
     return figures
 
 
-def throughput() -> list[Figure]:
+def throughput(counts: Counts) -> list[Figure]:
     """Messages a second in one direction, counted when the last has arrived."""
     figures = []
     with _bench_page() as page:
         for size in SIZES:
             ours, bare = [], []
-            for _ in range(TURNS):
+            for _ in range(counts.turns):
                 bare += numbers(page, f"runBare('burst', {size.count}, {size.messages})")
                 ours += numbers(page, f"runNode('burst_{size.name}')")
             limit = THROUGHPUT_TARGETS.get(size.title)
@@ -96,11 +95,11 @@ def throughput() -> list[Figure]:
     return figures
 
 
-def services() -> list[Figure]:
+def services(counts: Counts) -> list[Figure]:
     """A call from node to node and its answer, beside two exchanges: a message there and back."""
     ours, bare = [], []
     with _bench_page() as page:
-        for _ in range(TURNS):
+        for _ in range(counts.turns):
             bare += numbers(page, f"runBare('ping', {SMALL.count}, {CALLS})")[SMALL.warm_up :]
             ours += numbers(page, "runNode('call')")[SMALL.warm_up :]
     target = Target("ratio", "≤", CALL_TARGET)
@@ -119,10 +118,13 @@ def _bench_page() -> Iterator[Page]:
         yield page
 
 
-def _ping(page: Page, size: Size) -> tuple[list[float], list[float]]:
-    """Return round trips of ours and of bare workers, in ms."""
+def _ping(page: Page, size: Size, counts: Counts) -> tuple[list[float], list[float]]:
+    """Return round trips of ours and of bare workers, in ms.
+
+    They take turns, so that what else the machine does affects both.
+    """
     ours, bare = [], []
-    for _ in range(TURNS):
+    for _ in range(counts.turns):
         bare += numbers(page, f"runBare('ping', {size.count}, {size.rounds})")[size.warm_up :]
         ours += numbers(page, f"runNode('ping_{size.name}')")[size.warm_up :]
     return ours, bare

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import random
 import shutil
 import sys
@@ -11,11 +12,11 @@ from statistics import median
 
 from bench.browser import Progress
 from bench.building import run, seconds
+from bench.counts import Counts
 from bench.figure import Figure, Target
 from sitegen.commands.serve.live import LiveSite
 
-FOLDERS, PAGES = 20, 50
-REPEATS = 3
+MKDOCS = importlib.util.find_spec("mkdocs") is not None
 WORDS = ["node", "topic", "service", "message", "robot", "publisher", "timer", "graph", "worker"]
 CODE = "```cpp\nint main(int argc, char ** argv)\n{\n  rclcpp::init(argc, argv);\n}\n```\n"
 
@@ -24,26 +25,28 @@ EDIT_TARGET = Target("figure", "≤", 100)
 NOTHING_TARGET = Target("figure", "≤", 300)
 
 
-def prose() -> list[Figure]:
+def prose(counts: Counts) -> list[Figure]:
     """Measure a build of all pages, in turns with MkDocs, and one page again after an edit."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        _write(folder)
+        _write(folder, counts)
         ours_command = [sys.executable, "-m", "sitegen", "build", str(folder)]
         theirs_command = [sys.executable, "-m", "mkdocs", "build", "--quiet"]
         theirs_command += ["--config-file", str(folder / "mkdocs.yml")]
         ours, theirs = [], []
-        for _ in range(REPEATS):
+        for _ in range(min(counts.repeats, 3)):
             # A build of what is there already would do nothing.
             shutil.rmtree(folder / "dist", ignore_errors=True)
             ours.append(seconds(lambda: run(ours_command)))
-            theirs.append(seconds(lambda: run(theirs_command)))
-        nothing = [seconds(lambda: run(ours_command)) for _ in range(REPEATS)]
+            if MKDOCS:
+                theirs.append(seconds(lambda: run(theirs_command)))
+        nothing = [seconds(lambda: run(ours_command)) for _ in range(min(counts.repeats, 3))]
         edit = _edit(folder)
-    count = FOLDERS * PAGES + 1
-    bare = median(theirs)
+    count = counts.folders * counts.pages + 1
+    # Without MkDocs there is nothing to compare with.
+    bare, target = (median(theirs), COLD_TARGET) if theirs else (None, None)
     return [
-        Figure(f"{count} pages of Markdown (bare: MkDocs)", "s", median(ours), bare, COLD_TARGET),
+        Figure(f"{count} pages of Markdown (bare: MkDocs)", "s", median(ours), bare, target),
         Figure("one of them served again, after an edit", "ms", edit * 1000, None, EDIT_TARGET),
         Figure("all again, nothing changed", "ms", median(nothing) * 1000, None, NOTHING_TARGET),
     ]
@@ -60,14 +63,14 @@ def _edit(folder: Path) -> float:
     return median(times)
 
 
-def _write(folder: Path) -> None:
+def _write(folder: Path, counts: Counts) -> None:
     """Write pages of some length, the same each time, with links between them."""
     words = random.Random(1)
-    for number in range(FOLDERS):
-        for place in range(PAGES):
+    for number in range(counts.folders):
+        for place in range(counts.pages):
             file = folder / f"docs/s{number:02}/page{place:02}.md"
             file.parent.mkdir(parents=True, exist_ok=True)
-            following = f"page{(place + 1) % PAGES:02}.md"
+            following = f"page{(place + 1) % counts.pages:02}.md"
             sections = (_section(words, heading, following) for heading in range(4))
             table = "| a | b |\n|---|---|\n| 1 | 2 |\n\n"
             file.write_text(f"# Page {number}-{place}\n\n{''.join(sections)}{table}{CODE}")

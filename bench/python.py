@@ -6,12 +6,12 @@ from pathlib import Path
 from statistics import median
 
 from bench.browser import chromium, serving_site
+from bench.counts import Counts
 from bench.figure import Figure, Target
-from bench.messages import TURNS, numbers, one_way, p50, p99
+from bench.messages import numbers, one_way, p50, p99
 from bench.pages import first_line
 
 SITE = Path(__file__).parent / "python_site"
-STARTS = 5
 ROUNDS = 2000
 # The first rounds of a turn do not count: programs and engine warm up.
 WARM_UP = 500
@@ -23,16 +23,16 @@ IMPORT_TARGET = Target("figure", "≤", 300)
 LATENCY_TARGET = Target("ratio", "≤", 20)
 
 
-def python() -> list[Figure]:
+def python(counts: Counts) -> list[Figure]:
     """Measure the first line of a Python node, and the way of a message from one to another."""
-    return [*_start(), *_latency()]
+    return [*_start(counts), *_latency(counts)]
 
 
-def _start() -> list[Figure]:
+def _start(counts: Counts) -> list[Figure]:
     """From navigation to the first line, with nothing in any cache; bare: Python that prints."""
     ours, bare, imports = [], [], []
     with serving_site(SITE) as url, chromium() as browser:
-        for _ in range(STARTS + 1):
+        for _ in range((counts.starts + 1) // 2 + 1):
             bare.append(first_line(browser, f"{url}bench/python.html")[0])
             time, line = first_line(browser, url)
             ours.append(time)
@@ -47,14 +47,14 @@ def _start() -> list[Figure]:
     ]
 
 
-def _latency() -> list[Figure]:
+def _latency(counts: Counts) -> list[Figure]:
     """One way from Python node to Python node: half of a round trip."""
     ours, bare = [], []
     with serving_site(SITE, isolated=True) as url, chromium() as browser:
         page = browser.new_page()
         page.goto(f"{url}messages/")
         page.evaluate("async () => { window.drive = await import('/bench/drive.js'); }")
-        for _ in range(TURNS // 2):
+        for _ in range(counts.turns // 2 or 1):
             bare += numbers(page, f"runBare('ping', 16, {ROUNDS})")[WARM_UP:]
             ours += numbers(page, "runNode('ping')")[WARM_UP:]
     return [

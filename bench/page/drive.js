@@ -54,24 +54,38 @@ export function keepLines(name) {
   });
 }
 
+/** Wait until a node has printed. @param {string} name */
+export async function keptSome(name) {
+  const end = performance.now() + LIMIT;
+  while (kept(name).length === 0) {
+    if (performance.now() > end) throw new Error(`'${name}' prints nothing`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
 /** @param {string} name */
 export function kept(name) {
   return lines.get(name) ?? [];
 }
 
-/** @param {string} name @param {string} state @param {(node: any) => void} act @returns {Promise<void>} */
+/**
+ * Act on a node and wait for a state, which it may have reached before.
+ * @param {string} name @param {string} state @param {(node: any) => void} act @returns {Promise<void>}
+ */
 function become(name, state, act) {
   const node = nodes.get(name);
   if (!node) throw new Error(`no node '${name}'`);
+  const listening = new AbortController();
   return new Promise((resolve, reject) => {
-    const listening = new AbortController();
-    node.addEventListener("state", () => {
+    const look = () => {
       if (node.state === state) resolve();
       if (node.state === "failed") reject(new Error(`'${name}' failed`));
-      if (node.state === state || node.state === "failed") listening.abort();
-    }, { signal: listening.signal });
+    };
+    node.addEventListener("state", look, { signal: listening.signal });
     act(node);
-  });
+    look();
+    setTimeout(() => reject(new Error(`'${name}' is ${node.state}, not ${state}`)), LIMIT);
+  }).finally(() => listening.abort());
 }
 
 /**

@@ -25,7 +25,8 @@ def build(folder: Path, *, output: Path, report: Report, debug: bool = False) ->
     made = make(folder, report, output=output, options=Options(debug=debug))
     write(made.artifacts, output)
     summarize(made, report)
-    pages, nodes = count(len(made.site.pages), "page"), count(len(made.programs), "node")
+    programs = {program.name for program in made.programs.values()}
+    pages, nodes = count(len(made.site.pages), "page"), count(len(programs), "node")
     report.say(
         f"built {pages}, {nodes} in {time.monotonic() - begun:.1f} s"
         f" → {shown(output)} (python -m http.server --directory {shown(output)})"
@@ -54,5 +55,6 @@ def summarize(made: Made, report: Report) -> None:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
     if omitted:
         report.say(f"  … and {count(len(omitted), 'page')} more without nodes")
-    for program in made.programs.values():
+    # Nodes that use one ROS2WASM script with different types are different programs.
+    for program in {one.name: one for one in made.programs.values()}.values():
         report.say(f"  {program.name}: {program.size}")

@@ -1,4 +1,4 @@
-"""Say what site.yaml may hold: every key, as data."""
+"""Define the keys of site.yaml as data."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Key:
-    """One key: its type, whether it must be given, what it is without, and how it is written."""
+    """One key: its type, its description, an example, and its default."""
 
     name: str
     type: str
@@ -59,85 +59,92 @@ FORMS = {
 }
 
 FILE = (
-    Key("site", "site", "what the whole site has in common", "site: {title: My robot}", True),
-    Key(
-        "workspace",
-        "path",
-        "the colcon workspace: packages anywhere below this folder",
-        "workspace: .",
-        default=".",
-    ),
+    Key("site", "site", "settings of the whole site", "site: {title: My robot}", True),
+    Key("workspace", "path", "the colcon workspace", "workspace: .", default="."),
     Key(
         "nodes",
         "nodes",
-        "the nodes that every page may use, by name",
+        "nodes available to every page, by name",
         "nodes: {talker: {package: cpp_pubsub, executable: talker}}",
     ),
-    Key("pages", "pages", "the pages, in order", "pages: [{path: /, file: index.md}]", True),
+    Key(
+        "pages",
+        "pages",
+        "the pages in navigation order; at least one",
+        "pages: [{path: /, file: index.md}]",
+        True,
+    ),
     Key(
         "nav",
         "nav",
-        "the navigation, where the paths of the pages are not it",
+        "navigation order; defaults to the page paths",
         "nav: [/, {Demos: [demo01/, demo02/]}]",
     ),
     Key(
         "pyodide",
         "pyodide",
-        "what Python nodes need beside ROS",
+        "packages for Python nodes besides ROS",
         "pyodide: {requirements: requirements.txt}",
     ),
-    Key("deploy", "deploy", "where `sitegen deploy` puts it", "deploy: {branch: gh-pages}"),
+    Key("deploy", "deploy", "where `sitegen deploy` publishes", "deploy: {branch: gh-pages}"),
 )
 
 SITE = (
-    Key("title", "text", "the name of the site", "title: My robot", True),
-    Key("description", "text", "one sentence for previews", "description: A robot to try out"),
+    Key("title", "text", "name of the site", "title: My robot", True),
+    Key(
+        "description",
+        "text",
+        "one sentence for link previews",
+        "description: A robot to try out",
+    ),
     Key(
         "url",
         "url",
-        "where the site will live; for absolute links and previews",
+        "public address; required for previews, sitemap and feed",
         "url: https://me.github.io/my-robot/",
     ),
-    Key("language", "text", "the language of the text", "language: en", default="en"),
-    Key("languages", "list of text", "languages it is translated to", "languages: [de]"),
+    Key(
+        "language", "text", "language tag of the text: `de`, `pt-BR`", "language: en", default="en"
+    ),
+    Key("languages", "list of text", "languages of the translations", "languages: [de]"),
     Key(
         "theme",
         "text",
-        "a folder of `themes/` beside site.yaml, or a theme that sitegen brings",
+        "a folder in `themes/`, or a theme included in sitegen",
         "theme: default",
         default="default",
     ),
-    Key("accent", "colour", "the colour of links and of what is current", 'accent: "#2b4bd8"'),
-    Key("font", "text", "the letters of text: a font file, or names", "font: fonts/own.woff2"),
-    Key("code_font", "text", "the letters of code", "code_font: fonts/code.woff2"),
-    Key("logo", "path", "an image beside the title", "logo: images/logo.svg"),
-    Key("footer", "text", "what stands below every page, Markdown", "footer: Example University"),
+    Key("accent", "colour", "colour of links and of the current item", 'accent: "#2b4bd8"'),
+    Key("font", "text", "font of the text: a file, or font names", "font: fonts/own.woff2"),
+    Key("code_font", "text", "font of code and consoles", "code_font: fonts/code.woff2"),
+    Key("logo", "path", "image beside the title, also the icon", "logo: images/logo.svg"),
+    Key("footer", "text", "Markdown below every page", "footer: Example University"),
     Key(
         "repository",
         "url",
-        "where the sources are; for a link to edit a page",
+        "source repository; adds links to it and to edit pages",
         "repository: https://github.com/me/my-robot",
     ),
-    Key("branch", "text", "the branch to edit", "branch: main", default="main"),
-    Key("feed", "flag", "write a feed of the pages with a date", "feed: true", default=False),
+    Key("branch", "text", "branch of the edit links", "branch: main", default="main"),
+    Key("feed", "flag", "write an Atom feed of dated pages", "feed: true", default=False),
     Key(
         "offline",
         "flag",
-        "work without a network after the first visit, and be installed",
+        "make the site an installable app that works offline",
         "offline: true",
         default=False,
     ),
     Key(
         "isolate",
         "flag",
-        "let pages with Python nodes share memory with them, by a service worker",
+        "share memory between pages and their Python nodes",
         "isolate: true",
         default=False,
     ),
     Key(
         "asyncify",
         "flag",
-        "build every node a second time, for browsers without JSPI",
+        "also build C++ nodes for browsers without JSPI",
         "asyncify: true",
         default=True,
     ),
@@ -147,83 +154,86 @@ PYODIDE = (
     Key(
         "requirements",
         "path",
-        "packages of pure Python, with their versions and hashes, as pip reads them",
+        "pip requirements file with versions and hashes",
         "requirements: requirements.txt",
     ),
     Key(
         "packages",
         "text",
-        "a folder or an address with the Pyodide distribution, for compiled packages",
+        "folder or address of the Pyodide distribution",
         "packages: vendor/pyodide",
     ),
 )
 
 DEPLOY = (
-    Key("branch", "text", "the branch that is served", "branch: gh-pages", default="gh-pages"),
-    Key("remote", "text", "the remote of git to push to", "remote: origin", default="origin"),
-    Key("cname", "text", "a domain of your own", "cname: robot.example.org"),
+    Key("branch", "text", "branch that is served", "branch: gh-pages", default="gh-pages"),
+    Key("remote", "text", "git remote to push to", "remote: origin", default="origin"),
+    Key("cname", "text", "custom domain, written to `CNAME`", "cname: robot.example.org"),
 )
 
 # How any node is started.
 _HOW = (
-    Key("namespace", "text", "the namespace it starts in", "namespace: /demo"),
+    Key("namespace", "text", "namespace of the node, starting with `/`", "namespace: /demo"),
     Key(
         "remap",
         "text by name",
-        "names that it uses, and what they become",
+        "remapping rules, as with `-r from:=to`",
         "remap: {chatter: /demo/chatter}",
     ),
-    Key("parameters", "parameters", "its parameters, by name", "parameters: {speed: 2.5}"),
-    Key("arguments", "list of text", "what its `main` is given", "arguments: [--foo]"),
+    Key("parameters", "parameters", "parameter values or files", "parameters: {speed: 2.5}"),
+    Key("arguments", "list of text", "further arguments of `main()`", "arguments: [--foo]"),
 )
 
 NODE = (
-    Key("package", "text", "the package of the workspace", "package: cpp_pubsub", True),
-    Key("executable", "text", "the executable of that package", "executable: talker", True),
+    Key("package", "text", "package in the workspace", "package: cpp_pubsub", True),
+    Key("executable", "text", "executable or component of the package", "executable: talker", True),
     *_HOW,
     Key("group", "text", "Python nodes of a group share an interpreter", "group: robot"),
 )
 
 COMPILED = (
     Key(
-        "compiled",
-        "text",
-        "an archive of compiled nodes: an address, or a file",
-        "compiled: nodes.zip",
-        True,
+        "compiled", "text", "archive: a file or an `https://` address", "compiled: nodes.zip", True
     ),
     Key(
         "sha256",
         "digest",
-        "its SHA-256, needed for an address",
+        "SHA-256 of the archive; required for an address",
         "sha256: 72a66436beb4c95047286bc22bc7295cd1168bc8b3309ef35897a6802a22a2fb",
     ),
-    Key("package", "text", "which node of it: its package", "package: cpp_pubsub"),
-    Key("executable", "text", "which node of it: its executable", "executable: talker"),
+    Key("package", "text", "package, if the archive has several", "package: cpp_pubsub"),
+    Key("executable", "text", "executable, if the archive has several", "executable: talker"),
     *_HOW,
 )
 
 ROS2WASM = (
-    Key("ros2wasm", "path", "the worker script of such a node", "ros2wasm: nodes/talker.js", True),
+    Key(
+        "ros2wasm", "path", "worker script written by Emscripten", "ros2wasm: nodes/talker.js", True
+    ),
     Key(
         "types",
         "interface by name",
-        "what its topics and services carry",
+        "types of its topics and services",
         "types: {/chatter: std_msgs/msg/String}",
         True,
     ),
 )
 
 PAGE = (
-    Key("path", "text", "its folder in the site; `/` is the first page", "path: demo03/", True),
+    Key("path", "text", "folder of the page; `/` is the home page", "path: demo03/", True),
     Key(
         "title",
         "text",
-        "its name; without it, the first `# heading` of its text",
+        "title; defaults to the first `# heading`",
         "title: Publisher and subscriber",
     ),
-    Key("description", "text", "one sentence for previews", "description: Two nodes that talk"),
-    Key("level", "text", "what a visitor can do, checked against the widgets", "level: I3"),
+    Key(
+        "description",
+        "text",
+        "one sentence for link previews",
+        "description: Two nodes that talk",
+    ),
+    Key("level", "text", "interaction level, checked against the widgets", "level: I3"),
     Key(
         "nodes",
         "nodes",
@@ -233,21 +243,21 @@ PAGE = (
     Key(
         "launch",
         "path",
-        "a launch file, whose nodes start with the page",
+        "launch file whose nodes run on the page",
         "launch: src/my_bringup/launch/demo.launch.xml",
     ),
     Key(
         "launch_arguments",
         "text by name",
-        "the arguments of that launch file",
+        "arguments of the launch file",
         "launch_arguments: {speed: fast}",
     ),
-    Key("content", "content", "what the page shows, in order", "content: [{console: talker}]"),
-    Key("file", "path", "a Markdown file instead of `content`", "file: demos/demo01/page.md"),
-    Key("folder", "path", "a folder of Markdown files, a page each", "folder: docs"),
-    Key("tags", "list of text", "what it is about, in words", "tags: [topics, C++]"),
-    Key("date", "date", "the day it is of, for the feed", "date: 2026-11-21"),
-    Key("theme", "text", "its own theme", "theme: slides"),
+    Key("content", "content", "text and widgets, in order", "content: [{console: talker}]"),
+    Key("file", "path", "Markdown file instead of `content`", "file: demos/demo01/page.md"),
+    Key("folder", "path", "folder of Markdown files, one page each", "folder: docs"),
+    Key("tags", "list of text", "tags; each gets a page of its pages", "tags: [topics, C++]"),
+    Key("date", "date", "date of the page, for the feed", "date: 2026-11-21"),
+    Key("theme", "text", "theme of this page; defaults to the site's", "theme: slides"),
 )
 
 IN_FILE = (
@@ -256,9 +266,10 @@ IN_FILE = (
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
-MARKDOWN = Key("markdown", "text", "a file ending in .md, or the text itself", "markdown: intro.md")
+MARKDOWN = Key("markdown", "text", "a `.md` file, or the text itself", "markdown: intro.md")
 
-_NODE = Key("node", "text", "the node it is about", "node: talker", True)
+_NODE = Key("node", "text", "name of the node", "node: talker", True)
+_LINES = Key("lines", "number", "number of lines kept", "lines: 1000", default=1000)
 
 WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "buttons": (
@@ -271,20 +282,14 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             default=False,
         ),
     ),
-    "console": (
-        _NODE,
-        Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
-    ),
+    "console": (_NODE, _LINES),
     "source": (
-        Key("node", "text", "the node whose source it is", "node: talker"),
+        Key("node", "text", "node whose source is shown", "node: talker"),
         Key("file", "text", "another file of the package", "file: src/talker.cpp"),
         Key("lines", "range", "only these lines", "lines: 10-20"),
-        Key("region", "text", "only the part between #region and #endregion", "region: timer"),
+        Key("region", "text", "only a region, by its name", "region: timer"),
     ),
-    "prompt": (
-        _NODE,
-        Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),
-    ),
+    "prompt": (_NODE, _LINES),
     "editor": (
         _NODE,
         Key("file", "text", "another Python file of the package", "file: py_pubsub/words.py"),
@@ -292,31 +297,33 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     # Those without a node look at all of the page.
     "topics": (
         Key("show", "list of names", "only these topics", "show: [/chatter]"),
-        Key("echo", "name", "the topic whose messages it shows at first", "echo: /chatter"),
+        Key("echo", "name", "topic whose messages are shown first", "echo: /chatter"),
     ),
     "nodes": (),
     "services": (Key("show", "list of names", "only these services", "show: [/add_two_ints]"),),
     "publish": (
-        Key("topic", "name", "publish there, without a choice", "topic: /chatter"),
+        Key("topic", "name", "topic; without it, visitors choose one", "topic: /chatter"),
         Key(
             "type",
             "type",
-            "the type of its messages, where no node has the topic yet",
+            "message type, if no node has the topic yet",
             "type: std_msgs/msg/String",
         ),
     ),
     "graph": (),
-    "log": (Key("lines", "number", "how many lines it keeps", "lines: 1000", default=1000),),
+    "log": (_LINES,),
     "robot": (
-        Key("kind", "text", "which robot it is", "kind: vernie", True),
-        Key("twist", "name", "the topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
-        Key("color", "name", "the topic of its colours", "color: /color", default="/color"),
-        Key("sensors", "name", "where it publishes", "sensors: /vernie", default="/vernie"),
-        Key("odometry", "name", "the topic of where it is", "odometry: /odom"),
+        Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),
+        Key("twist", "name", "topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
+        Key("color", "name", "topic of its light's colours", "color: /color", default="/color"),
+        Key(
+            "sensors", "name", "prefix of its sensor topics", "sensors: /vernie", default="/vernie"
+        ),
+        Key("odometry", "name", "topic of its odometry", "odometry: /odom"),
         Key(
             "window",
             "name",
-            "the topic of what a turtlesim_node shows",
+            "topic of the turtlesim window",
             "window: /sim/window",
             default="/turtlesim/window",
         ),

@@ -18,9 +18,9 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
     Raises: SiteError if packages depend on each other in a cycle.
     """
     graph: dict[str, list[str]] = {}
-    waiting = [name]
+    waiting = [name] if name in packages else []
     while waiting:
-        one = waiting.pop()
+        one = waiting.pop(0)
         if one not in graph:
             graph[one] = [each for each in packages[one].depends if each in packages]
             waiting += graph[one]

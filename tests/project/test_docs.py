@@ -6,25 +6,14 @@ import re
 from pathlib import Path
 
 import pytest
+from keytables import TABLES, with_tables
 from paths import ROOT
 
 from sitegen.__main__ import main
 from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
-from sitegen.config.schema import (
-    COMPILED,
-    DEPLOY,
-    FILE,
-    FRONT_MATTER,
-    NODE,
-    PAGE,
-    PYODIDE,
-    ROS2WASM,
-    SITE,
-    WIDGETS,
-    Key,
-)
+from sitegen.config.schema import FRONT_MATTER, WIDGETS, Key
 from sitegen.config.section import conforms
 from sitegen.errors import Location, Problems
 from sitegen.model import Widget
@@ -32,41 +21,58 @@ from sitegen.model import Widget
 DOCS = ROOT / "docs"
 SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 
-SECTIONS = {
-    "The file": FILE,
-    "site": SITE,
-    "pyodide": PYODIDE,
-    "deploy": DEPLOY,
-    "A node": NODE,
-    "A node compiled elsewhere": COMPILED,
-    "A node of ROS2WASM": ROS2WASM,
-    "A page": PAGE,
-    "A page in Markdown": FRONT_MATTER,
-    **WIDGETS,
-}
-KEYS = [key for keys in SECTIONS.values() for key in keys]
+WRITING = DOCS.joinpath("writing.md").read_text(encoding="utf-8")
+WIDGETS_PAGE = DOCS.joinpath("widgets.md").read_text(encoding="utf-8")
+KEYS = [key for tables in TABLES.values() for keys in tables.values() for key in keys]
+PAGES = sorted(
+    file
+    for pattern in ("*.md", "docs/**/*.md", "demos/*/*.md", "bench/*.md")
+    for file in ROOT.glob(pattern)
+)
 
 
-def rows(heading: str) -> list[tuple[str, ...]]:
-    section = re.split(r"^#+ ", SITE_YAML.split(f"# {heading}\n")[1], flags=re.MULTILINE)[0]
-    table = [line for line in section.splitlines() if line.startswith("| `")]
-    return [tuple(cell.strip(" `") for cell in line.split("|")[1:-1]) for line in table]
+@pytest.mark.parametrize("page", TABLES)
+def test_the_tables_of_keys_are_those_of_the_schema(page: str) -> None:
+    text = DOCS.joinpath(page).read_text(encoding="utf-8")
+    assert text == with_tables(page, text), "run: .venv/bin/python tests/support/keytables.py"
 
 
-def default(key: Key) -> str:
-    if key.required:
-        return "required"
-    return str(key.default).lower()
+@pytest.mark.parametrize("page", TABLES)
+def test_no_row_of_a_table_of_keys_is_long(page: str) -> None:
+    text = DOCS.joinpath(page).read_text(encoding="utf-8")
+    assert [line for line in text.splitlines() if line[:1] == "|" and len(line) > 110] == []
 
 
-@pytest.mark.parametrize("heading", SECTIONS)
-def test_every_key_is_described(heading: str) -> None:
-    described = [row[:3] for row in rows(heading)]
-    assert described == [(key.name, key.type, default(key)) for key in SECTIONS[heading]]
+def test_the_keys_of_front_matter_are_described() -> None:
+    [sentence] = re.findall(r"^The front matter .*$", WRITING, flags=re.MULTILINE)
+    keys = re.findall(r"`(\w+)`", sentence)
+    assert keys == [key.name for key in FRONT_MATTER]
 
 
 def test_every_widget_is_described() -> None:
-    assert re.findall(r"^### (\w+)$", SITE_YAML, flags=re.MULTILINE) == list(WIDGETS)
+    assert re.findall(r"^### (\w+)$", WIDGETS_PAGE, flags=re.MULTILINE) == list(WIDGETS)
+
+
+def cells(line: str) -> int:
+    """The number of cells of a row: what its bars enclose, without those that are escaped."""
+    return len(re.findall(r"(?<!\\)\|", line)) - 1
+
+
+def malformed_rows(text: str) -> list[str]:
+    """The lines that Markdown takes for rows of a table, but whose cells are not the table's."""
+    without_code = re.sub(r"^(```+|~~~+).*?^\1$", "", text, flags=re.MULTILINE | re.DOTALL)
+    tables = re.findall(r"(\|.*)\n\|[-:| ]+\|\n((?:.*\S.*\n?)*)", without_code)
+    return [row for head, rows in tables for row in rows.splitlines() if cells(row) != cells(head)]
+
+
+@pytest.mark.parametrize("file", PAGES, ids=lambda file: str(file.relative_to(ROOT)))
+def test_what_follows_a_table_is_not_a_row_of_it(file: Path) -> None:
+    assert malformed_rows(file.read_text(encoding="utf-8")) == []
+
+
+def test_a_paragraph_right_behind_a_table_is_found() -> None:
+    text = "| key | type |\n|---|---|\n| `a\\|b` | text |\nEvery site has one.\n\nMore.\n"
+    assert malformed_rows(text) == ["Every site has one."]
 
 
 def test_every_level_is_described() -> None:
@@ -75,7 +81,7 @@ def test_every_level_is_described() -> None:
 
 def test_the_example_is_a_site(tmp_path: Path) -> None:
     examples = re.findall(r"^```yaml\n(.*?)^```", SITE_YAML, flags=re.MULTILINE | re.DOTALL)
-    pages = re.findall(r"^````markdown\n(.*?)^````", SITE_YAML, flags=re.MULTILINE | re.DOTALL)
+    pages = re.findall(r"^````markdown\n(.*?)^````", WRITING, flags=re.MULTILINE | re.DOTALL)
     files = {
         "site.yaml": examples[0],
         "intro.md": "",

@@ -24,6 +24,7 @@ ASYNCIFY = {ROOT, *(SITES / name for name in ("engines", "faults", "services"))}
 # That of ROS2WASM is complete only when a fixture has compiled its program as that project does.
 EVERY = [
     ROOT,
+    ROOT / "bench" / "site",
     *sorted(file.parent for file in SITES.glob("*/site.yaml") if file.parent.name != "ros2wasm"),
 ]
 

@@ -1,0 +1,45 @@
+"""Say how often and how long the parts of the bench measure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How much is measured: turns of ours and bare, starts, seconds, nodes, pages.
+
+    Without `cold`, the build with an empty cache, which compiles the library, is left out.
+    """
+
+    turns: int = 8
+    bursts: int = 5
+    starts: int = 9
+    repeats: int = 5
+    # Seconds that a flood and an idle page are watched.
+    flood: int = 60
+    idle: int = 10
+    # Nodes of a large page, and topics that each publishes.
+    nodes: int = 50
+    topics: int = 10
+    # Folders of Markdown, and pages in each.
+    folders: int = 20
+    pages: int = 50
+    cold: bool = True
+
+
+FULL = Counts()
+# Enough to see that everything runs; the figures mean nothing.
+SMALLEST = Counts(
+    turns=1,
+    bursts=1,
+    starts=1,
+    repeats=1,
+    flood=1,
+    idle=1,
+    nodes=5,
+    topics=2,
+    folders=2,
+    pages=10,
+    cold=False,
+)

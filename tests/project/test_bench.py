@@ -1,0 +1,41 @@
+"""Every part of the bench runs; what it measures is for `make bench`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from bench import __main__ as bench
+from bench.counts import SMALLEST
+from bench.figure import Figure
+
+pytestmark = pytest.mark.chromium
+
+
+@pytest.mark.parametrize("part", bench.PARTS)
+def test_a_part_runs(part: str) -> None:
+    figures = bench.PARTS[part](SMALLEST)
+    assert figures
+    assert all(figure.ours > 0 for figure in figures)
+    ratios = [figure for figure in figures if figure.target and figure.target.of == "ratio"]
+    assert all(figure.bare for figure in ratios)
+
+
+def test_a_part_that_fails_costs_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def broken(counts: object) -> list[Figure]:
+        raise RuntimeError("no such page")
+
+    results = tmp_path / "bench" / "results"
+    results.parent.mkdir()
+    monkeypatch.setattr(bench, "RESULTS", results)
+    one, other = Figure("one", "ms", 1.0), Figure("other", "ms", 2.0)
+    parts = {"first": lambda counts: [one], "broken": broken, "last": lambda counts: [other]}
+    monkeypatch.setattr(bench, "PARTS", parts)
+    assert bench.main([]) == 1
+    [kept] = results.iterdir()
+    assert '"one"' in kept.read_text()
+    assert '"other"' in kept.read_text()
+    assert capsys.readouterr().err.endswith("failed: broken\n")

@@ -1,0 +1,82 @@
+"""Turn the schema of site.yaml into the tables of its keys in docs/.
+
+`python tests/support/keytables.py` writes them; tests/project/test_docs.py compares them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from paths import ROOT
+
+from sitegen.config.schema import (
+    COMPILED,
+    DEPLOY,
+    FILE,
+    NODE,
+    PAGE,
+    PYODIDE,
+    ROS2WASM,
+    SITE,
+    WIDGETS,
+    Key,
+)
+
+# The keys below each heading of a page.
+TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
+    "site-yaml.md": {
+        "The file": FILE,
+        "site": SITE,
+        "deploy": DEPLOY,
+        "pyodide": PYODIDE,
+        "A node": NODE,
+        "A node compiled elsewhere": COMPILED,
+        "A node of ROS2WASM": ROS2WASM,
+        "A page": PAGE,
+    },
+    "widgets.md": {kind: keys for kind, keys in WIDGETS.items() if keys},
+}
+LINKS = {
+    "site": "#site",
+    "deploy": "#deploy",
+    "pyodide": "#pyodide",
+    "nodes": "#a-node",
+    "parameters": "#parameters",
+    "pages": "#a-page",
+    "nav": "writing.md#navigation",
+    "content": "widgets.md#content",
+}
+HEAD = ("| key | type | default | meaning |", "|---|---|---|---|")
+
+
+def table(keys: Sequence[Key]) -> str:
+    """Return the Markdown table of `keys`."""
+    return "\n".join((*HEAD, *(row(key) for key in keys)))
+
+
+def row(key: Key) -> str:
+    """Return the row of `key`."""
+    kind = f"[{key.type}]({LINKS[key.type]})" if key.type in LINKS else key.type
+    value = f"`{str(key.default).lower()}`" if key.default is not None else "none"
+    return f"| `{key.name}` | {kind} | {'required' if key.required else value} | {key.help} |"
+
+
+def with_tables(page: str, text: str) -> str:
+    """Return the `text` of a page with the tables of the schema in place of its own."""
+    for heading, keys in TABLES[page].items():
+        # The first table below the heading, if no other heading or table comes before it.
+        found = re.search(
+            rf"^#+ {re.escape(heading)}\n(?:(?!#|\|).*\n)*?(\| key \|.*\n(?:\|.*\n)*)",
+            text,
+            re.MULTILINE,
+        )
+        assert found, f"docs/{page}: no table of keys below the heading '{heading}'"
+        text = f"{text[: found.start(1)]}{table(keys)}\n{text[found.end(1) :]}"
+    return text
+
+
+if __name__ == "__main__":
+    for name in TABLES:
+        file = ROOT / "docs" / name
+        file.write_text(with_tables(name, file.read_text(encoding="utf-8")), encoding="utf-8")
