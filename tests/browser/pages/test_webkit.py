@@ -171,7 +171,9 @@ def test_nodes_of_ros2wasm_run_and_compiled_ones_say_what_is_missing(
     compiled = WindowPanel(window, "talker")
     compiled.start()
     compiled.expect_state("failed")
-    compiled.wait_for("this browser does not support JavaScript Promise Integration, which the node needs")
+    compiled.wait_for(
+        "this browser does not support JavaScript Promise Integration, which the node needs"
+    )
 
 
 def test_callers_get_their_own_answers(window: Window, serve: Serve, built: Built) -> None:
