@@ -67,7 +67,7 @@ def _build(arguments: argparse.Namespace) -> None:
 
     said = unchanged.recall(folder, output, cache_folder(), debug=debug)
     if said is not None:
-        print(*said, f"nothing has changed since → {output}", sep="\n")
+        print(*said, f"nothing changed since the last build → {output}", sep="\n")
         return
     # Importing the rest takes longer than finding out that nothing has changed.
     from sitegen.commands.build import build
@@ -95,7 +95,7 @@ def _check(arguments: argparse.Namespace) -> None:
 
     site, warnings = check(arguments.folder, Report(sys.stderr), strict=arguments.strict)
     print(*(f"{line}\n" for line in warnings), sep="", end="", file=sys.stderr)
-    found = count(len(warnings), "warning") if warnings else "nothing to say"
+    found = count(len(warnings), "warning") if warnings else "no warnings"
     print(f"checked {count(len(site.pages), 'page')}: {found}")
 
 
@@ -134,7 +134,7 @@ def _copy_theme(arguments: argparse.Namespace) -> None:
 
     target = arguments.target or Path("themes") / arguments.name
     theme.copy(arguments.name, target)
-    print(f"{target}: a copy of '{arguments.name}'; name it in site.yaml: theme: {target.name}")
+    print(f"{target}: a copy of '{arguments.name}'; select it in site.yaml: theme: {target.name}")
 
 
 def _parse(argv: list[str] | None) -> argparse.Namespace:
@@ -142,7 +142,7 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
     debug.add_argument(
         "--debug",
         action="store_true",
-        help="show where errors come from, those of C++ nodes included",
+        help="show tracebacks, and build C++ nodes that report source lines",
     )
     parser = argparse.ArgumentParser(
         "sitegen",
@@ -158,17 +158,20 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         default=Path(),
         type=Path,
         metavar="FOLDER",
-        help="the folder that holds site.yaml (default: this one)",
+        help="the folder that contains site.yaml (default: the current folder)",
     )
     new = commands.add_parser(
-        "new", help="make a small workspace with nodes and a site", parents=[debug]
+        "new", help="create a small workspace with two nodes and a site", parents=[debug]
     )
     new.add_argument(
-        "name", type=Path, metavar="NAME", help="the new folder, named as packages are"
+        "name",
+        type=Path,
+        metavar="NAME",
+        help="the folder to create; its name must be a valid package name",
     )
     new.set_defaults(run=_new)
     beginning = commands.add_parser(
-        "init", help="write a site.yaml for the workspace of a folder", parents=[debug]
+        "init", help="write a site.yaml for an existing workspace", parents=[debug]
     )
     beginning.add_argument(
         "folder",
@@ -176,39 +179,43 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         default=Path(),
         type=Path,
         metavar="FOLDER",
-        help="the folder of the workspace (default: this one)",
+        help="the workspace folder (default: the current folder)",
     )
     beginning.add_argument(
-        "--github", action="store_true", help="write workflows that publish the site on GitHub"
+        "--github", action="store_true", help="write GitHub workflows that publish the site"
     )
     beginning.set_defaults(run=_init)
-    build = commands.add_parser("build", help="write the site to a folder", parents=[folder, debug])
+    build = commands.add_parser(
+        "build", help="build the site into a folder", parents=[folder, debug]
+    )
     build.add_argument(
         "--output",
         type=Path,
         metavar="DIR",
-        help="the folder to write, replaced as a whole (default: FOLDER/dist)",
+        help="the folder to write; its contents are replaced (default: FOLDER/dist)",
     )
     build.add_argument(
         "--single-file",
         metavar="PAGE",
-        help="write one page as one HTML file, which needs no server (--output: its name)",
+        help="write one page as a single HTML file that needs no server (--output names it)",
     )
     build.set_defaults(run=_build)
     check = commands.add_parser(
-        "check", help="say what is wrong and what could be better", parents=[folder, debug]
+        "check",
+        help="report errors and warnings without compiling anything",
+        parents=[folder, debug],
     )
-    check.add_argument("--strict", action="store_true", help="fail where there is a warning")
+    check.add_argument("--strict", action="store_true", help="treat warnings as errors")
     check.set_defaults(run=_check)
     serve = commands.add_parser(
-        "serve", help="show the site in a browser while you edit it", parents=[folder, debug]
+        "serve", help="serve the site and rebuild it on every change", parents=[folder, debug]
     )
     serve.add_argument(
         "--port", type=int, default=8000, help="the first port to try (default: 8000)"
     )
     serve.set_defaults(run=_serve)
     compiling = commands.add_parser(
-        "compile", help="compile nodes into an archive, for a site elsewhere", parents=[debug]
+        "compile", help="compile nodes into an archive for use in other sites", parents=[debug]
     )
     compiling.add_argument(
         "packages", nargs="+", metavar="PACKAGE", help="a package, or PACKAGE/EXECUTABLE"
@@ -225,26 +232,32 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         type=Path,
         default=Path(),
         metavar="FOLDER",
-        help="the folder of the workspace (default: this one)",
+        help="the workspace folder (default: the current folder)",
     )
     compiling.set_defaults(run=_compile)
     deploy = commands.add_parser(
-        "deploy", help="build the site and publish it on a branch of git", parents=[folder, debug]
+        "deploy", help="build the site and publish it to a Git branch", parents=[folder, debug]
     )
     deploy.add_argument(
-        "--dry-run", action="store_true", help="say what would happen, and do nothing"
+        "--dry-run", action="store_true", help="show what would be published without publishing it"
     )
     deploy.set_defaults(run=_deploy)
     schema = commands.add_parser(
-        "schema", help="print the JSON Schema of site.yaml, for editors", parents=[debug]
+        "schema", help="print the JSON Schema of site.yaml for use in editors", parents=[debug]
     )
     schema.set_defaults(run=_schema)
-    theme = commands.add_parser("theme", help="begin an own theme")
+    theme = commands.add_parser("theme", help="start your own theme")
     doings = theme.add_subparsers(dest="doing", required=True, metavar="COMMAND")
-    copying = doings.add_parser("copy", help="copy a theme of sitegen", parents=[debug])
-    copying.add_argument("name", metavar="NAME", help="the theme: default, slides or plain")
+    copying = doings.add_parser(
+        "copy", help="copy a theme that comes with sitegen", parents=[debug]
+    )
+    copying.add_argument("name", metavar="NAME", help="the theme to copy: default, slides or plain")
     copying.add_argument(
-        "target", nargs="?", type=Path, metavar="DIR", help="the new folder (default: themes/NAME)"
+        "target",
+        nargs="?",
+        type=Path,
+        metavar="DIR",
+        help="the folder to create (default: themes/NAME)",
     )
     copying.set_defaults(run=_copy_theme)
     arguments = parser.parse_args(argv)
@@ -253,7 +266,7 @@ def _parse(argv: list[str] | None) -> argparse.Namespace:
         return arguments
     arguments.output = arguments.output or arguments.folder / "dist"
     if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
-        build.error("argument --output: would replace the folder that holds site.yaml")
+        build.error("argument --output: would replace the folder that contains site.yaml")
     return arguments
 
 

@@ -20,7 +20,7 @@ from sitegen.site import assets, offline, pages
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
-FOREIGN = "holds files that sitegen did not write; empty it or choose another --output"
+FOREIGN = "contains files that sitegen did not write; empty it or choose another --output"
 
 
 @dataclass(frozen=True)
@@ -96,14 +96,15 @@ def check_paths(artifacts: Sequence[Artifact]) -> None:
         other = first.setdefault(artifact.path, artifact)
         if other.source != artifact.source:
             sources = f"{origin(other)} and {origin(artifact)}"
-            problems.append(f"{artifact.path}: two files of the site want this path: {sources}")
+            problems.append(f"{artifact.path}: two files of the site have this path: {sources}")
     if problems:
         raise SiteError(problems)
 
 
 def origin(artifact: Artifact) -> str:
     """Say where an artifact comes from."""
-    return str(artifact.source) if isinstance(artifact.source, Path) else "one that sitegen writes"
+    source = artifact.source
+    return str(source) if isinstance(source, Path) else "a file that sitegen writes"
 
 
 def write(artifacts: Sequence[Artifact], output: Path) -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 @dataclass(frozen=True)
-class Place:
+class Location:
     """Where the author wrote something: a file and a line, counted from 1."""
 
     file: Path
@@ -37,14 +37,14 @@ class Problems:
         ordered = sorted(dict.fromkeys(self.found), key=lambda problem: problem[:2])
         return [f"{file}:{line}: {text}" for file, line, text in ordered]
 
-    def add(self, place: Place, key: str, message: str) -> None:
-        """Note that `key`, written at `place`, is wrong as `message` says."""
+    def add(self, location: Location, key: str, message: str) -> None:
+        """Note that `key`, written at `location`, is wrong as `message` says."""
         text = f"{key}: {message}".replace("\n", " ")
-        self.found.append((relative(place.file, self.root), place.line, text))
+        self.found.append((relative(location.file, self.root), location.line, text))
 
-    def where(self, place: Place) -> str:
-        """Return `place` for the middle of a message."""
-        return f"{relative(place.file, self.root)}:{place.line}"
+    def where(self, location: Location) -> str:
+        """Return `location` for the middle of a message."""
+        return f"{relative(location.file, self.root)}:{location.line}"
 
     def raise_if_any(self) -> None:
         """Raise a SiteError with all problems, in the order of file and line."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Component:
     package: str
     plugin: str
     arguments: tuple[str, ...]
-    place: Place
+    location: Location
 
     @property
     def words(self) -> list[str]:
@@ -57,14 +57,14 @@ class Prebuilt:
     """A C++ program from an archive, at an address or below the site's folder.
 
     `sha256` is the hash that the archive must have; `package` and `executable` choose one of its
-    programs. All three may be empty. `place` and `key` are where the author wrote it.
+    programs. All three may be empty. `location` and `key` are where the author wrote it.
     """
 
     source: str | Path
     sha256: str
     package: str
     executable: str
-    place: Place
+    location: Location
     key: str
 
 
@@ -96,7 +96,7 @@ class Node:
     name: str
     package: str
     executable: str
-    place: Place
+    location: Location
     namespace: str = ""
     remap: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, str] = field(default_factory=dict)
@@ -160,11 +160,11 @@ Programs = Mapping[tuple[str, ...], Program]
 
 @dataclass(frozen=True)
 class Markdown:
-    """Text of a page: `text` begins at `place`, links in it are relative to `folder`."""
+    """Text of a page: `text` begins at `location`, links in it are relative to `folder`."""
 
     text: str
     folder: Path
-    place: Place
+    location: Location
 
 
 @dataclass(frozen=True)
@@ -174,7 +174,7 @@ class Widget:
     kind: str
     target: str
     options: Mapping[str, object]
-    place: Place
+    location: Location
 
 
 @dataclass(frozen=True)
@@ -188,7 +188,7 @@ class Source:
     target: str
     file: str
     folder: Path
-    place: Place
+    location: Location
     lines: tuple[int, int] | None = None
     region: str = ""
     node: Node | None = None
@@ -210,7 +210,7 @@ class Page:
     nodes: Mapping[str, Node]
     content: tuple[Markdown | Widget | Source, ...]
     level: str
-    place: Place
+    location: Location
     file: Path | None = None
     front: str = ""
     theme: Path | None = None
@@ -232,13 +232,13 @@ class Page:
 
 
 @dataclass(frozen=True)
-class Section:
+class NavItem:
     """A line of the navigation as the author ordered it: a page, an address, or a group."""
 
     title: str
     page: str | None = None
     url: str = ""
-    inside: tuple[Section, ...] = ()
+    inside: tuple[NavItem, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -296,7 +296,7 @@ class Site:
     packages: Mapping[str, Package] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     look: Look = field(default_factory=lambda: Look())
-    nav: tuple[Section, ...] = ()
+    nav: tuple[NavItem, ...] = ()
     languages: tuple[str, ...] = ()
     repository: str = ""
     branch: str = "main"
@@ -311,14 +311,14 @@ class Site:
 class Setup:
     """What a package with Python installs.
 
-    `scripts` are its entry points ("module:function"), or the places of its programs, by the names
-    of the executables; `files` its files by their place below the prefix, where modules are in
+    `scripts` are its entry points ("module:function"), or the paths of its programs, by the names
+    of the executables; `files` maps paths below the prefix to files, where modules are in
     `python/`. `fault` says where its setup cannot be read, and why.
     """
 
     scripts: Mapping[str, str]
     files: Mapping[str, Path]
-    fault: tuple[Place, str] | None = None
+    fault: tuple[Location, str] | None = None
 
 
 @dataclass(frozen=True)

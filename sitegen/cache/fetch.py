@@ -73,7 +73,7 @@ def fetch(
 
 def mismatch(name: str, found: str) -> str:
     """Say that the file `name` has another hash, `found`, than the author expects."""
-    return f"{name} is not the file you mean; if you trust it, write 'sha256: {found}'"
+    return f"{name} does not have the expected hash; if you trust it, write 'sha256: {found}'"
 
 
 def _download(url: str, to: Path, largest: int, patience: Patience, end: float) -> str:
@@ -82,7 +82,7 @@ def _download(url: str, to: Path, largest: int, patience: Patience, end: float) 
 
     def check(request: httpx.Request) -> None:
         if not allowed(str(request.url)):
-            raise FetchError(f"{url} leads to {request.url}; only https is followed")
+            raise FetchError(f"{url} leads to {request.url}; only https addresses are followed")
 
     limits = httpx.Timeout(patience.bytes, connect=patience.connection)
     own = urlsplit(url).scheme == "http"
@@ -95,7 +95,7 @@ def _download(url: str, to: Path, largest: int, patience: Patience, end: float) 
         # No proxy leads back to this computer.
         trust_env=not own,
     )
-    too_large = f"{url} has more than {largest:,} bytes; that is no archive of nodes"
+    too_large = f"{url} has more than {largest:,} bytes; check the address"
     digest, count = hashlib.sha256(), 0
     try:
         with client, client.stream("GET", url) as response, to.open("wb") as file:
@@ -113,9 +113,11 @@ def _download(url: str, to: Path, largest: int, patience: Patience, end: float) 
                 digest.update(chunk)
                 file.write(chunk)
     except httpx.TimeoutException:
-        raise _PassingError("no answer in time") from None
+        raise _PassingError("the server did not answer in time") from None
     except httpx.TooManyRedirects:
-        raise FetchError(f"{url} redirects more than {REDIRECTS} times; check it") from None
+        raise FetchError(
+            f"{url} redirects more than {REDIRECTS} times; check the address"
+        ) from None
     except httpx.HTTPError as error:
         raise _PassingError(str(error) or type(error).__name__) from None
     except httpx.InvalidURL as error:

@@ -12,7 +12,7 @@ from pathlib import Path
 from sitegen.ignored import is_ignored
 from sitegen.shipped import PACKAGE, THEMES
 
-OWN = (PACKAGE, THEMES)
+GENERATOR = (PACKAGE, THEMES)
 
 
 def recall(folder: Path, output: Path, cache: Path, *, debug: bool) -> list[str] | None:
@@ -64,7 +64,7 @@ def _read(folder: Path, roots: Sequence[Path], output: Path) -> str:
     folder = folder.resolve()
     above = next((at for at in (folder, *folder.parents) if (at / ".git").exists()), folder)
     history = _repository(above / ".git") / "logs/HEAD"
-    return _digest([folder, *roots, *OWN, *tools, history], without=output.resolve())
+    return _digest([folder, *roots, *GENERATOR, *tools, history], without=output.resolve())
 
 
 def _repository(git: Path) -> Path:

@@ -54,7 +54,7 @@ def summarize(made: Made, report: Report) -> None:
     for page in listed:
         report.say(f"  /{page.path:{width}} {page.level or '  '}  {page.title}")
     if omitted:
-        report.say(f"  … and {count(len(omitted), 'page')} more, of text only")
+        report.say(f"  … and {count(len(omitted), 'page')} more without nodes")
     # Nodes that use one ROS2WASM script with different types are different programs.
     for program in {one.name: one for one in made.programs.values()}.values():
         report.say(f"  {program.name}: {program.size}")

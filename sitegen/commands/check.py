@@ -48,7 +48,7 @@ def _images(site: Site) -> list[str]:
     texts = [part for page in site.pages for part in page.content if isinstance(part, Markdown)]
     texts += [site.look.footer] if site.look.footer else []
     for text in texts:
-        for url, place in without_text(text):
-            message = f"'{url}' has no text for those who cannot see it; write ![what it shows](…)"
-            problems.add(place, "image", message)
+        for url, location in without_text(text):
+            message = f"'{url}' has no alternative text; write ![what it shows](…)"
+            problems.add(location, "image", message)
     return problems.lines

@@ -74,11 +74,17 @@ def _fault(
         return f"no package '{name}' in the workspace; {nearest(name, packages)}"
     if package.setup and (not _programs(package) or executable in package.setup.scripts):
         what = f"'{name}/{executable}'" if executable else f"package '{name}'"
-        return f"{what} is in Python, which is not compiled; add the package to the workspace"
+        return (
+            f"{what} is written in Python, which is not compiled; "
+            "add the package to the site's workspace"
+        )
     if package.build_type != "ament_cmake":
-        return f"package '{name}' is of build type '{package.build_type}'; only ament_cmake is C++"
+        return (
+            f"package '{name}' is of build type '{package.build_type}'; "
+            "only ament_cmake packages can be compiled"
+        )
     if package.executables is None:
-        told = f"only CMake can tell the executables of '{name}'; name one: {name}/…"
+        told = f"the executables of '{name}' are known only to CMake; name one: {name}/…"
         return "" if executable else told
     if executable and executable not in package.executables:
         hint = nearest(executable, package.executables)

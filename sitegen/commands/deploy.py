@@ -36,8 +36,10 @@ def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
     before = repository.published()
     old = repository.files(before)
     if before and "index.html" not in old:
-        message = f"branch '{target.branch}' of {target.remote} holds no web site (no index.html)"
-        raise SiteError([f"{message}; name another one in site.yaml: deploy: {{branch: …}}"])
+        message = (
+            f"branch '{target.branch}' of {target.remote} contains no web site (no index.html)"
+        )
+        raise SiteError([f"{message}; choose another one in site.yaml: deploy: {{branch: …}}"])
     with tempfile.TemporaryDirectory(prefix="sitegen-") as temporary:
         output = Path(temporary) / "dist" if dry_run else folder / "dist"
         if dry_run:
@@ -59,7 +61,7 @@ def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
             report.say(f"would publish {what}, to {where}: {_summed_up(changes)}")
             return
         if before and not any(changes):
-            report.say(f"{where} has it already; nothing to publish")
+            report.say(f"{where} is up to date; nothing to publish")
             return
         repository.publish(output, new, before, _message(site, repository))
     report.say(f"published {what}, from {shown(output)} to {where}: {_summed_up(changes)}")
@@ -103,7 +105,9 @@ def _next(site: Site, remote: str, *, first: bool) -> str:
     if github and first:
         branch = site.deploy.branch
         return f"now choose branch '{branch}' at {_settings(*github.groups())}, then see {address}"
-    return f"see {address} in a minute" if address else "it is where that branch is served"
+    if address:
+        return f"see {address} in a minute"
+    return "the site is available where that branch is served"
 
 
 def _settings(owner: str, name: str) -> str:

@@ -33,7 +33,10 @@ class Repository:
             raise SiteError(["git not found; install it (git-scm.com)"])
         repository = cls(folder, remote, branch)
         if repository._run("rev-parse", "--git-dir").returncode:
-            message = "is in no git repository; make one: git init, and one on GitHub to push to"
+            message = (
+                "is not in a git repository; "
+                "run git init, and create a repository on GitHub to push to"
+            )
             raise SiteError([f"{folder} {message}"])
         remotes = repository._run("remote").stdout.split()
         if remote not in remotes:
@@ -41,12 +44,12 @@ class Repository:
             hint = nearest(remote, remotes) if remotes else how
             raise SiteError([f"the repository has no remote '{remote}'; {hint}"])
         if repository._run("symbolic-ref", "--short", "HEAD").stdout.strip() == branch:
-            message = f"'{branch}' is the branch you are on, and publishing replaces its files"
-            raise SiteError([f"{message}; name another one in site.yaml: deploy: {{branch: …}}"])
+            message = f"'{branch}' is the current branch, and publishing would replace its files"
+            raise SiteError([f"{message}; choose another one in site.yaml: deploy: {{branch: …}}"])
         for key, variable in (("name", "GIT_COMMITTER_NAME"), ("email", "GIT_COMMITTER_EMAIL")):
             said = repository._run("config", f"user.{key}").stdout.strip()
             if not os.environ.get(variable) and not said:
-                raise SiteError([f"git has no user.{key} for you; say it: git config user.{key} …"])
+                raise SiteError([f"git has no user.{key}; set it: git config user.{key} …"])
         return repository
 
     @property
@@ -97,7 +100,7 @@ class Repository:
             command = [sys.executable, "-P", "-m", "ghp_import", *words]
             done = subprocess.run(command, cwd=self.folder, text=True, capture_output=True)
             if done.returncode or self.files(f"refs/heads/{DRAFT}") != files:
-                raise SiteError([f"git could not take in the site: {_reason(done)}"])
+                raise SiteError([f"git could not commit the site: {_reason(done)}"])
             pushed = self._run("push", self.remote, f"{DRAFT}:refs/heads/{self.branch}")
             if pushed.returncode:
                 where = f"'{self.branch}' of {self.remote} ({self.url})"
@@ -134,4 +137,4 @@ def _reason(done: subprocess.CompletedProcess[str]) -> str:
         told = [line for line in lines if re.match(telling, line)]
         if told:
             return re.sub(r"^(ERROR|remote|fatal|error): ", "", told[0])
-    return lines[-1] if lines else f"it ended with {done.returncode}"
+    return lines[-1] if lines else f"git exited with status {done.returncode}"

@@ -9,7 +9,7 @@ from sitegen import __version__
 from sitegen.errors import SiteError
 
 TEMPLATES = Path(__file__).parent / "templates" / "github"
-PLACE = Path(".github") / "workflows"
+FOLDER = Path(".github") / "workflows"
 # What the templates have where each repository has something of its own.
 SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: sitegen\n", "branches: [main]"
 
@@ -20,10 +20,10 @@ def workflows(folder: Path) -> dict[Path, str]:
     They belong into the repository that holds it. Raises a SiteError where they are there already.
     """
     root = next((up for up in (folder, *folder.parents) if (up / ".git").exists()), folder)
-    files = {root / PLACE / each.name: each.read_text() for each in sorted(TEMPLATES.iterdir())}
+    files = {root / FOLDER / each.name: each.read_text() for each in sorted(TEMPLATES.iterdir())}
     there = [file for file in files if file.exists()]
     if there:
-        raise SiteError([f"{file} exists already; remove it, or edit it" for file in there])
+        raise SiteError([f"{file} already exists; remove or edit it" for file in there])
     site = json.dumps(folder.relative_to(root).as_posix(), ensure_ascii=False)
     branch = json.dumps(_branch(root))
     return {

@@ -14,12 +14,12 @@ from sitegen import workspace
 from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
-from sitegen.errors import Place, Problems, SiteError, relative
+from sitegen.errors import Location, Problems, SiteError, relative
 from sitegen.launch import launched
 from sitegen.model import Node, Package
-from sitegen.nodes.python import archives, wheels
+from sitegen.nodes.python import archives, dependencies
 from sitegen.report import Report
-from sitegen.workspace.unsupported import lacking
+from sitegen.workspace.unsupported import unsupported_libraries
 
 FILE = "site.yaml"
 # Both ways in which ROS names them: robot.launch.py and robot_launch.py.
@@ -64,7 +64,7 @@ def init(folder: Path, report: Report, *, github: bool = False) -> None:
 def _write_site(folder: Path, report: Report) -> None:
     file = folder / FILE
     if file.exists():
-        raise SiteError([f"{file} exists already; remove it, or edit it"])
+        raise SiteError([f"{file} already exists; remove or edit it"])
     root = folder.resolve()
     problems = Problems(root)
     packages = workspace.scan(root, problems=problems)
@@ -79,9 +79,9 @@ def _write_site(folder: Path, report: Report) -> None:
         report.say(f"  /{path}  {relative(launch, root)}")
     for name, package in packages.items():
         if package.executables is None:
-            report.say(f"  {name}: only CMake can tell its executables; add those that you want")
+            report.say(f"  {name}: its executables are known only to CMake; add the ones you want")
     for fault in runs.faults:
-        report.say(f"  left out: {fault}")
+        report.say(f"  skipped: {fault}")
     report.say(f"wrote {file}")
 
 
@@ -89,10 +89,10 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     shown: list[Package] = []
     launch: dict[str, Path] = {}
     faults: list[str] = []
-    missing = {name: lacking(package) for name, package in packages.items()}
+    missing = {name: unsupported_libraries(package) for name, package in packages.items()}
     for name, package in packages.items():
-        place = Place(package.path / "package.xml", 1)
-        nodes = [Node(each, name, each, place) for each in package.executables or ()]
+        location = Location(package.path / "package.xml", 1)
+        nodes = [Node(each, name, each, location) for each in package.executables or ()]
         wrong = _faults(root, nodes, packages, missing)
         running = tuple(node.executable for node in nodes if node.name not in wrong)
         if running:
@@ -104,7 +104,7 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             started = launched(path, {}, {**workspace.shipped_packages(), **packages}, problems)
             lines = [*problems.lines, *_faults(root, started, packages, missing).values()]
             if not started and not lines:
-                lines = ["starts nothing that a page could run"]
+                lines = ["starts no node that can run in the browser"]
             if lines:
                 where = relative(path, root)
                 faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
@@ -129,12 +129,12 @@ def _faults(
         what = missing.get(node.package, {}).get(node.executable)
         if what:
             folder = relative(packages[node.package].path, root)
-            message = f"'{node.executable}' needs '{what}', which has no build for the page"
+            message = f"'{node.executable}' needs '{what}', which is not available in the browser"
             faults[node.name] = f"{folder}: {message}"
             continue
         if not problems.lines and setup and node.executable in setup.scripts:
-            for module, (place, _) in archives.lacking(node, there).items():
-                problems.add(place, f"import {module}", wheels.lack(module))
+            for module, (location, _) in archives.missing_modules(node, there).items():
+                problems.add(location, f"import {module}", dependencies.unavailable(module))
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults
@@ -150,29 +150,29 @@ def _page_path(package: str, file: str, taken: Collection[str]) -> str:
 
 def _nothing(folder: Path, packages: Mapping[str, Package]) -> str:
     if not packages:
-        return f"{folder}: no ROS package here or below; name the folder of a workspace"
+        return f"{folder}: no ROS package found in this folder; give the folder of a workspace"
     names = ", ".join(packages)
-    return f"{folder}: no package has an executable that could run on a page: {names}"
+    return f"{folder}: no package has an executable that can run in the browser: {names}"
 
 
 def _lines(root: Path, runs: Runs, all_of_them: Mapping[str, Package]) -> Iterator[str]:
     title = root.name.replace("_", " ").replace("-", " ").capitalize()
     paths = [*(f"{segment(package.name)}/" for package in runs.packages), *runs.launch]
-    yield "# What is on the site. Every key is described in docs/site-yaml.md of sitegen;"
-    yield "# `sitegen serve` shows the site while you edit, and says what is wrong with it."
+    yield "# The contents of the site. docs/site-yaml.md of sitegen describes every key;"
+    yield "# `sitegen serve` shows the site while you edit it, and reports any errors."
     yield "site:"
     yield f"  title: {_text(title)}"
-    yield "  # Where it will live, for previews of links that people share:"
+    yield "  # The address of the site, for link previews:"
     yield "  # url: https://me.github.io/my-robot/"
     yield "workspace: ."
     yield ""
-    yield "# The pages, in the order of the navigation; `markdown` is text or a file (.md)."
+    yield "# The pages, in navigation order; `markdown` is text or the name of a file (.md)."
     yield "pages:"
     yield "  - path: /"
     yield "    title: Welcome"
     yield "    content:"
     yield "      - markdown: |"
-    yield "          Programs of a robot, running in your browser."
+    yield "          ROS 2 nodes, running in your browser."
     yield ""
     yield from (f"          - [{path.removesuffix('/')}]({path})" for path in paths)
     for package in runs.packages:
@@ -188,20 +188,20 @@ def _page(package: Package, *, first: bool) -> Iterator[str]:
     yield f"  - path: {segment(package.name)}/"
     yield f"    title: {_name(package.name)}"
     if first:
-        yield "    # The programs that the page runs. One can also have more than these:"
+        yield "    # The nodes that the page runs. A node can have more keys:"
         yield "    #   {package: …, executable: …, namespace: /demo, remap: {chatter: /chatter}}"
     yield "    nodes:"
     for name, executable in nodes.items():
         yield f"      {name}: {{package: {_name(package.name)}, executable: {_name(executable)}}}"
     yield "    content:"
-    yield f"      - markdown: {_text(f'What {package.name} does, in a sentence.')}"
+    yield f"      - markdown: {_text(f'Describe {package.name} in a sentence.')}"
     if first:
-        yield "      # Without buttons, a node would start with the page."
+        yield "      # A node without buttons starts when the page opens."
     for name in nodes:
         yield f"      - buttons: {name}"
         yield f"      - console: {name}"
     if first:
-        yield "      # Who says what to whom; also try services, publish, nodes, graph and log."
+        yield "      # All topics and messages; also try services, publish, nodes, graph and log."
     yield "      - topics:"
 
 
@@ -210,7 +210,7 @@ def _launch_page(path: str, file: str, *, first: bool) -> Iterator[str]:
     yield f"  - path: {path}"
     yield f"    title: {_name(path.removesuffix('/').rpartition('/')[2])}"
     if first:
-        yield "    # All that this file starts, with buttons and a console each. Its arguments:"
+        yield "    # Every node that this file starts, with buttons and a console. Its arguments:"
         yield "    #   launch_arguments: {robot_name: fox}"
     yield f"    launch: {_name(file)}"
 
@@ -220,10 +220,10 @@ def _also(packages: Collection[Package], faults: Sequence[str]) -> Iterator[str]
     robots = {package.name: _files(package, ROBOTS) for package in packages}
     interfaces = {package.name: sorted(package.interfaces) for package in packages}
     if faults:
-        yield from ("", "# What no page can run as it is, and why:")
+        yield from ("", "# Skipped, because it cannot run in the browser as it is:")
         yield from (f"#   {fault}" for fault in faults)
-    yield from _listed(robots, "# Robot descriptions, for nodes like robot_state_publisher:")
-    yield from _listed(interfaces, "# Messages, services and actions, which all nodes may use:")
+    yield from _listed(robots, "# Robot descriptions, for nodes such as robot_state_publisher:")
+    yield from _listed(interfaces, "# Messages, services and actions that all nodes can use:")
 
 
 def _files(package: Package, patterns: Iterable[str]) -> list[str]:

@@ -22,9 +22,11 @@ def new(folder: Path) -> list[str]:
     """
     name = folder.name
     if not PACKAGE.fullmatch(name):
-        advice = "use lower-case letters, digits and single '_', a letter first"
+        advice = "use lower-case letters, digits and single '_', starting with a letter"
         like = _like(name)
-        raise SiteError([f"'{name or folder}' is no package name; {advice}, like '{like}'"])
+        raise SiteError(
+            [f"'{name or folder}' is not a valid package name; {advice}, like '{like}'"]
+        )
     _check_free(folder)
     folder.parent.mkdir(parents=True, exist_ok=True)
     files = sorted(file for file in TEMPLATE.rglob("*") if file.is_file())
@@ -43,20 +45,20 @@ def _check_free(folder: Path) -> None:
             return
         more = f" and {len(found) - 5} more" if len(found) > 5 else ""
         there = f"{', '.join(found[:5])}{more}"
-        raise SiteError([f"{folder} is there already and holds {there}; choose another name"])
+        raise SiteError([f"{folder} already exists and contains {there}; choose another name"])
     if folder.exists() or folder.is_symlink():
         raise SiteError([f"{folder} is a file; choose another name"])
 
 
 def _write(file: Path, to: Path, name: str) -> str:
     """Write a file of the template below `to`, called and filled for `name`; return its path."""
-    place = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
+    path = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
     text = file.read_text(encoding="utf-8")
     title = name.replace("_", " ").capitalize()
-    copy = to / place
+    copy = to / path
     copy.parent.mkdir(parents=True, exist_ok=True)
     copy.write_text(text.replace(NAME, name).replace(TITLE, title), encoding="utf-8")
-    return place
+    return path
 
 
 def _like(name: str) -> str:

@@ -26,14 +26,12 @@ def build_single(folder: Path, path: str, *, output: Path | None, report: Report
     if output.is_dir() or (
         output.exists() and single.HELD not in output.read_text("utf-8", "replace")
     ):
-        raise SiteError([f"{output} is there and not of sitegen; choose another --output"])
+        raise SiteError([f"{output} was not written by sitegen; choose another --output"])
     made = make(folder, report)
     text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
     if "<iframe" in text:
-        line = Problems(site.root).where(page.place)
-        raise SiteError(
-            [f"{line}: a single file shows no frame of another page; link to it instead"]
-        )
+        line = Problems(site.root).where(page.location)
+        raise SiteError([f"{line}: a single file cannot embed another page; link to it instead"])
     artifacts += assets.runtime(replace(made.site, pages=(page,)), made.programs)
     artifacts += (file for program in made.programs.values() for file in program.files)
     known = {artifact.path: artifact for artifact in artifacts}
@@ -43,7 +41,7 @@ def build_single(folder: Path, path: str, *, output: Path | None, report: Report
         fresh.write_bytes(content)
         fresh.replace(output)
     if not site.url:
-        report.say("site.yaml has no url: links to other pages lead nowhere in the file")
+        report.say("site.yaml has no url, so links to other pages do not work in the file")
     report.say(f"built /{page.path} → {shown(output)}, {size(len(content))}")
 
 
@@ -61,14 +59,14 @@ def check_single(site: Site, path: str) -> Page:
     problems = Problems(site.root)
     for name, node in page.nodes.items():
         if why := _needs_server(node):
-            problems.add(node.place, f"nodes.{name}", f"no node for a single file: {why}")
+            problems.add(node.location, f"nodes.{name}", f"does not work in a single file: {why}")
     problems.raise_if_any()
     return page
 
 
 def _needs_server(node: Node) -> str:
     if isinstance(node.kind, Python):
-        return "Python comes as files that look for each other on a server; leave it out"
+        return "Python nodes need a web server; remove the node or build the whole site"
     if isinstance(node.kind, Ros2wasm):
-        return "programs of ROS2WASM look for their files on a server; leave it out"
+        return "ROS2WASM programs need a web server; remove the node or build the whole site"
     return ""

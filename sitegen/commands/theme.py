@@ -18,5 +18,5 @@ def copy(name: str, target: Path) -> None:
     if name not in known:
         raise SiteError([f"no theme named '{name}'; {nearest(name, known)}"])
     if target.exists():
-        raise SiteError([f"{target} exists already; name another folder"])
+        raise SiteError([f"{target} already exists; choose another folder"])
     shutil.copytree(THEMES / name, target)

@@ -10,10 +10,10 @@ from sitegen.config.blocks import front_matter
 from sitegen.config.content import Part, Reader
 from sitegen.config.document import read
 from sitegen.config.page import first_heading
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Markdown, Page
 
-NOWHERE = Place(Path(), 0)
+NOWHERE = Location(Path(), 0)
 
 
 def read_again(page: Page, root: Path) -> Page | None:
@@ -29,7 +29,7 @@ def read_again(page: Page, root: Path) -> Page | None:
     if not front.closed or front.text != page.front:
         return None
     reader = Reader(page.nodes, problems, page.file.parent)
-    start = Place(page.file, 1 + body.line)
+    start = Location(page.file, 1 + body.line)
     content = tuple(reader.markdown(body.text, start, page.file.parent))
     if problems.found or _frame(content) != _frame(page.content):
         return None
@@ -40,4 +40,4 @@ def read_again(page: Page, root: Path) -> Page | None:
 
 def _frame(content: Iterable[Part]) -> list[Part]:
     """Return what is between the text, without lines, which move when text is written."""
-    return [replace(part, place=NOWHERE) for part in content if not isinstance(part, Markdown)]
+    return [replace(part, location=NOWHERE) for part in content if not isinstance(part, Markdown)]

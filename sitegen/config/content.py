@@ -8,10 +8,10 @@ from pathlib import Path
 
 from sitegen.config.blocks import Block, split
 from sitegen.config.document import Value, parse, read
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.schema import MARKDOWN, ROBOTS, WIDGETS
 from sitegen.config.section import Section, check, conforms
-from sitegen.errors import Place, Problems, nearest
+from sitegen.errors import Location, Problems, nearest
 from sitegen.model import Markdown, Node, Source, Widget
 
 Part = Markdown | Widget | Source
@@ -34,14 +34,14 @@ class Reader:
             elif kind:
                 yield from self._widget(*kind)
 
-    def markdown(self, text: str, start: Place, folder: Path) -> Iterator[Part]:
+    def markdown(self, text: str, start: Location, folder: Path) -> Iterator[Part]:
         """Yield the prose and the widgets of Markdown text."""
         for block in split(text):
-            place = replace(start, line=start.line + block.line)
+            location = replace(start, line=start.line + block.line)
             if block.info is None:
-                yield Markdown(block.text, folder, place)
+                yield Markdown(block.text, folder, location)
             else:
-                yield from self._block(block, place)
+                yield from self._block(block, location)
 
     def _markdown_item(self, value: Value) -> Iterator[Part]:
         if not conforms(value, MARKDOWN, self.problems):
@@ -52,19 +52,22 @@ class Reader:
         file = locate(value, self.problems)
         text = read(file, self.problems) if file else None
         if file and text is not None:
-            yield from self.markdown(text, Place(file, 1), file.parent)
+            yield from self.markdown(text, Location(file, 1), file.parent)
 
-    def _block(self, block: Block, place: Place) -> Iterator[Widget | Source]:
-        fence = replace(place, line=place.line - 1)
+    def _block(self, block: Block, location: Location) -> Iterator[Widget | Source]:
+        fence = replace(location, line=location.line - 1)
         if not block.closed:
-            self.problems.add(fence, "ros", "this block has no end; close it with ```")
+            self.problems.add(fence, "ros", "this block is not closed; close it with ```")
             return
         if block.info != "ros":
-            message = f"a block begins with 'ros' only, found '{block.info}'; write the rest inside"
+            message = (
+                f"a block must begin with 'ros' alone, found '{block.info}'; "
+                "move the rest inside the block"
+            )
             self.problems.add(fence, "ros", message)
             return
-        empty = "this block is empty; write a widget, like 'console: talker'"
-        value = parse(block.text, place, self.problems, key="ros", empty=empty)
+        empty = "this block is empty; add a widget, like 'console: talker'"
+        value = parse(block.text, location, self.problems, key="ros", empty=empty)
         widgets = value.items() if value and value.kind == "list" else [value]
         for item in filter(None, widgets):
             kind = self._kind(item, tuple(WIDGETS))
@@ -75,18 +78,18 @@ class Reader:
         if item.kind != "mapping":
             message = f"expected one of {', '.join(known)}, found {item.found}"
             like = f"{item.text}:" if item.text in WIDGETS else "console: talker"
-            self.problems.add(item.place, item.label, f"{message}; write it like '{like}'")
+            self.problems.add(item.location, item.label, f"{message}; write it like '{like}'")
             return None
         entries = item.entries(self.problems)
         if len(entries) != 1:
             given = ", ".join(f"'{name}'" for name in entries) or "none"
             message = f"expected one key, found {given}; begin every widget with '- '"
-            self.problems.add(item.place, item.label, message)
+            self.problems.add(item.location, item.label, message)
             return None
         name, value = next(iter(entries.items()))
         if name not in known:
-            message = f"nothing is called '{name}' here; {nearest(name, known)}"
-            self.problems.add(value.place, value.key, message)
+            message = f"unknown widget '{name}'; {nearest(name, known)}"
+            self.problems.add(value.location, value.key, message)
             return None
         return name, value
 
@@ -110,13 +113,13 @@ class Reader:
             node = value if conforms(value, short, self.problems) else None
             options = {key.name: key.default for key in keys if not key.required}
         if node and self._known(node):
-            yield Widget(kind, node.text, options, value.place)
+            yield Widget(kind, node.text, options, value.location)
 
     def _known(self, node: Value) -> bool:
         if node.text in self.nodes:
             return True
         message = f"no node '{node.text}'; {nearest(node.text, self.nodes)}"
-        self.problems.add(node.place, node.key, message)
+        self.problems.add(node.location, node.key, message)
         return False
 
     def _source(self, value: Value) -> Iterator[Source]:
@@ -134,18 +137,18 @@ class Reader:
         file, region, lines = map(section.text, ("file", "region", "lines"))
         if not node and not file:
             if value.kind == "mapping" and not value.has("node", "file"):
-                message = "names nothing to show; write it like 'source: talker'"
-                self.problems.add(value.place, value.key, message)
+                message = "needs a node or a file; write it like 'source: talker'"
+                self.problems.add(value.location, value.key, message)
             return
         if lines and region:
-            message = "given beside 'region'; keep one of the two"
-            self.problems.add(value.place, f"{value.key}.lines", message)
+            message = "cannot be combined with 'region'; keep one of the two"
+            self.problems.add(value.location, f"{value.key}.lines", message)
         first, _, last = lines.partition("-")
         yield Source(
             target=node.text if node else "",
             file=file,
             folder=self.folder,
-            place=value.place,
+            location=value.location,
             lines=(int(first), int(last)) if lines else None,
             region=region,
             node=self.nodes[node.text] if node else None,
@@ -163,9 +166,9 @@ class Reader:
         else:
             names = f"its options ({', '.join(key.name for key in keys)}) or " if keys else ""
             message = f"expected {names}nothing, found {value.found}; write it like '{kind}:'"
-            self.problems.add(value.place, value.key, message)
+            self.problems.add(value.location, value.key, message)
             return
-        yield Widget(kind, "", options, value.place)
+        yield Widget(kind, "", options, value.location)
 
     def _robot(self, value: Value) -> Iterator[Widget]:
         """Yield a robot; which options it has, its kind decides."""
@@ -174,13 +177,13 @@ class Reader:
         if not kind:
             return
         if kind.text not in ROBOTS:
-            message = f"no robot is called '{kind.text}'; {nearest(kind.text, ROBOTS)}"
-            self.problems.add(kind.place, kind.key, message)
+            message = f"unknown robot '{kind.text}'; {nearest(kind.text, ROBOTS)}"
+            self.problems.add(kind.location, kind.key, message)
             return
         own = ROBOTS[kind.text]
         for name, entry in section.entries.items():
             if name not in ("kind", *own):
                 message = f"a {kind.text} has no '{name}'; it has {' and '.join(own)}"
-                self.problems.add(entry.place, entry.key, message)
+                self.problems.add(entry.location, entry.key, message)
         given = {name: section.option(name) for name in ("kind", *own)}
-        yield Widget("robot", "", given, value.place)
+        yield Widget("robot", "", given, value.location)

@@ -23,10 +23,14 @@ def deploy(given: Value | None, problems: Problems) -> Deploy:
     for name in ("branch", "remote"):
         text = section.text(name)
         if not REF.fullmatch(text) or ".." in text:
-            message = f"'{text}' is no name for git; use letters, digits, '-', '_', '.' and '/'"
-            problems.add(section.place(name), section.label(name), message)
+            message = (
+                f"'{text}' is not a valid git name; use letters, digits, '-', '_', '.' and '/'"
+            )
+            problems.add(section.location(name), section.label(name), message)
     cname = section.text("cname").lower()
     if cname and not DOMAIN.fullmatch(cname):
-        message = f"'{cname}' is no domain; write it like 'robot.example.org', without https://"
-        problems.add(section.place("cname"), section.label("cname"), message)
+        message = (
+            f"'{cname}' is not a valid domain; write it like 'robot.example.org', without https://"
+        )
+        problems.add(section.location("cname"), section.label("cname"), message)
     return Deploy(section.text("branch"), section.text("remote"), cname)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 
 KINDS = {"str": "text", "bool": "flag", "int": "number", "null": "nothing"}
 
@@ -20,8 +20,8 @@ class Value:
 
     node: yaml.Node
     key: str
-    place: Place
-    start: Place
+    location: Location
+    start: Location
 
     @property
     def label(self) -> str:
@@ -61,14 +61,14 @@ class Value:
         if self.kind == "text":
             return f"the text '{shortened(self.text)}'" if self.text.strip() else "an empty text"
         return {"number": f"the number {self.text}", "flag": f"the truth value {self.text}"}.get(
-            self.kind, f"'{shortened(self.text)}', which is not text for YAML"
+            self.kind, f"'{shortened(self.text)}', which YAML does not read as text"
         )
 
     @property
-    def text_start(self) -> Place:
+    def text_start(self) -> Location:
         """Where the first line of a text was written."""
         block = isinstance(self.node, yaml.ScalarNode) and self.node.style in ("|", ">")
-        return self._place(self.node.start_mark.line + block)
+        return self._location(self.node.start_mark.line + block)
 
     def has(self, *keys: str) -> bool:
         """Return whether a mapping holds one of `keys`, well given or not."""
@@ -78,7 +78,7 @@ class Value:
         """Return the items of a list, or nothing if this is none."""
         nodes = self.node.value if isinstance(self.node, yaml.SequenceNode) else []
         return [
-            replace(self, node=node, key=f"{self.key}[{i}]", place=self._place_of(node))
+            replace(self, node=node, key=f"{self.key}[{i}]", location=self._location_of(node))
             for i, node in enumerate(nodes)
         ]
 
@@ -88,14 +88,14 @@ class Value:
         for key, value in self._pairs():
             if key.kind != "text":
                 problems.add(
-                    key.place,
+                    key.location,
                     self.label,
                     f"a key must be text, found {key.found}; put it in quotes",
                 )
             elif key.text in entries:
-                line = entries[key.text].place.line
+                line = entries[key.text].location.line
                 problems.add(
-                    key.place, value.key, f"already given in line {line}; remove one of the two"
+                    key.location, value.key, f"already given on line {line}; remove one of the two"
                 )
             else:
                 entries[key.text] = value
@@ -103,19 +103,19 @@ class Value:
 
     def _pairs(self) -> Iterator[tuple[Value, Value]]:
         for key, node in self.node.value if isinstance(self.node, yaml.MappingNode) else []:
-            place = self._place_of(key)
+            location = self._location_of(key)
             name = key.value if isinstance(key, yaml.ScalarNode) else "?"
             path = f"{self.key}.{name}" if self.key else name
             yield (
-                replace(self, node=key, place=place),
-                replace(self, node=node, key=path, place=place),
+                replace(self, node=key, location=location),
+                replace(self, node=node, key=path, location=location),
             )
 
-    def _place_of(self, node: yaml.Node) -> Place:
-        return self._place(node.start_mark.line)
+    def _location_of(self, node: yaml.Node) -> Location:
+        return self._location(node.start_mark.line)
 
-    def _place(self, line: int) -> Place:
-        return Place(self.start.file, self.start.line + line)
+    def _location(self, line: int) -> Location:
+        return Location(self.start.file, self.start.line + line)
 
 
 def read(file: Path, problems: Problems) -> str | None:
@@ -126,16 +126,16 @@ def read(file: Path, problems: Problems) -> str | None:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         message = f"not UTF-8 (byte 0x{data[error.start]:02x}); save the file as UTF-8"
-        problems.add(Place(file, line), "text", message)
+        problems.add(Location(file, line), "text", message)
         return None
     except OSError as error:
-        problems.add(Place(file, 1), "text", f"cannot be read: {error.strerror}")
+        problems.add(Location(file, 1), "text", f"cannot be read: {error.strerror}")
         return None
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def parse(
-    text: str, start: Place, problems: Problems, *, key: str = "", empty: str = ""
+    text: str, start: Location, problems: Problems, *, key: str = "", empty: str = ""
 ) -> Value | None:
     """Return the value that `text`, written at `start`, holds, noting where it is not YAML.
 
@@ -148,14 +148,14 @@ def parse(
         return None
     except yaml.YAMLError as error:
         line, what = _explain(error, text)
-        problems.add(Place(start.file, start.line + line), "yaml", what)
+        problems.add(Location(start.file, start.line + line), "yaml", what)
         return None
     if node is None:
         if empty:
             problems.add(start, key or "yaml", empty)
         return None
-    place = Place(start.file, start.line + node.start_mark.line)
-    return Value(node, key, place, start)
+    location = Location(start.file, start.line + node.start_mark.line)
+    return Value(node, key, location, start)
 
 
 def shortened(text: str) -> str:
@@ -186,4 +186,5 @@ def _explain(error: yaml.YAMLError, text: str) -> tuple[int, str]:
         return (mark.line if mark else 0), what
     position = getattr(error, "position", 0)
     code = ord(text[position : position + 1] or "\0")
-    return text.count("\n", 0, position), f"YAML allows no character 0x{code:02x}; remove it"
+    line = text.count("\n", 0, position)
+    return line, f"the character 0x{code:02x} is not allowed in YAML; remove it"

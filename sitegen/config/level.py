@@ -10,7 +10,7 @@ LEVELS = {
     "I1": "consoles only",
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
-    "I4": "panels about the whole graph",
+    "I4": "panels for the whole graph",
     "I5": "a Python prompt or an editor",
 }
 
@@ -31,7 +31,7 @@ def fault(declared: str, offers: str) -> str:
     if declared == offers:
         return ""
     if not offers:
-        return "the page runs no node and has no level; add a console, or remove the key"
+        return "a page without nodes has no level; add a console or remove the key"
     ways = {
         "I1": "remove the buttons",
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.section import Section
 from sitegen.errors import Problems
 from sitegen.model import Look, Markdown
@@ -18,8 +18,10 @@ def look(site: Section, problems: Problems) -> Look:
     footer = site.get("footer")
     logo = site.get("logo")
     if logo and not logo.text.lower().endswith(IMAGES):
-        message = f"'{logo.text}' is no image; name one that ends in {', '.join(IMAGES)}"
-        problems.add(logo.place, logo.key, message)
+        message = (
+            f"'{logo.text}' is not a supported image; use a file that ends in {', '.join(IMAGES)}"
+        )
+        problems.add(logo.location, logo.key, message)
     return Look(
         accent=site.text("accent").lower(),
         font=_font("font", site, problems),
@@ -37,6 +39,6 @@ def _font(name: str, site: Section, problems: Problems) -> Path | str:
     if given.text.lower().endswith(FONTS):
         return locate(given, problems) or ""
     if any(letter in given.text for letter in "{};<>\\/@"):
-        message = f"'{given.text}' is no list of fonts; write it like 'Georgia, serif'"
-        problems.add(given.place, given.key, message)
+        message = f"'{given.text}' is not a valid list of fonts; write it like 'Georgia, serif'"
+        problems.add(given.location, given.key, message)
     return given.text

@@ -1,4 +1,4 @@
-"""Turn `nav` of site.yaml into the Sections of the navigation."""
+"""Turn `nav` of site.yaml into the items of the navigation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from sitegen.config.document import Value
 from sitegen.errors import Problems, nearest
-from sitegen.model import Page, Section
+from sitegen.model import NavItem, Page
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,7 @@ class NavReader:
     pages: Mapping[str, Page]
     problems: Problems
 
-    def sections(self, value: Value) -> Iterator[Section]:
+    def items(self, value: Value) -> Iterator[NavItem]:
         """Yield what the items of a list stand for: a page, or a title with what is below it."""
         for item in value.items():
             if item.kind == "text":
@@ -28,26 +28,28 @@ class NavReader:
             else:
                 message = f"expected the path of a page or a title, found {item.found}"
                 way = "write it like 'demo01/' or 'Demos: [demo01/, demo02/]'"
-                self.problems.add(item.place, item.key, f"{message}; {way}")
+                self.problems.add(item.location, item.key, f"{message}; {way}")
 
-    def _titled(self, title: str, value: Value) -> Iterator[Section]:
+    def _titled(self, title: str, value: Value) -> Iterator[NavItem]:
         if value.kind == "list" and value.items():
-            yield Section(title, inside=tuple(self.sections(value)))
+            yield NavItem(title, inside=tuple(self.items(value)))
         elif value.kind == "text":
             yield from self._target(title, value)
         else:
             message = f"expected a path, an address or a list of them, found {value.found}"
             self.problems.add(
-                value.place, value.key, f"{message}; write it like '{title}: demo01/'"
+                value.location, value.key, f"{message}; write it like '{title}: demo01/'"
             )
 
-    def _target(self, title: str, value: Value) -> Iterator[Section]:
+    def _target(self, title: str, value: Value) -> Iterator[NavItem]:
         text = value.text
         path = f"{text.strip('/')}/".removeprefix("/")
         if text.startswith(("https://", "http://")) and title:
-            yield Section(title, url=text)
+            yield NavItem(title, url=text)
         elif path in self.pages:
-            yield Section(title or self.pages[path].title, page=path)
+            yield NavItem(title or self.pages[path].title, page=path)
         else:
             names = [page or "/" for page in self.pages]
-            self.problems.add(value.place, value.key, f"no page '{text}'; {nearest(text, names)}")
+            self.problems.add(
+                value.location, value.key, f"no page '{text}'; {nearest(text, names)}"
+            )

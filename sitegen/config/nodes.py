@@ -11,7 +11,7 @@ from sitegen.config import parameters, prebuilt, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
-from sitegen.errors import Place, Problems, nearest
+from sitegen.errors import Location, Problems, nearest
 from sitegen.model import Container, Cpp, Node, Package, Python
 from sitegen.workspace import containers
 
@@ -31,11 +31,11 @@ class Declared(NamedTuple):
     node: Node
     section: Section | None
 
-    def where(self, name: str) -> tuple[Place, str]:
-        """Return the place of `name`, and what it is called in a message."""
+    def where(self, name: str) -> tuple[Location, str]:
+        """Return the location of `name`, and what it is called in a message."""
         if self.section is None:
-            return self.node.place, "node"
-        return self.section.place(name), self.section.label(name)
+            return self.node.location, "node"
+        return self.section.location(name), self.section.label(name)
 
 
 def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> dict[str, Declared]:
@@ -43,16 +43,19 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
     declared: dict[str, Declared] = {}
     for name, entry in value.entries(problems).items():
         if not NAME.fullmatch(name):
-            message = f"'{name}' is no ROS node name; use letters, digits and '_', no digit first"
-            problems.add(entry.place, entry.key, message)
+            message = (
+                f"'{name}' is not a valid node name; "
+                "use letters, digits and '_', not starting with a digit"
+            )
+            problems.add(entry.location, entry.key, message)
         if name in taken:
-            where = problems.where(taken[name].node.place)
-            message = f"'{name}' is defined already ({where}); use that node or choose another name"
-            problems.add(entry.place, entry.key, message)
+            where = problems.where(taken[name].node.location)
+            message = f"'{name}' is already defined ({where}); use that node or choose another name"
+            problems.add(entry.location, entry.key, message)
         section = check(entry, _keys(entry), problems)
         if section.keys is ROS2WASM:
             script = ros2wasm.read(section, problems)
-            node = Node(name, "", "", entry.place, kind=script or Cpp())
+            node = Node(name, "", "", entry.location, kind=script or Cpp())
         else:
             _check_names(section, problems)
             node = _node(name, section, problems)
@@ -79,13 +82,15 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         if component.package not in packages:
             advice = nearest(component.package, packages)
             message = f"no package '{component.package}' in the workspace; {advice}"
-            problems.add(component.place, "composable_node", message)
+            problems.add(component.location, "composable_node", message)
     if not node.package or components:
         return
     package = packages.get(node.package)
     if package is None and node.package == containers.PACKAGE:
-        advice = "name some there"
-        message = f"'{node.executable}' gets its components in a launch file of a page; {advice}"
+        advice = "add 'composable_node' there"
+        message = (
+            f"'{node.executable}' must list its components in the page's launch file; {advice}"
+        )
         problems.add(*declared.where("package"), message)
     elif package is None:
         message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
@@ -93,13 +98,13 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     elif package.build_type not in BUILD_TYPES:
         message = (
             f"package '{package.name}' is of build type '{package.build_type}'; "
-            f"this release runs packages of {' and '.join(BUILD_TYPES)}"
+            f"this release supports {' and '.join(BUILD_TYPES)}"
         )
         problems.add(*declared.where("package"), message)
     elif package.setup and package.setup.fault:
         problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
     elif package.build_type == "ament_python" and not package.executables:
-        message = f"package '{package.name}' has no entry points; name them in its setup.py"
+        message = f"package '{package.name}' has no entry points; declare them in its setup.py"
         advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
         problems.add(*declared.where("package"), f"{message}: {advice}")
     elif not _has_executable(package, node.executable):
@@ -107,7 +112,9 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
         message = f"package '{package.name}' has no executable '{node.executable}'; {hint}"
         problems.add(*declared.where("executable"), message)
     elif node.group and not (package.setup and node.executable in package.setup.scripts):
-        message = "only Python nodes can share an interpreter, and this one is in C++; leave it out"
+        message = (
+            "only Python nodes can share an interpreter, and this is a C++ node; remove the key"
+        )
         problems.add(*declared.where("group"), message)
 
 
@@ -132,7 +139,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         name=name,
         package=section.text("package"),
         executable=section.text("executable"),
-        place=section.value.place,
+        location=section.value.location,
         namespace=section.text("namespace"),
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
         parameters=parameters.read(given, problems) if given else {},
@@ -144,19 +151,21 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
 def _check_names(section: Section, problems: Problems) -> None:
     group = section.text("group") if section.keys is NODE else ""
     if group and not GROUP.fullmatch(group):
-        message = f"'{group}' is no name of a group; use letters, digits, '_' and '-'"
-        problems.add(section.place("group"), section.label("group"), message)
+        message = f"'{group}' is not a valid group name; use letters, digits, '_' and '-'"
+        problems.add(section.location("group"), section.label("group"), message)
     namespace = section.text("namespace")
     if namespace and not NAMESPACE.fullmatch(namespace):
-        message = f"'{namespace}' is no ROS namespace; write it like '/demo' or '/demo/left'"
-        problems.add(section.place("namespace"), section.label("namespace"), message)
+        message = f"'{namespace}' is not a valid namespace; write it like '/demo' or '/demo/left'"
+        problems.add(section.location("namespace"), section.label("namespace"), message)
     remap = section.get("remap")
     for old, new in remap.entries(problems).items() if remap else ():
         if old in ("__ns", "__node", "__name"):
-            message = f"'{old}' is not a name to remap; write 'namespace: /demo' beside 'remap'"
-            problems.add(new.place, new.key, message)
+            message = f"'{old}' cannot be remapped here; write 'namespace: /demo' next to 'remap'"
+            problems.add(new.location, new.key, message)
             continue
         for name in (old, new.text):
             if not REMAP.fullmatch(name):
-                message = f"'{name}' is no ROS name; write it like 'chatter' or '/demo/chatter'"
-                problems.add(new.place, new.key, message)
+                message = (
+                    f"'{name}' is not a valid ROS name; write it like 'chatter' or '/demo/chatter'"
+                )
+                problems.add(new.location, new.key, message)

@@ -11,14 +11,14 @@ from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Part, Reader
 from sitegen.config.document import Value, parse, read
+from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
-from sitegen.config.location import locate
 from sitegen.config.nodes import Declared, declare
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.launch import launched
 from sitegen.model import Markdown, Package, Page, Widget
 
@@ -62,11 +62,13 @@ class PageReader:
         file, content, folder = map(page.get, ("file", "content", "folder"))
         given = [value for value in (content, file, folder) if value]
         if len(given) > 1:
-            message = f"given beside '{given[0].key.rpartition('.')[2]}'; keep one of the two"
-            self.problems.add(given[1].place, given[1].key, message)
+            message = (
+                f"cannot be combined with '{given[0].key.rpartition('.')[2]}'; keep one of the two"
+            )
+            self.problems.add(given[1].location, given[1].key, message)
         if not given and not page.value.has("file", "content", "folder", "launch"):
-            message = "missing; write it like 'content: [{console: talker}]', or name a 'file'"
-            self.problems.add(item.place, page.label("content"), message)
+            message = "missing; write it like 'content: [{console: talker}]', or give a 'file'"
+            self.problems.add(item.location, page.label("content"), message)
         path = self._path(page, registered=not folder)
         if folder:
             yield from self._folder(page, path, folder)
@@ -78,17 +80,21 @@ class PageReader:
         """Yield a page for every Markdown file of a folder, at any depth."""
         for name in OF_ONE:
             if value := page.get(name):
-                message = "given beside 'folder'; write it at the top of each file"
-                self.problems.add(value.place, value.key, message)
+                message = (
+                    "cannot be combined with 'folder'; write it in the front matter of each file"
+                )
+                self.problems.add(value.location, value.key, message)
         folder = locate(given, self.problems, folder=True)
         found = list(files(folder, self.languages, self.problems.root)) if folder else []
         if folder and not found:
-            message = f"no Markdown file in '{given.text}'; begin with 'index.md'"
-            self.problems.add(given.place, given.key, message)
+            message = f"no Markdown file in '{given.text}'; add 'index.md'"
+            self.problems.add(given.location, given.key, message)
         for below, file in found:
             if taken := self.paths.get(path + below):
-                message = f"'{path + below}', of {file.name}, is taken by {taken.key}; rename it"
-                self.problems.add(given.place, given.key, message)
+                message = (
+                    f"'{path + below}' from {file.name} is already used by {taken.key}; rename it"
+                )
+                self.problems.add(given.location, given.key, message)
             self.paths[path + below] = given
             bare = Section(
                 page.value, PAGE, {k: v for k, v in page.entries.items() if k == "theme"}
@@ -143,7 +149,7 @@ class PageReader:
         content = page.get("content")
         parts = [*reader.items(content)] if content else []
         if body:
-            parts += reader.markdown(body.text, body.place, body.folder)
+            parts += reader.markdown(body.text, body.location, body.folder)
         if started and not any(isinstance(part, Widget) for part in parts):
             parts += _panels(started)
         if len(self.problems.found) == before:
@@ -163,7 +169,7 @@ class PageReader:
             },
             content=tuple(parts),
             level=level.offered(widgets),
-            place=Place(file, 1) if file else page.value.place,
+            location=Location(file, 1) if file else page.value.location,
             file=file,
             front=written.yaml,
             theme=self.themes.find(theme, self.problems) if theme.get("theme") else None,
@@ -180,14 +186,16 @@ class PageReader:
         front, body = front_matter(text)
         before = len(self.problems.found)
         if not front.closed:
-            message = "this front matter has no end; close it with ---"
-            self.problems.add(Place(file, 1), "yaml", message)
-        top = parse(front.text, Place(file, 1 + front.line), self.problems) if front.text else None
+            message = "this front matter is not closed; close it with ---"
+            self.problems.add(Location(file, 1), "yaml", message)
+        top = (
+            parse(front.text, Location(file, 1 + front.line), self.problems) if front.text else None
+        )
         if len(self.problems.found) > before:
             return Written(empty)
         section = check(top, FRONT_MATTER, self.problems) if top else empty
         return Written(
-            section, front.text, Markdown(body.text, file.parent, Place(file, 1 + body.line))
+            section, front.text, Markdown(body.text, file.parent, Location(file, 1 + body.line))
         )
 
     def _declare(self, section: Section, taken: Mapping[str, Declared]) -> dict[str, Declared]:
@@ -209,8 +217,8 @@ class PageReader:
         found = launched(file, arguments, packages, self.problems, self.notes)
         for node in found:
             if node.name in taken:
-                message = f"'{node.name}', which '{given.text}' starts, is a node of site.yaml too"
-                self.problems.add(given.place, given.key, f"{message}; name one otherwise")
+                message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"
+                self.problems.add(given.location, given.key, f"{message}; rename one of them")
         declared = {node.name: Declared(node, None) for node in found}
         self.declared += declared.values()
         return declared
@@ -223,10 +231,10 @@ class PageReader:
         fault = path_fault(text)
         path = f"{text.strip('/')}/".removeprefix("/")
         if registered and not fault and (first := self.paths.get(path)):
-            where = self.problems.where(first.place)
-            fault = f"'{text}' is taken by {first.key} ({where}); choose another"
+            where = self.problems.where(first.location)
+            fault = f"'{text}' is already used by {first.key} ({where}); choose another"
         if fault:
-            self.problems.add(given.place, given.key, fault)
+            self.problems.add(given.location, given.key, fault)
         elif registered:
             self.paths[path] = given
         return path
@@ -237,18 +245,18 @@ class PageReader:
         given = page.value.has("title") or front.value.has("title")
         if not given and not _title(page, front, parts):
             message = (
-                "missing; write it like 'title: My robot', or begin the text with '# My robot'"
+                "missing; write it like 'title: My robot', or start the text with '# My robot'"
             )
             in_folder = body and page.value.has("folder")
-            place = body.place if body and in_folder else page.value.place
-            self.problems.add(place, "title" if in_folder else page.label("title"), message)
+            location = body.location if body and in_folder else page.value.location
+            self.problems.add(location, "title" if in_folder else page.label("title"), message)
 
     def _check_level(self, section: Section, parts: list[Part]) -> None:
         declared = section.get("level")
         offers = level.offered(part for part in parts if isinstance(part, Widget))
         fault = level.fault(declared.text, offers) if declared else ""
         if fault:
-            self.problems.add(section.place("level"), section.label("level"), fault)
+            self.problems.add(section.location("level"), section.label("level"), fault)
 
 
 def _title(page: Section, front: Section, parts: Sequence[Part]) -> str:
@@ -272,7 +280,7 @@ def _panels(nodes: Mapping[str, Declared]) -> Iterable[Widget]:
         if (node.package, node.executable) == ("turtlesim", "turtlesim_node"):
             full = f"{node.namespace.rstrip('/')}/{node.remap.get('__node', 'turtlesim')}"
             options = {"kind": "turtlesim", "window": f"{full}/window"}
-            yield Widget("robot", "", options, node.place)
+            yield Widget("robot", "", options, node.location)
     for name, (node, _) in nodes.items():
-        yield Widget("buttons", name, {"autostart": True}, node.place)
-        yield Widget("console", name, {"lines": 1000}, node.place)
+        yield Widget("buttons", name, {"autostart": True}, node.location)
+        yield Widget("console", name, {"lines": 1000}, node.location)

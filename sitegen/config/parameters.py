@@ -7,7 +7,7 @@ import re
 import yaml
 
 from sitegen.config.document import Value
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.errors import Problems
 from sitegen.workspace import parameterfiles
 
@@ -31,8 +31,8 @@ def read(value: Value, problems: Problems) -> dict[str, str]:
         elif item.kind == "text":
             parameterfiles.merge(found, _file(item, problems))
         else:
-            message = f"expected a file or names with a value each, found {item.found}"
-            problems.add(item.place, item.key, message)
+            message = f"expected a file or a mapping of names to values, found {item.found}"
+            problems.add(item.location, item.key, message)
     return found
 
 
@@ -41,7 +41,7 @@ def _file(value: Value, problems: Problems) -> dict[str, str]:
     try:
         return parameterfiles.read(file) if file else {}
     except ValueError as error:
-        problems.add(value.place, value.key, str(error))
+        problems.add(value.location, value.key, str(error))
         return {}
 
 
@@ -63,8 +63,8 @@ def _mapping(value: Value, problems: Problems) -> dict[str, str]:
     found: dict[str, str] = {}
     for name, entry in value.entries(problems).items():
         if not NAME.fullmatch(name):
-            message = f"'{name}' is no name of a parameter; use letters, digits, '_' and '.'"
-            problems.add(entry.place, entry.key, message)
+            message = f"'{name}' is not a valid parameter name; use letters, digits, '_' and '.'"
+            problems.add(entry.location, entry.key, message)
         elif entry.kind == "mapping":
             nested = _mapping(entry, problems)
             found |= {f"{name}.{inner}": text for inner, text in nested.items()}
@@ -79,10 +79,12 @@ def _list(value: Value, problems: Problems) -> str:
     items = [_scalar(item, problems) for item in value.items()]
     kinds = {kind for kind, _ in items}
     if not items:
-        problems.add(value.place, value.key, "an empty list has no type; leave it out")
+        problems.add(value.location, value.key, "an empty list has no type; remove it")
     elif len(kinds) > 1 and "" not in kinds:
-        message = f"a list has values of one type, found {' and '.join(sorted(kinds))}"
-        problems.add(value.place, value.key, message)
+        message = (
+            f"all values of a list must have the same type, found {' and '.join(sorted(kinds))}"
+        )
+        problems.add(value.location, value.key, message)
     return f"[{', '.join(text for _, text in items)}]"
 
 
@@ -93,9 +95,9 @@ def _scalar(value: Value, problems: Problems) -> tuple[str, str]:
         return "flags", value.text
     if plain and NUMBER.fullmatch(value.text):
         whole = re.fullmatch(r"[-+]?\d+", value.text)
-        return "whole numbers" if whole else "numbers with a point", value.text
+        return "whole numbers" if whole else "floating-point numbers", value.text
     if value.kind != "text":
-        message = f"expected a flag, a number, a text or a list of these, found {value.found}"
-        problems.add(value.place, value.key, message)
+        message = f"expected a boolean, a number, a string or a list of these, found {value.found}"
+        problems.add(value.location, value.key, message)
         return "", ""
     return "text", "'" + value.text.replace("'", "''") + "'"

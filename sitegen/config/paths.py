@@ -15,13 +15,15 @@ def path_fault(text: str) -> str:
     if text == "/":
         return ""
     if "\\" in text:
-        return f"'{text}' has a backslash; write '{text.replace(chr(92), '/')}'"
+        return f"'{text}' contains a backslash; write '{text.replace(chr(92), '/')}'"
     if text.startswith("/"):
-        return f"'{text}' is absolute; {hint}"
+        return f"'{text}' is an absolute path; {hint}"
     if ".." in segments:
-        return f"'{text}' leads out of the site; {hint}"
+        return f"'{text}' is outside the site; {hint}"
     if not all(map(SEGMENT.fullmatch, segments)):
-        return f"'{text}' must be of lower-case letters, digits, '-', '_', '.' and '~'; {hint}"
+        return (
+            f"'{text}' may contain only lower-case letters, digits, '-', '_', '.' and '~'; {hint}"
+        )
     return ""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from sitegen.cache.fetch import allowed
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.section import Section
 from sitegen.errors import Problems
 from sitegen.model import Prebuilt
@@ -20,15 +20,14 @@ def read(section: Section, problems: Problems) -> Prebuilt | None:
     if "://" not in given.text:
         source = locate(given, problems)
     elif not allowed(given.text):
-        message = f"'{given.text}' is not safe; use an address that begins with https://"
-        problems.add(given.place, given.key, message)
+        message = f"'{given.text}' is not a secure address; use one that begins with https://"
+        problems.add(given.location, given.key, message)
     elif not section.value.has("sha256"):
         message = (
-            "missing; what comes from elsewhere needs a hash, as `sitegen compile` prints it, or "
-            "`sha256sum`"
+            "missing; a download needs the hash that is printed by `sitegen compile` or `sha256sum`"
         )
-        problems.add(given.place, section.label("sha256"), message)
+        problems.add(given.location, section.label("sha256"), message)
     if source is None:
         return None
     sha256, package, executable = map(section.text, ("sha256", "package", "executable"))
-    return Prebuilt(source, sha256, package, executable, given.place, given.key)
+    return Prebuilt(source, sha256, package, executable, given.location, given.key)

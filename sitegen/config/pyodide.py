@@ -20,8 +20,8 @@ def pyodide(given: Value | None, problems: Problems) -> Pyodide:
     written = section.text("requirements")
     requirements = (problems.root / written).resolve() if written else None
     if requirements and not (requirements.is_relative_to(problems.root) and requirements.is_file()):
-        message = f"no file '{written}' below the folder of site.yaml"
-        problems.add(section.place("requirements"), section.label("requirements"), message)
+        message = f"no file '{written}' in the folder of site.yaml"
+        problems.add(section.location("requirements"), section.label("requirements"), message)
         requirements = None
     text = section.text("packages")
     packages: Path | str = text
@@ -29,10 +29,10 @@ def pyodide(given: Value | None, problems: Problems) -> Pyodide:
         packages = (problems.root / text).resolve()
         if not packages.is_dir():
             message = f"no folder '{text}'; write it like 'vendor/pyodide', or an address"
-            problems.add(section.place("packages"), section.label("packages"), message)
+            problems.add(section.location("packages"), section.label("packages"), message)
     elif text and not allowed(text):
-        message = f"'{text}' is no address to fetch from; write it like 'https://…/'"
-        problems.add(section.place("packages"), section.label("packages"), message)
+        message = f"'{text}' is not a valid address; write it like 'https://…/'"
+        problems.add(section.location("packages"), section.label("packages"), message)
     elif text and not text.endswith("/"):
         packages = f"{text}/"
     return Pyodide(packages, requirements)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from sitegen import workspace
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.schema import FORMS
 from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest
@@ -24,17 +24,20 @@ def read(section: Section, problems: Problems) -> Ros2wasm | None:
     if given is None or script is None:
         return None
     if script.suffix != ".js":
-        message = f"'{given.text}' is no script; name the .js file that the compiler wrote"
-        problems.add(given.place, given.key, message)
+        message = f"'{given.text}' is not a script; give the .js file that the compiler wrote"
+        problems.add(given.location, given.key, message)
         return None
     files = [script, *_loaded(script)]
     for file in files:
         if not file.resolve().is_relative_to(problems.root):
-            message = f"'{file.name}', which it loads, leads out of the site's folder; copy it here"
-            problems.add(given.place, given.key, message)
+            message = (
+                f"'{file.name}', which the script loads, is outside the site's folder; "
+                "copy it into the folder"
+            )
+            problems.add(given.location, given.key, message)
         elif not file.is_file():
-            message = f"it loads '{file.name}', which is not beside it; copy it there"
-            problems.add(given.place, given.key, message)
+            message = f"it loads '{file.name}', which does not exist; copy it next to the script"
+            problems.add(given.location, given.key, message)
     entries = types.entries(problems) if types else {}
     return Ros2wasm(script, tuple(files), {name: each.text for name, each in entries.items()})
 
@@ -45,10 +48,10 @@ def check_types(section: Section, packages: Mapping[str, Package], problems: Pro
     known = workspace.interfaces(packages)
     for name, given in types.entries(problems).items() if types else ():
         if not FORMS["name"].fullmatch(name):
-            message = f"'{name}' is no name of the graph; write it like '/chatter'"
-            problems.add(given.place, given.key, message)
+            message = f"'{name}' is not a valid topic or service name; write it like '/chatter'"
+            problems.add(given.location, given.key, message)
         if given.text not in known:
-            problems.add(given.place, given.key, _unknown(given.text, known))
+            problems.add(given.location, given.key, _unknown(given.text, known))
 
 
 def _loaded(script: Path) -> Iterator[Path]:
@@ -72,6 +75,6 @@ def _unknown(name: str, known: Collection[str]) -> str:
     package = name.partition("/")[0]
     packages = {one.partition("/")[0] for one in known}
     if package not in packages:
-        return f"no package '{package}' with types; {nearest(package, packages)}"
+        return f"no package '{package}' with interfaces; {nearest(package, packages)}"
     hint = nearest(name, (one for one in known if one.startswith(f"{package}/")))
     return f"no type '{name}'; {hint}"

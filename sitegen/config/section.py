@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from sitegen.config.document import Value, shortened
 from sitegen.config.schema import FORMS, TYPES, Key
-from sitegen.errors import Place, Problems, nearest
+from sitegen.errors import Location, Problems, nearest
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,9 @@ class Section:
         """Return the text given for `name`, or its default."""
         return str(self.option(name) or "")
 
-    def place(self, name: str) -> Place:
+    def location(self, name: str) -> Location:
         """Return where `name` was given, or should have been."""
-        return (self.get(name) or self.value).place
+        return (self.get(name) or self.value).location
 
     def label(self, name: str) -> str:
         """Return how a message calls `name`."""
@@ -47,21 +47,21 @@ def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
     if value.kind != "mapping":
         names = ", ".join(key.name for key in keys)
         message = f"expected keys and values, found {value.found}; the keys are {names}"
-        problems.add(value.place, value.label, message)
+        problems.add(value.location, value.label, message)
         return Section(value, keys, {})
     known = {key.name: key for key in keys}
     entries = value.entries(problems)
     sound: dict[str, Value] = {}
     for name, entry in entries.items():
         if name not in known:
-            problems.add(entry.place, entry.key, f"unknown key; {nearest(name, known)}")
+            problems.add(entry.location, entry.key, f"unknown key; {nearest(name, known)}")
         elif conforms(entry, known[name], problems):
             sound[name] = entry
     section = Section(value, keys, sound)
     for key in keys:
         if key.required and key.name not in entries:
             message = f"missing; write it like '{key.example}'"
-            problems.add(value.place, section.label(key.name), message)
+            problems.add(value.location, section.label(key.name), message)
     return section
 
 
@@ -70,7 +70,7 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     kind, name = TYPES[key.type]
     empty = (kind == "text" and not value.text.strip()) or (kind == "number" and value.text == "0")
     if value.kind not in kind.split(" or ") or empty:
-        problems.add(value.place, value.label, f"expected {name}, {_found(value, key)}")
+        problems.add(value.location, value.label, f"expected {name}, {_found(value, key)}")
         return False
     form = key.type.removeprefix("list of ").removesuffix(" by name").removesuffix("s")
     form = form if form in FORMS else "text"
@@ -78,7 +78,7 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     wrong = [part for part in parts if not _fits(part, form)]
     for part in wrong:
         message = f"expected {TYPES[form][1]}, {_found(part, key)}"
-        problems.add(part.place, part.key, message)
+        problems.add(part.location, part.key, message)
     return not wrong
 
 

@@ -12,7 +12,7 @@ from urllib.parse import urlsplit
 from sitegen import workspace
 from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
-from sitegen.config.location import locate
+from sitegen.config.files import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare, with_kind
@@ -21,7 +21,7 @@ from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
-from sitegen.errors import Place, Problems, SiteError
+from sitegen.errors import Location, Problems, SiteError
 from sitegen.model import Package, Page, Site
 
 LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
@@ -33,10 +33,12 @@ def load(file: Path) -> Site:
     file = root / file.name
     problems = Problems(root)
     if not file.exists():
-        raise SiteError([f"{file.name}: no such file in this folder; name the folder that has one"])
+        raise SiteError(
+            [f"{file.name}: no such file in this folder; give the folder that contains it"]
+        )
     text = read(file, problems)
-    empty = "the file is empty; begin with 'site: {title: My robot}'"
-    top = None if text is None else parse(text, Place(file, 1), problems, empty=empty)
+    empty = "the file is empty; start with 'site: {title: My robot}'"
+    top = None if text is None else parse(text, Location(file, 1), problems, empty=empty)
     if top is None:
         raise SiteError(problems.lines)
     site = _site(check(top, FILE, problems), problems)
@@ -73,7 +75,7 @@ def _site(file: Section, problems: Problems) -> Site:
         packages=packages,
         notes=(*_notes(pages, reader.declared, root), *reader.notes.lines),
         look=look(site, problems),
-        nav=tuple(NavReader({p.path: p for p in pages}, problems).sections(nav)) if nav else (),
+        nav=tuple(NavReader({p.path: p for p in pages}, problems).items(nav)) if nav else (),
         languages=tuple(languages),
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
@@ -93,16 +95,18 @@ def _url(name: str, site: Section, problems: Problems) -> str:
     except ValueError:
         sound = False
     if url and not (sound and re.fullmatch(r"[^\s?#]+", url)):
-        message = f"'{url}' is not an http address; write it like 'https://me.github.io/robot/'"
-        problems.add(site.place(name), site.label(name), message)
+        message = (
+            f"'{url}' is not a valid http address; write it like 'https://me.github.io/robot/'"
+        )
+        problems.add(site.location(name), site.label(name), message)
     return url if not url or url.endswith("/") else f"{url}/"
 
 
 def _language(site: Section, problems: Problems) -> str:
     language = site.text("language")
     if not LANGUAGE.fullmatch(language):
-        message = f"'{language}' is not a language tag; write it like 'en' or 'pt-BR'"
-        problems.add(site.place("language"), site.label("language"), message)
+        message = f"'{language}' is not a valid language tag; write it like 'en' or 'pt-BR'"
+        problems.add(site.location("language"), site.label("language"), message)
     return language
 
 
@@ -111,18 +115,18 @@ def _languages(site: Section, problems: Problems) -> list[str]:
     items = given.items() if given else []
     for item in items:
         if not LANGUAGE.fullmatch(item.text):
-            message = f"'{item.text}' is not a language tag; write it like 'de' or 'pt-BR'"
-            problems.add(item.place, item.key, message)
+            message = f"'{item.text}' is not a valid language tag; write it like 'de' or 'pt-BR'"
+            problems.add(item.location, item.key, message)
         elif item.text == site.text("language"):
-            message = f"'{item.text}' is the language of the site; name the others only"
-            problems.add(item.place, item.key, message)
+            message = f"'{item.text}' is the site's own language; list only the others"
+            problems.add(item.location, item.key, message)
     return list(dict.fromkeys(item.text for item in items))
 
 
 def _feed(site: Section, problems: Problems) -> bool:
     if site.option("feed") and not site.get("url"):
-        message = "a feed needs absolute links; say where the site will live with 'url'"
-        problems.add(site.place("feed"), site.label("feed"), message)
+        message = "a feed needs absolute links; set 'url' to the address of the site"
+        problems.add(site.location("feed"), site.label("feed"), message)
     return bool(site.option("feed"))
 
 
@@ -130,8 +134,10 @@ def _page_items(file: Section, problems: Problems) -> list[Value]:
     given = file.get("pages")
     items = given.items() if given else []
     if given and not items:
-        message = "a site needs a page; write it like 'pages: [{path: /, file: index.md}]'"
-        problems.add(given.place, given.key, message)
+        message = (
+            "a site needs at least one page; write it like 'pages: [{path: /, file: index.md}]'"
+        )
+        problems.add(given.location, given.key, message)
     for item in items:
         if item.kind != "mapping":
             check(item, PAGE, problems)
@@ -167,10 +173,10 @@ def _with_kinds(page: Page, packages: Mapping[str, Package]) -> Page:
 
 
 def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> tuple[str, ...]:
-    used = {(node.name, node.place) for page in pages for node in page.nodes.values()}
+    used = {(node.name, node.location) for page in pages for node in page.nodes.values()}
     notes = Problems(root)
     for node, section in declared:
-        if section and (node.name, node.place) not in used:
-            message = "no page uses this node; give it a console or buttons, or remove it"
-            notes.add(node.place, section.value.key, message)
+        if section and (node.name, node.location) not in used:
+            message = "no page uses this node; add a console or buttons for it, or remove it"
+            notes.add(node.location, section.value.key, message)
     return tuple(notes.lines)

@@ -9,7 +9,7 @@ from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest
 from sitegen.shipped import THEMES
 
-OWN = "themes"
+FOLDER = "themes"
 
 
 @dataclass(frozen=True)
@@ -24,9 +24,9 @@ class Themes:
         """Return the themes that a site in `root` can name: folders, but hidden ones."""
         folders = (
             folder
-            for place in (THEMES, root / OWN)
-            if place.is_dir()
-            for folder in sorted(place.iterdir())
+            for themes in (THEMES, root / FOLDER)
+            if themes.is_dir()
+            for folder in sorted(themes.iterdir())
             if folder.is_dir() and not folder.name.startswith(".")
         )
         return cls({folder.name: folder for folder in folders}, root)
@@ -37,8 +37,8 @@ class Themes:
         found = self.found.get(name)
         if found is None:
             message = f"no theme named '{name}'; {nearest(name, self.found)}"
-            problems.add(section.place("theme"), section.label("theme"), message)
-        elif found.parent == self.root / OWN and not found.resolve().is_relative_to(self.root):
-            message = f"'themes/{name}' leads out of the site's folder; copy the theme there"
-            problems.add(section.place("theme"), section.label("theme"), message)
-        return found or self.root / OWN
+            problems.add(section.location("theme"), section.label("theme"), message)
+        elif found.parent == self.root / FOLDER and not found.resolve().is_relative_to(self.root):
+            message = f"'themes/{name}' is outside the site's folder; copy the theme into it"
+            problems.add(section.location("theme"), section.label("theme"), message)
+        return found or self.root / FOLDER

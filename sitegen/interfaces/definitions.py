@@ -53,11 +53,11 @@ class _Checker:
             text = file.read_text(encoding="utf-8")
         except FileNotFoundError:
             here = (f.relative_to(self._folder).as_posix() for f in file.parent.glob("*.*"))
-            what = f"rosidl_generate_interfaces() names '{name}', which does not exist"
+            what = f"rosidl_generate_interfaces() lists '{name}', which does not exist"
             yield f"{self._folder / 'CMakeLists.txt'}: {what}; {nearest(name, here)}"
             return
         except UnicodeDecodeError:
-            yield f"{file}: this is not UTF-8; save it as UTF-8"
+            yield f"{file}: not UTF-8; save the file as UTF-8"
             return
         check = self._idl if file.suffix == ".idl" else self._definition
         for line, what in check(file, text):
@@ -70,7 +70,7 @@ class _Checker:
         if len(cuts) != expected - 1:
             where = cuts[expected - 1] if len(cuts) >= expected else len(lines) - 1
             count = f"{expected - 1 or 'no'} line{'s'[: expected != 2]}"
-            yield max(where, 0) + 1, f"{NAMES[expected]} needs {count} '---', here are {len(cuts)}"
+            yield max(where, 0) + 1, f"{NAMES[expected]} needs {count} '---', found {len(cuts)}"
             return
         for begin, end in zip([-1, *cuts], [*cuts, len(lines)], strict=True):
             for line, what in self._message(file.stem, lines[begin + 1 : end]):
@@ -108,7 +108,7 @@ class _Checker:
         text = str(error)
         known = {*self._parser.PRIMITIVE_TYPES, *self._messages} - FORMER.keys()
         if isinstance(error, self._parser.InvalidFieldDefinition):
-            return f"'{text.strip()}' is no field; a type and a name are needed"
+            return f"'{text.strip()}' is not a valid field; write a type and a name"
         if isinstance(error, self._parser.InvalidResourceName):
             wrong = ARRAY.sub("", re.match(r"'?([^']*)", text)[1])  # type: ignore[index]
             return f"no type '{wrong}'; {nearest(wrong, known)}"
@@ -126,7 +126,7 @@ class _Checker:
             known = {file.stem for file in (self._packages[package] / MESSAGE).glob("*.json")}
         else:
             hint = nearest(package, self._packages)
-            return f"no package '{package}' with interfaces; {hint} (package.xml must name it)"
+            return f"no package '{package}' with interfaces; {hint} (package.xml must list it)"
         if name in known:
             return ""
         return f"package '{package}' has no message '{name}'; {nearest(name, known)}"
@@ -139,9 +139,9 @@ class _Checker:
             line = getattr(error, "line", 1)
             word = str(getattr(error, "token", "") or getattr(error, "char", ""))
             if word:
-                yield line, f"'{word}' is not expected here"
+                yield line, f"'{word}' is unexpected here"
             elif line < 1:
-                yield text.count("\n"), "the file ends too early"
+                yield text.count("\n"), "unexpected end of file"
             else:
                 yield line, f"not an interface: {error}"
             return

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from sitegen.launch.substitutions import pieces
 
-# In the place of substitutions while a line is split: the letters of a range that nobody writes.
+# Stand for substitutions while a line is split: the letters of a range that nobody writes.
 FIRST_MARK = 0xF0000
 MARK = re.compile(f"[{chr(FIRST_MARK)}-{chr(FIRST_MARK + 0xFFFD)}]")
 

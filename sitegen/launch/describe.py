@@ -167,7 +167,7 @@ def main() -> None:
     try:
         members = runpy.run_path(RUN.file)
         if GENERATE not in members:
-            raise LookupError(f"there is no function {GENERATE}()")
+            raise LookupError(f"no function {GENERATE}() found")
         found = members[GENERATE]()
         for number, variables in given["calls"]:
             found = describe_functions.called(number, variables)

@@ -91,7 +91,7 @@ class Condition:
 
 
 class Context:
-    """The arguments at one place of a launch file, for the functions that files hand over."""
+    """The launch arguments that functions of launch files read."""
 
     def __init__(self, variables: Mapping[str, str]) -> None:
         self.launch_configurations = dict(variables)
@@ -127,7 +127,7 @@ def text(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, (str, int, float, Path)):
         return str(value)
-    raise TypeError(f"{type(value).__name__} does not work on a page")
+    raise TypeError(f"{type(value).__name__} is not supported in the browser")
 
 
 def written(value: Any) -> str:

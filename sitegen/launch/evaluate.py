@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from sitegen.errors import Place, Problems, nearest
+from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import commandline, processes, python, without, xacro, xml, yaml
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
@@ -22,7 +22,7 @@ DEEPEST = 20
 
 @dataclass
 class Scope:
-    """What holds at one place of a launch file."""
+    """The state at one point of a launch file."""
 
     file: Path
     variables: dict[str, str]
@@ -56,7 +56,7 @@ def launched(
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
-        launch.file(Scope(file, dict(arguments)), Place(file, 1))
+        launch.file(Scope(file, dict(arguments)), Location(file, 1))
         return launch.finished()
 
 
@@ -94,28 +94,30 @@ class _Launch:
             "function": self._function,
         }
 
-    def file(self, scope: Scope, place: Place) -> None:
-        """Take in a launch file, included at `place`."""
+    def file(self, scope: Scope, location: Location) -> None:
+        """Take in a launch file, included at `location`."""
         read = READERS.get(scope.file.suffix)
         if scope.file.suffix == ".py":
             read = self._read_python
         folders = (self._problems.root, *(each.path for each in self._packages.values()))
         if not any(scope.file.resolve().is_relative_to(folder) for folder in folders):
-            self._note(place, "include", f"'{scope.file}' is not below the folder of site.yaml")
+            self._note(location, "include", f"'{scope.file}' is outside the folder of site.yaml")
         elif read is None:
             kinds = ", ".join([*READERS, ".py"])
             self._note(
-                place, "include", f"'{scope.file.name}' cannot be read; of these can: {kinds}"
+                location,
+                "include",
+                f"'{scope.file.name}' is not a supported launch file; supported: {kinds}",
             )
         elif scope.depth > DEEPEST:
-            self._note(place, "include", "launch files include each other in a circle")
+            self._note(location, "include", "launch files include each other in a cycle")
         else:
             try:
                 self._all(read(scope.file), scope)
             except UnreadableError as error:
-                self._note(error.place, "launch", str(error))
+                self._note(error.location, "launch", str(error))
             except OSError as error:
-                self._note(place, "include", f"'{scope.file.name}': {error.strerror}")
+                self._note(location, "include", f"'{scope.file.name}': {error.strerror}")
 
     def _read_python(self, file: Path) -> list[Action]:
         return python.read(file, self._folders)
@@ -126,19 +128,19 @@ class _Launch:
                 if self._holds(action, scope):
                     self._do(action, scope)
             except (SubstitutionError, ValueError) as error:
-                self._note(action.place, action.kind, str(error))
+                self._note(action.location, action.kind, str(error))
 
     def _do(self, action: Action, scope: Scope) -> None:
         if action.kind in without.IGNORED:
             return
         if why := without.LEFT_OUT.get(action.kind):
-            self._notes.add(action.place, action.kind, why)
+            self._notes.add(action.location, action.kind, why)
             return
         do = self._actions.get(action.kind)
         if do is None:
             known = sorted([*self._actions, *without.IGNORED, *without.LEFT_OUT])
             advice = nearest(action.kind, known)
-            raise ValueError(f"this does not work on a page; {advice}")
+            raise ValueError(f"this action is not supported in the browser; {advice}")
         do(action, scope)
 
     def _holds(self, action: Action, scope: Scope) -> bool:
@@ -147,7 +149,7 @@ class _Launch:
             if name in action.attributes:
                 text = self._text(action, name, scope).strip().lower()
                 if text not in ("true", "1", "false", "0"):
-                    raise ValueError(f"'{text}' is neither true nor false")
+                    raise ValueError(f"'{text}' is not a boolean; write 'true' or 'false'")
                 if (text in ("true", "1")) is not wanted:
                     return False
         return True
@@ -177,7 +179,7 @@ class _Launch:
         for given in action.of_kind("arg", "let"):
             name = self._needed(given, "name", scope)
             inner.variables[name] = self._needed(given, "value", scope)
-        self.file(inner, action.place)
+        self.file(inner, action.location)
 
     def _push(self, action: Action, scope: Scope) -> None:
         scope.namespace = _joined(scope.namespace, self._needed(action, "namespace", scope))
@@ -194,8 +196,11 @@ class _Launch:
 
     def _timer(self, action: Action, scope: Scope) -> None:
         period = self._needed(action, "period", scope)
-        message = f"nodes of a page start together: these do not wait for {period} s"
-        self._notes.add(action.place, action.kind, message)
+        message = (
+            "delays are not supported in the browser: these nodes start at once, not after "
+            f"{period} s"
+        )
+        self._notes.add(action.location, action.kind, message)
         self._all(action.inside, scope.inner())
 
     def _function(self, action: Action, scope: Scope) -> None:
@@ -204,7 +209,7 @@ class _Launch:
         try:
             self._all(python.read(scope.file, self._folders, scope.calls), scope)
         except UnreadableError as error:
-            self._note(error.place, "launch", str(error))
+            self._note(error.location, "launch", str(error))
         finally:
             scope.calls = outer
 
@@ -212,10 +217,10 @@ class _Launch:
         package = self._needed(action, "pkg", scope)
         executable = self._needed(action, "exec", scope)
         if why := without.program(package, executable, self._packages):
-            self._notes.add(action.place, action.kind, why)
+            self._notes.add(action.location, action.kind, why)
             return
         if "on_exit" in action.attributes:
-            self._notes.add(action.place, action.kind, without.ON_EXIT)
+            self._notes.add(action.location, action.kind, without.ON_EXIT)
         start = self._container if package == containers.PACKAGE else self._started
         start(action, scope)
 
@@ -224,7 +229,7 @@ class _Launch:
         for name in ("name", "namespace"):
             self._needed(action, name, scope)
         if self._text(action, "autostart", scope).lower() in ("true", "1"):
-            self._notes.add(action.place, action.kind, without.AUTOSTART)
+            self._notes.add(action.location, action.kind, without.AUTOSTART)
         self._node(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
@@ -234,10 +239,10 @@ class _Launch:
         except (SubstitutionError, ValueError):
             found = None
         if found is None:
-            self._notes.add(action.place, action.kind, without.OF_SYSTEM)
+            self._notes.add(action.location, action.kind, without.OF_SYSTEM)
             return
         words = {"pkg": found.package, "exec": found.executable, "args": shlex.join(found.words)}
-        self._node(Action("node", words, action.place), Scope(scope.file, scope.variables))
+        self._node(Action("node", words, action.location), Scope(scope.file, scope.variables))
 
     def _started(self, action: Action, scope: Scope) -> Node:
         executable = self._needed(action, "exec", scope)
@@ -252,7 +257,7 @@ class _Launch:
             name=_numbered(name, number),
             package=self._needed(action, "pkg", scope),
             executable=executable,
-            place=action.place,
+            location=action.location,
             namespace=_joined(scope.namespace, self._text(action, "namespace", scope)),
             remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
             parameters=self._values(action, scope),
@@ -265,7 +270,7 @@ class _Launch:
         name = self._needed(action, "exec", scope)
         if name not in containers.EXECUTORS:
             known = nearest(name, containers.EXECUTORS)
-            raise ValueError(f"'{name}' is no component container of a page; {known}")
+            raise ValueError(f"'{name}' is not a supported component container; {known}")
         node = self._started(action, scope)
         self._components[f"{node.namespace}/{node.remap.get('__node', name)}"] = (node.name, [])
         self._load_into(node.name, action, scope)
@@ -295,7 +300,7 @@ class _Launch:
                     package=self._needed(each, "pkg", scope),
                     plugin=self._needed(each, "plugin", scope),
                     arguments=("--ros-args", *words) if words else (),
-                    place=each.place,
+                    location=each.location,
                 )
             )
 
@@ -378,8 +383,8 @@ class _Launch:
             raise SubstitutionError(f"no package '{package}' in the workspace; {advice}")
         return found
 
-    def _note(self, place: Place, key: str, message: str) -> None:
-        self._problems.add(place, key, by_package(message))
+    def _note(self, location: Location, key: str, message: str) -> None:
+        self._problems.add(location, key, by_package(message))
 
 
 def _joined(above: str, name: str) -> str:

@@ -21,17 +21,17 @@ class Program:
 def program(words: list[str], folders: Mapping[str, Path]) -> Program | None:
     """Return what a line of `words` runs, None if that is of no package of `folders`.
 
-    It is run with `ros2 run`, or by the place where the package would install it.
+    It is run with `ros2 run`, or by the path where the package would install it.
     """
     if words[:2] == RUN and len(words) >= 4:
         return Program(words[2], words[3], words[4:])
-    place = Path(words[0]) if words else Path()
-    package = place.parent.name
-    if package in folders and place == installed(folders[package], package, place.name):
-        return Program(package, place.name, words[1:])
+    path = Path(words[0]) if words else Path()
+    package = path.parent.name
+    if package in folders and path == installed(folders[package], package, path.name):
+        return Program(package, path.name, words[1:])
     return None
 
 
 def installed(folder: Path, package: str, executable: str) -> Path:
-    """Return the place of an executable where `folder` stands for the prefix of its package."""
+    """Return the path of an executable where `folder` stands for the prefix of its package."""
     return folder / "lib" / package / executable

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
 
 DESCRIBE = Path(__file__).with_name("describe.py")
@@ -32,16 +32,20 @@ def read(file: Path, folders: Mapping[str, Path], calls: Sequence[Call] = ()) ->
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:
-        raise UnreadableError(Place(file, 1), f"it took longer than {LIMIT} s") from None
+        raise UnreadableError(
+            Location(file, 1), f"the launch file took longer than {LIMIT} s"
+        ) from None
     try:
         answer = json.loads(done.stdout)
     except ValueError:
-        raise UnreadableError(Place(file, 1), "it ended before it described anything") from None
+        raise UnreadableError(
+            Location(file, 1), "the launch file exited before it described anything"
+        ) from None
     if "error" in answer:
-        raise UnreadableError(Place(file, answer["line"]), answer["error"].replace("\n", " "))
+        raise UnreadableError(Location(file, answer["line"]), answer["error"].replace("\n", " "))
     return _action(file, answer).inside
 
 
 def _action(file: Path, given: Mapping[str, Any]) -> Action:
     inside = [_action(file, each) for each in given["inside"]]
-    return Action(given["kind"], dict(given["attributes"]), Place(file, given["line"]), inside)
+    return Action(given["kind"], dict(given["attributes"]), Location(file, given["line"]), inside)

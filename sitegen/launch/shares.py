@@ -23,7 +23,7 @@ def shares(packages: Mapping[str, Package]) -> Iterator[dict[str, Path]]:
         folders = {}
         for name, package in packages.items():
             files = _files(package)
-            moved = any(package.path / place != file for place, file in files.items())
+            moved = any(package.path / path != file for path, file in files.items())
             folders[name] = (
                 _linked(Path(temporary) / name, package, files) if moved else package.path
             )
@@ -44,18 +44,18 @@ def by_package(text: str) -> str:
 
 
 def _files(package: Package) -> dict[str, Path]:
-    """Return what is installed to the share folder of a package, by its place there."""
+    """Return what is installed to the share folder of a package, by path there."""
     above = f"share/{package.name}/"
     files = package.setup.files if package.setup else {}
     return {
-        place.removeprefix(above): file for place, file in files.items() if place.startswith(above)
+        path.removeprefix(above): file for path, file in files.items() if path.startswith(above)
     }
 
 
 def _linked(folder: Path, package: Package, files: Mapping[str, Path]) -> Path:
     """Make a folder of links: to what is installed, and beside it to what else the package has."""
-    for place, file in files.items():
-        link = folder / place
+    for path, file in files.items():
+        link = folder / path
         link.parent.mkdir(parents=True, exist_ok=True)
         link.symlink_to(file.resolve())
     for each in package.path.iterdir():

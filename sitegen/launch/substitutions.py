@@ -59,16 +59,16 @@ def expand(
         if function is None:
             public = (each.replace("_", "-") for each in known if each != "expression")
             others = ", ".join(f"$({each} …)" for each in public)
-            raise SubstitutionError(f"$({name} …) does not work here; of these do: {others}")
+            raise SubstitutionError(f"$({name} …) is not supported; supported: {others}")
         try:
             return function(*arguments)
         except TypeError:
-            raise SubstitutionError(f"$({name} …) has another number of words") from None
+            raise SubstitutionError(f"$({name} …) has the wrong number of arguments") from None
 
     reader = _Reader(text, call)
     result = reader.plain()
     if reader.at < len(text):
-        raise SubstitutionError(f"'{text}' closes a parenthesis that it does not open")
+        raise SubstitutionError(f"'{text}' has an unmatched ')'")
     return result
 
 
@@ -121,7 +121,7 @@ class _Reader:
         while (word := self._word()) is not None:
             words.append(word)
         if self.at >= len(self._text):
-            raise SubstitutionError(f"'{self._text}' opens a parenthesis that it does not close")
+            raise SubstitutionError(f"'{self._text}' has an unclosed '('")
         self.at += 1
         return self._call(words)
 
@@ -155,7 +155,7 @@ def _evaluated(expression: str) -> str:
         return str(eval(expression, {"__builtins__": {}}, NAMES))
     except Exception as error:
         raise SubstitutionError(
-            f"'{expression}' is no expression: {type(error).__name__}: {error}"
+            f"'{expression}' is not a valid expression: {type(error).__name__}: {error}"
         ) from None
 
 
@@ -163,4 +163,4 @@ def _first(*values: str | None, what: str) -> str:
     for value in values:
         if value is not None:
             return value
-    raise SubstitutionError(f"there is no {what}")
+    raise SubstitutionError(f"{what} is not set")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 
 
 @dataclass(frozen=True)
@@ -14,7 +14,7 @@ class Action:
 
     kind: str
     attributes: dict[str, str]
-    place: Place
+    location: Location
     inside: list[Action] = field(default_factory=list)
 
     def of_kind(self, *kinds: str) -> Iterator[Action]:
@@ -25,6 +25,6 @@ class Action:
 class UnreadableError(Exception):
     """A launch file cannot be read: where, and why."""
 
-    def __init__(self, place: Place, message: str) -> None:
+    def __init__(self, location: Location, message: str) -> None:
         super().__init__(message)
-        self.place = place
+        self.location = location

@@ -6,26 +6,26 @@ from collections.abc import Collection
 
 # Of no consequence for what runs on a page.
 IGNORED = {"append_env", "log", "set_env", "unset_env"}
-STATES = "a launch file does not change the states of nodes in a page"
+STATES = "launch files cannot change node states in the browser"
 LEFT_OUT = {
-    "event": "events of launch files do not happen in a page; this is left out",
-    "event_handler": "events of launch files do not happen in a page; this is left out",
-    "lifecycle_transition": f"{STATES}; this is left out",
-    "shutdown": "a page ends when its reader leaves it; this is left out",
+    "event": "skipped: launch events are not supported in the browser",
+    "event_handler": "skipped: launch events are not supported in the browser",
+    "lifecycle_transition": f"skipped: {STATES}",
+    "shutdown": "skipped: a page runs until it is closed",
 }
-ON_EXIT = "programs of a page do not end with another one; 'on_exit' is left out"
-AUTOSTART = f"{STATES}; 'autostart' is left out"
-OF_SYSTEM = "a program of the system does not run in a page; this is left out"
+ON_EXIT = "'on_exit' is ignored: nodes in the browser do not stop each other"
+AUTOSTART = f"'autostart' is ignored: {STATES}"
+OF_SYSTEM = "skipped: system programs cannot run in the browser"
 # Packages of programs that draw on a screen of their own.
 SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
 # Programs that read the keys of a terminal.
-KEYS = {("turtlesim", "turtle_teleop_key"): "the window of turtlesim has keys"}
+KEYS = {("turtlesim", "turtle_teleop_key"): "use the arrow keys in the turtlesim window"}
 
 
 def program(package: str, executable: str, packages: Collection[str]) -> str:
     """Return why a page does without a program, or nothing; `packages` are in the workspace."""
     if package.startswith(SCREENS) and package not in packages:
-        return f"'{package}' draws on a screen of its own and is left out of the page"
+        return f"'{package}' is skipped: it needs a desktop window"
     if instead := KEYS.get((package, executable)):
-        return f"'{executable}' reads the keys of a terminal and is left out; {instead}"
+        return f"'{executable}' is skipped: it reads keys from a terminal; {instead}"
     return ""

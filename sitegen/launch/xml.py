@@ -6,27 +6,29 @@ from pathlib import Path
 from typing import Any
 from xml.parsers import expat
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
 
 
 def read(file: Path) -> list[Action]:
     """Return the actions of a launch file; raises an UnreadableError."""
-    top = Action("", {}, Place(file, 1))
+    top = Action("", {}, Location(file, 1))
     open_ = [top]
     parser = expat.ParserCreate()
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        place = Place(file, parser.CurrentLineNumber)
+        location = Location(file, parser.CurrentLineNumber)
         # The names of XML and of YAML differ in this alone.
         kind = name.replace("-", "_")
-        action = Action(kind, {k.replace("-", "_"): v for k, v in attributes.items()}, place)
+        action = Action(kind, {k.replace("-", "_"): v for k, v in attributes.items()}, location)
         open_[-1].inside.append(action)
         open_.append(action)
 
     def doctype(*_: Any) -> None:
-        place = Place(file, parser.CurrentLineNumber)
-        raise UnreadableError(place, "a document type is not allowed here; remove <!DOCTYPE …>")
+        location = Location(file, parser.CurrentLineNumber)
+        raise UnreadableError(
+            location, "a document type declaration is not allowed; remove <!DOCTYPE …>"
+        )
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_.pop()
@@ -35,8 +37,8 @@ def read(file: Path) -> list[Action]:
         parser.Parse(file.read_bytes(), True)
     except expat.ExpatError as error:
         message = f"{expat.ErrorString(error.code)}; check the tags here and above"
-        raise UnreadableError(Place(file, error.lineno), message) from None
+        raise UnreadableError(Location(file, error.lineno), message) from None
     [root] = top.inside
     if root.kind != "launch":
-        raise UnreadableError(root.place, f"expected <launch>, found <{root.kind}>")
+        raise UnreadableError(root.location, f"expected <launch>, found <{root.kind}>")
     return root.inside

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import yaml
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
 
 # What stands below an action under its own name, as a list, and is an action in XML.
@@ -20,10 +20,12 @@ def read(file: Path) -> list[Action]:
     except (yaml.YAMLError, ValueError) as error:
         line = getattr(getattr(error, "problem_mark", None), "line", 0) + 1
         message = getattr(error, "problem", None) or str(error)
-        raise UnreadableError(Place(file, line), message) from None
+        raise UnreadableError(Location(file, line), message) from None
     top = _pairs(file, root) if isinstance(root, yaml.MappingNode) else {}
     if list(top) != ["launch"]:
-        raise UnreadableError(Place(file, 1), "expected one key, 'launch', with a list of actions")
+        raise UnreadableError(
+            Location(file, 1), "expected one key, 'launch', with a list of actions"
+        )
     return _actions(file, top["launch"])
 
 
@@ -32,16 +34,16 @@ def _actions(file: Path, node: yaml.Node) -> list[Action]:
     for item in _items(file, node):
         pairs = _pairs(file, item)
         if len(pairs) != 1:
-            raise UnreadableError(_place(file, item), "expected one action, like 'node:'")
+            raise UnreadableError(_location(file, item), "expected one action, like 'node:'")
         [(kind, value)] = pairs.items()
         found.append(_action(file, kind, value))
     return found
 
 
 def _action(file: Path, kind: str, node: yaml.Node) -> Action:
-    kind, place = kind.replace("-", "_"), _place(file, node)
+    kind, location = kind.replace("-", "_"), _location(file, node)
     if kind == "group" and isinstance(node, yaml.SequenceNode):
-        return Action(kind, {}, place, _actions(file, node))
+        return Action(kind, {}, location, _actions(file, node))
     attributes: dict[str, str] = {}
     inside: list[Action] = []
     for name, value in _pairs(file, node).items():
@@ -54,8 +56,8 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
         elif kind == "group" or name == "children":
             inside += _actions(file, value)
         else:
-            raise UnreadableError(_place(file, value), f"'{name}' of '{kind}' has to be a text")
-    return Action(kind, attributes, place, inside)
+            raise UnreadableError(_location(file, value), f"'{name}' of '{kind}' must be a string")
+    return Action(kind, attributes, location, inside)
 
 
 def _written(file: Path, node: yaml.Node) -> str:
@@ -69,15 +71,15 @@ def _written(file: Path, node: yaml.Node) -> str:
 
 def _items(file: Path, node: yaml.Node) -> list[yaml.Node]:
     if not isinstance(node, yaml.SequenceNode):
-        raise UnreadableError(_place(file, node), "expected a list")
+        raise UnreadableError(_location(file, node), "expected a list")
     return list(node.value)
 
 
 def _pairs(file: Path, node: yaml.Node) -> dict[str, yaml.Node]:
     if not isinstance(node, yaml.MappingNode):
-        raise UnreadableError(_place(file, node), "expected keys and values")
+        raise UnreadableError(_location(file, node), "expected keys and values")
     return {str(key.value): value for key, value in node.value}
 
 
-def _place(file: Path, node: yaml.Node) -> Place:
-    return Place(file, node.start_mark.line + 1)
+def _location(file: Path, node: yaml.Node) -> Location:
+    return Location(file, node.start_mark.line + 1)

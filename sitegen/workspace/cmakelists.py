@@ -45,7 +45,7 @@ class Listing:
     """What was found so far; `executables` is None where only CMake can tell their names.
 
     `sources` has the files of executables, relative to the file that names them, the package's own.
-    `installs` has what is installed as it is: the places below the prefix, and what goes there.
+    `installs` has what is installed as it is: the paths below the prefix, and what goes there.
     `finds` has the packages that are looked for, but for those that may be missing; `plugins` has
     the packages for which plugins are described.
     """
@@ -113,14 +113,14 @@ class Listing:
 
 
 def installed(listing: Listing, folder: Path) -> dict[str, Path]:
-    """Return the files of the package `folder` that are installed as they are, by their place."""
+    """Return the files of the package `folder` that are installed as they are, by path."""
     found: dict[str, Path] = {}
     for install in listing.installs:
-        for place, file in install.files(folder):
-            parts = PurePosixPath(place).parts
+        for path, file in install.files(folder):
+            parts = PurePosixPath(path).parts
             inside = file.resolve().is_relative_to(folder.resolve()) and ".." not in parts
-            if file.is_file() and inside and "$" not in place:
-                found[PurePosixPath(place).as_posix()] = file
+            if file.is_file() and inside and "$" not in path:
+                found[PurePosixPath(path).as_posix()] = file
     return found
 
 

@@ -28,7 +28,7 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
         return [packages[one] for one in TopologicalSorter(graph).static_order()]
     except CycleError as error:
         cycle = error.args[1][::-1]  # from a package to what it depends on
-        message = f"packages depend on each other in a cycle, {' → '.join(cycle)}"
+        message = f"packages depend on each other in a cycle: {' → '.join(cycle)}"
         raise SiteError([f"package.xml of '{cycle[0]}': {message}; remove one <depend>"]) from None
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.parsers.expat import ErrorString
 
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]*")
 DEPENDS = {
@@ -39,7 +39,7 @@ class _Tree(ElementTree.TreeBuilder):
     """Refuses document types: their entities can read files and fill the memory."""
 
     def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
-        raise ValueError("a document type is not allowed here; remove the line <!DOCTYPE …>")
+        raise ValueError("a document type declaration is not allowed; remove the line <!DOCTYPE …>")
 
 
 def read_manifest(file: Path, problems: Problems) -> Manifest | None:
@@ -48,17 +48,17 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
         xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
     except ElementTree.ParseError as error:
         message = f"{ErrorString(error.code)}; check the tags here and above"
-        problems.add(Place(file, error.position[0]), "xml", message)
+        problems.add(Location(file, error.position[0]), "xml", message)
         return None
     except (OSError, ValueError, LookupError) as error:
         message = getattr(error, "strerror", None) or str(error)
-        problems.add(place_of(file, "!DOCTYPE"), "xml", message)
+        problems.add(location_of(file, "!DOCTYPE"), "xml", message)
         return None
     name = (xml.findtext("name") or "").strip()
     if xml.tag != "package" or not NAME.fullmatch(name):
         what = f"'{name}' is not a valid package name" if name else "missing"
         message = f"{what}; write it like <name>my_robot</name>"
-        problems.add(place_of(file, "name"), "name", message)
+        problems.add(location_of(file, "name"), "name", message)
         return None
     depends = (tag.text for tag in _true(xml, file, problems) if tag.tag in DEPENDS)
     types = (tag.text for tag in _true(xml.findall("export/build_type"), file, problems))
@@ -70,13 +70,13 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
     )
 
 
-def place_of(file: Path, tag: str) -> Place:
-    """Return the place of the first such tag, which the parser does not remember."""
+def location_of(file: Path, tag: str) -> Location:
+    """Return the location of the first such tag, which the parser does not remember."""
     try:
         before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
     except OSError:
-        return Place(file, 1)
-    return Place(file, before.count("\n") + 1 if found else 1)
+        return Location(file, 1)
+    return Location(file, before.count("\n") + 1 if found else 1)
 
 
 def _true(
@@ -96,4 +96,4 @@ def _true(
                 yield tag
         except ValueError:
             message = f"'{condition}' is not a valid condition; write it like '$ROS_VERSION == 2'"
-            problems.add(place_of(file, tag.tag), tag.tag, message)
+            problems.add(location_of(file, tag.tag), tag.tag, message)

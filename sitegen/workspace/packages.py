@@ -9,11 +9,11 @@ from functools import cache
 from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
-from sitegen.errors import Place, Problems, relative
+from sitegen.errors import Location, Problems, relative
 from sitegen.ignored import is_ignored
 from sitegen.model import Package, Setup
 from sitegen.workspace import cmakelists, setupfiles
-from sitegen.workspace.manifest import place_of, read_manifest
+from sitegen.workspace.manifest import location_of, read_manifest
 
 IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
 # The interface packages that come with sitegen.
@@ -34,9 +34,9 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
         if package.name in packages:
             first = relative(packages[package.name].path, found.root)
             message = (
-                f"package '{package.name}' is in '{first}' too; rename or remove one of the two"
+                f"package '{package.name}' is also in '{first}'; rename or remove one of the two"
             )
-            found.add(place_of(path / "package.xml", "name"), "name", message)
+            found.add(location_of(path / "package.xml", "name"), "name", message)
         else:
             packages[package.name] = package
     if problems is None:
@@ -118,8 +118,8 @@ def _package(path: Path, problems: Problems) -> Package | None:
 
 def _setup(path: Path) -> Setup:
     listing = setupfiles.read(path)
-    fault = listing.fault and (Place(*listing.fault[:2]), listing.fault[2])
-    files = {place: path / file for place, file in listing.files.items()}
+    fault = listing.fault and (Location(*listing.fault[:2]), listing.fault[2])
+    files = {installed: path / file for installed, file in listing.files.items()}
     return Setup(listing.scripts, files, fault)
 
 
@@ -127,16 +127,16 @@ def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None
     """Return the programs and modules of Python that a package installs by CMake, if it does."""
     files = cmakelists.installed(listing, path)
     programs = {
-        place: file
-        for place, file in files.items()
-        if PurePosixPath(place).parent == PurePosixPath("lib", name) and _is_python(file)
+        installed: file
+        for installed, file in files.items()
+        if PurePosixPath(installed).parent == PurePosixPath("lib", name) and _is_python(file)
     }
-    if not programs and not any(place.startswith("python/") for place in files):
+    if not programs and not any(installed.startswith("python/") for installed in files):
         return None
     # What ament_package() installs; of the file in the index only the name counts.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
-    return Setup({PurePosixPath(place).name: place for place in programs}, files)
+    return Setup({PurePosixPath(installed).name: installed for installed in programs}, files)
 
 
 def _is_python(file: Path) -> bool:
@@ -151,7 +151,7 @@ def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for name, target in setup.scripts.items():
         module = target.partition(":")[0].replace(".", "/")
-        places = (target, f"python/{module}.py", f"python/{module}/__init__.py")
-        files = (setup.files[place] for place in places if place in setup.files)
+        paths = (target, f"python/{module}.py", f"python/{module}/__init__.py")
+        files = (setup.files[each] for each in paths if each in setup.files)
         found[name] = [file.relative_to(path).as_posix() for file in files]
     return found

@@ -23,13 +23,13 @@ def read(file: Path) -> dict[str, str]:
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f"'{file.name}' cannot be read: {error}") from None
     except yaml.YAMLError as error:
-        raise ValueError(f"'{file.name}' is no YAML: {error}".replace("\n", " ")) from None
+        raise ValueError(f"'{file.name}' is not valid YAML: {error}".replace("\n", " ")) from None
     if not isinstance(given, Mapping):
-        raise ValueError(f"'{file.name}' has no parameters; begin with the name of a node")
+        raise ValueError(f"'{file.name}' has no parameters; start with the name of a node")
     found: dict[str, str] = {}
     for pattern, values in _sections("", given):
         if not isinstance(values, Mapping):
-            raise ValueError(f"'{file.name}': '{VALUES}' of '{pattern}' has no names")
+            raise ValueError(f"'{file.name}': '{VALUES}' of '{pattern}' has no parameters")
         merge(found, {f"{pattern}:{name}": written(value) for name, value in _flat("", values)})
     return found
 

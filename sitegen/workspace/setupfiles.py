@@ -27,8 +27,8 @@ PROGRAMS = "lib/programs"
 class Listing:
     """What a package installs.
 
-    `scripts` are its executables, each "module:function" or the place of a file; `files` its files,
-    by their place below the prefix ("python/" stands for where modules are installed), relative to
+    `scripts` are its executables, each "module:function" or the path of a file; `files` its files,
+    by their path below the prefix ("python/" stands for where modules are installed), relative to
     the package. `fault` says what could not be read: a file, a line and a message.
     """
 
@@ -52,9 +52,9 @@ def read(folder: Path) -> Listing:
         listing.files = dict(_files(folder, given))
         for script in given.get("scripts") or ():
             name = PurePosixPath(str(script)).name
-            for place, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
-                listing.scripts[name] = place
-                listing.files[place] = file
+            for installed, file in _placed(folder, f"{PROGRAMS}/{name}", folder / str(script)):
+                listing.scripts[name] = installed
+                listing.files[installed] = file
     except _UnreadableError as error:
         listing.fault = error.fault
     return listing
@@ -69,10 +69,10 @@ def _py(folder: Path) -> dict[str, Any]:
         tree = ast.parse(file.read_text(encoding="utf-8"))
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
-        raise _UnreadableError(file, line, f"Python cannot read it: {error}") from None
+        raise _UnreadableError(file, line, f"not valid Python: {error}") from None
     call = next((node for node in ast.walk(tree) if _is_setup(node)), None)
     if not isinstance(call, ast.Call):
-        raise _UnreadableError(file, 1, "it does not call setup()")
+        raise _UnreadableError(file, 1, "no call of setup() found")
     reader = literals.Reader(tree, folder)
     given = {}
     for keyword in call.keywords:
@@ -80,8 +80,10 @@ def _py(folder: Path) -> dict[str, Any]:
             try:
                 given[keyword.arg or "**"] = reader.value(keyword.value)
             except literals.NotLiteralError as error:
-                what = f"{keyword.arg or 'setup'}: '{error}' is read only by running it"
-                advice = "sitegen does not run setup.py; write it out, or put it into setup.cfg"
+                what = f"{keyword.arg or 'setup'}: '{error}' is known only when setup.py runs"
+                advice = (
+                    "sitegen does not run setup.py; write the value out, or move it to setup.cfg"
+                )
                 raise _UnreadableError(file, error.line, f"{what}; {advice}") from None
     return given
 
@@ -101,7 +103,7 @@ def _cfg(folder: Path) -> dict[str, Any]:
         parser.read(file, encoding="utf-8")
     except (configparser.Error, ValueError) as error:
         line = getattr(error, "lineno", 1)
-        raise _UnreadableError(file, line, f"it cannot be read: {error}") from None
+        raise _UnreadableError(file, line, f"cannot be read: {error}") from None
     given: dict[str, Any] = {}
     if parser.has_section("options.entry_points"):
         given["entry_points"] = dict(parser["options.entry_points"])
@@ -166,7 +168,10 @@ def _scripts(folder: Path, entry_points: Any) -> Iterator[tuple[str, str]]:
     for text in scripts:
         match = ENTRY.fullmatch(str(text))
         if not match:
-            message = f"'{text}' is no entry point; write it like 'talker = my_package.talker:main'"
+            message = (
+                f"'{text}' is not a valid entry point; "
+                "write it like 'talker = my_package.talker:main'"
+            )
             raise _UnreadableError(_written_in(folder, "console_scripts"), 1, message)
         yield match[1], f"{match[2]}:{match[3]}"
 
@@ -188,8 +193,8 @@ def _files(folder: Path, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         source = folder / roots[name] if name in roots else top / name.replace(".", "/")
         patterns = ["*.py", *_patterns(given, name), *_patterns(given, "")]
         for file in sorted({file for pattern in patterns for file in source.glob(pattern)}):
-            place = f"python/{name.replace('.', '/')}/{file.relative_to(source).as_posix()}"
-            yield from _placed(folder, place, file)
+            installed = f"python/{name.replace('.', '/')}/{file.relative_to(source).as_posix()}"
+            yield from _placed(folder, installed, file)
     for module in given.get("py_modules") or ():
         path = f"{module.replace('.', '/')}.py"
         yield from _placed(folder, f"python/{path}", top / path)
@@ -211,8 +216,8 @@ def _discovered(top: Path) -> Iterator[str]:
             yield ".".join(parts)
 
 
-def _placed(folder: Path, place: str, file: Path) -> Iterator[tuple[str, str]]:
-    path = PurePosixPath(place)
+def _placed(folder: Path, installed: str, file: Path) -> Iterator[tuple[str, str]]:
+    path = PurePosixPath(installed)
     inside = file.resolve().is_relative_to(folder.resolve())
     if file.is_file() and inside and not path.is_absolute() and ".." not in path.parts:
         yield path.as_posix(), file.relative_to(folder).as_posix()

@@ -53,6 +53,6 @@ def with_shipped(packages: Mapping[str, Package], names: Iterable[str] = ()) -> 
 def _imported(package: Package) -> Iterator[str]:
     """Yield the modules that the Python sources of a package import."""
     scripts = package.setup.scripts.values() if package.setup else ()
-    for place, file in (package.setup.files if package.setup else {}).items():
-        if file.suffix == ".py" or place in scripts:
+    for path, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or path in scripts:
             yield from IMPORT.findall(file.read_text(encoding="utf-8", errors="replace"))

@@ -1,4 +1,4 @@
-"""Turn the sources of a package into what its executables need and no page has."""
+"""Turn the sources of a package into the libraries it needs that the browser does not have."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from pathlib import Path
 
 from sitegen.model import Package
 
-INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([\w.+-]+)/', re.MULTILINE)
-OWN = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
-# What is large, or of hardware, a middleware or a screen, by the folders of headers.
-LACKING = {
+HEADER_FOLDER = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([\w.+-]+)/', re.MULTILINE)
+HEADER = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
+# Libraries that are too large, or need hardware, a middleware or a screen, by header folder.
+UNSUPPORTED = {
     "opencv2": "OpenCV",
     "pcl": "PCL",
     **{
@@ -24,8 +24,8 @@ LACKING = {
 }
 
 
-def lacking(package: Package) -> dict[str, str]:
-    """Return what is missing for executables of `package`, by their names, as far as is known."""
+def unsupported_libraries(package: Package) -> dict[str, str]:
+    """Return the first unsupported library of each executable, as far as is known."""
     found: dict[str, str] = {}
     named = {file for files in package.sources.values() for file in files}
     sources = (file.relative_to(package.path).as_posix() for file in package.path.rglob("*.cpp"))
@@ -40,8 +40,8 @@ def lacking(package: Package) -> dict[str, str]:
 
 
 def _missing(folder: Path, files: tuple[str, ...]) -> str:
-    names = (name for text in _texts(folder, files) for name in INCLUDE.findall(text))
-    return next((LACKING[name] for name in names if name in LACKING), "")
+    names = (name for text in _texts(folder, files) for name in HEADER_FOLDER.findall(text))
+    return next((UNSUPPORTED[name] for name in names if name in UNSUPPORTED), "")
 
 
 def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
@@ -55,4 +55,4 @@ def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
         text = file.read_text(encoding="utf-8", errors="replace")
         yield text
         near = (file.parent, folder / "include", folder / "src", folder)
-        waiting += (place / name for name in OWN.findall(text) for place in near)
+        waiting += (folder / name for name in HEADER.findall(text) for folder in near)

@@ -73,7 +73,7 @@ def test_another_file_is_told_with_its_hash(server: Server, tmp_path: Path) -> N
     with pytest.raises(FetchError) as caught:
         get(url, tmp_path)
     assert str(caught.value) == (
-        f"{url} is not the file you mean; if you trust it, write 'sha256: {other}'"
+        f"{url} does not have the expected hash; if you trust it, write 'sha256: {other}'"
     )
 
 
@@ -154,7 +154,7 @@ def test_more_than_expected(honest: bool, server: Server, tmp_path: Path) -> Non
         except OSError:
             pass
 
-    with pytest.raises(FetchError, match="has more than 1,000,000 bytes; that is no archive"):
+    with pytest.raises(FetchError, match="has more than 1,000,000 bytes; check the address"):
         get(server(answer), tmp_path)
     assert sent[0] < 10**9
 
@@ -167,7 +167,9 @@ def test_a_server_that_says_nothing(server: Server, tmp_path: Path) -> None:
 
     patience = Patience(connection=20, bytes=0.2, total=60, tries=2, pause=0.01)
     try:
-        with pytest.raises(FetchError, match=r"no answer in time \(tried 2 times\)"):
+        with pytest.raises(
+            FetchError, match=r"the server did not answer in time \(tried 2 times\)"
+        ):
             get(server(answer), tmp_path, patience=patience)
     finally:
         over.set()
@@ -200,7 +202,9 @@ def leads(to: str) -> Answer:
 def test_redirections_stay_where_they_may(server: Server, tmp_path: Path) -> None:
     url = server(lambda handler, _: send(handler))
     assert get(server(leads(url)), tmp_path) == DATA
-    with pytest.raises(FetchError, match=r"leads to http://example\.org/a; only https is followed"):
+    with pytest.raises(
+        FetchError, match=r"leads to http://example\.org/a; only https addresses are followed"
+    ):
         get(server(leads("http://example.org/a")), tmp_path)
     with pytest.raises(FetchError):
         get(server(leads("file:///etc/passwd")), tmp_path)

@@ -55,7 +55,7 @@ def test_of_many_pages_of_text_some_are_named(tmp_path: Path) -> None:
         *(f"/docs/page{number:02}/" for number in range(20)),
         "/docs/zoo/",
     ]
-    assert more == "  … and 5 pages more, of text only"
+    assert more == "  … and 5 pages more without nodes"
     assert last.startswith("built 26 pages, 0 nodes")
 
 
@@ -89,7 +89,7 @@ def test_a_folder_of_the_author_is_not_replaced(tmp_path: Path) -> None:
     output.mkdir()
     (output / "thesis.tex").write_text("years of work")
     assert problems(notes(tmp_path / "site", "      - markdown: Hello\n"), output) == [
-        f"{output} holds files that sitegen did not write; empty it or choose another --output"
+        f"{output} contains files that sitegen did not write; empty it or choose another --output"
     ]
     assert (output / "thesis.tex").exists()
     assert not (output / MARKER).exists()
@@ -100,8 +100,8 @@ def test_two_artifacts_on_one_path_are_an_error(tmp_path: Path) -> None:
     with pytest.raises(SiteError) as wrong:
         check_paths([Artifact("theme/style.css", theme), Artifact("theme/style.css", b"")])
     assert wrong.value.lines == [
-        "theme/style.css: two files of the site want this path: "
-        f"{theme} and one that sitegen writes"
+        "theme/style.css: two files of the site have this path: "
+        f"{theme} and a file that sitegen writes"
     ]
 
 
@@ -111,7 +111,7 @@ def test_a_page_where_the_theme_lies_is_an_error(tmp_path: Path) -> None:
     text = "  - path: theme/\n    title: Theme\n    content: [{markdown: '[a](style.css)'}]\n"
     (site / "site.yaml").write_text((site / "site.yaml").read_text() + text)
     [line] = problems(site, tmp_path / "dist")
-    assert line.startswith("theme/style.css: two files of the site want this path: ")
+    assert line.startswith("theme/style.css: two files of the site have this path: ")
 
 
 def test_pages_may_share_a_file(tmp_path: Path) -> None:

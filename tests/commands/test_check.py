@@ -128,7 +128,7 @@ def test_sites_of_ours_are_right(name: str) -> None:
 def test_who_calls_nobody_is_told() -> None:
     assert warnings(ROOT / "tests/sites/services") == [
         "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, where nobody "
-        "serves it; give the page a node that does, or remap the name"
+        "serves it; add a node that provides it, or remap the name"
     ]
 
 
@@ -137,12 +137,12 @@ def test_what_nobody_is_at_the_other_side_of(tmp_path: Path) -> None:
     server = SERVER.replace("/add", "/sum")
     found = warnings(write(tmp_path, listener=listener, server=server))
     assert found == [
-        "src/cpp/talker.cpp:11: topic: 'talker' publishes '/chatter' on page /, where nobody"
-        " subscribes to it; did you mean '/chater'?",
-        "src/cpp/talker.cpp:12: service: 'talker' calls '/add' on page /, where nobody serves it;"
-        " give the page a node that does, or remap the name",
-        "src/py/py/listener.py:11: topic: 'listener' subscribes to '/chater' on page /, where"
-        " nobody publishes it; did you mean '/chatter'?",
+        "src/cpp/talker.cpp:11: topic: 'talker' publishes '/chatter' on page /, which has no"
+        " subscription; did you mean '/chater'?",
+        "src/cpp/talker.cpp:12: service: 'talker' calls '/add' on page /, which has no server;"
+        " add a node that provides it, or remap the name",
+        "src/py/py/listener.py:11: topic: 'listener' subscribes to '/chater' on page /, which"
+        " has no publisher; did you mean '/chatter'?",
     ]
 
 
@@ -152,9 +152,10 @@ def test_types_that_do_not_match(tmp_path: Path) -> None:
     found = warnings(write(tmp_path, listener=listener, server=server))
     assert found == [
         "src/cpp/talker.cpp:12: service: '/add' is example_interfaces/srv/AddTwoInts for 'talker',"
-        " but std_srvs/srv/SetBool for 'server' (src/py/py/server.py:8); give both the same type",
+        " but std_srvs/srv/SetBool for 'server' (src/py/py/server.py:8); "
+        "use the same type for both",
         "src/py/py/listener.py:11: topic: '/chatter' is std_msgs/msg/Int32 for 'listener', but"
-        " std_msgs/msg/String for 'talker' (src/cpp/talker.cpp:11); give both the same type",
+        " std_msgs/msg/String for 'talker' (src/cpp/talker.cpp:11); use the same type for both",
     ]
 
 
@@ -298,8 +299,8 @@ def test_images_without_a_text(tmp_path: Path) -> None:
         Image.new("RGB", (2, 2)).save(folder / name)
     found = warnings(folder)
     assert [line.partition("; ")[0] for line in found] == [
-        "index.md:3: image: 'a.png' has no text for those who cannot see it",
-        "index.md:7: image: 'c.png' has no text for those who cannot see it",
+        "index.md:3: image: 'a.png' has no alternative text",
+        "index.md:7: image: 'c.png' has no alternative text",
     ]
 
 

@@ -96,7 +96,7 @@ def test_what_was_built_is_what_goes_out(
     assert state(site) == before
 
     assert main(["deploy", str(site)]) == 0
-    assert "has it already; nothing to publish" in capsys.readouterr().out
+    assert "is up to date; nothing to publish" in capsys.readouterr().out
     assert git(remote, "rev-list", "--count", "gh-pages") == "1"
 
     # The next state comes on top of the one before, wherever that was published from.
@@ -159,7 +159,7 @@ def test_what_is_missing_is_told(
     (alone / "site.yaml").write_text(
         "site: {title: A}\npages: [{path: /, content: [markdown: '# A']}]\n"
     )
-    assert f"{alone} is in no git repository; make one" in refused(alone, capsys)
+    assert f"{alone} is not in a git repository; run git init" in refused(alone, capsys)
 
     git(site, "remote", "rename", "origin", "orign")
     assert refused(site, capsys) == ("the repository has no remote 'origin'; did you mean 'orign'?")
@@ -171,9 +171,9 @@ def test_what_is_missing_is_told(
     git(site, "remote", "set-url", "origin", str(remote))
 
     git(tmp_path, "config", "--global", "--unset", "user.email")
-    assert refused(site, capsys) == "git has no user.email for you; say it: git config user.email …"
+    assert refused(site, capsys) == "git has no user.email; set it: git config user.email …"
     git(site, "config", "user.name", "")
-    assert refused(site, capsys) == "git has no user.name for you; say it: git config user.name …"
+    assert refused(site, capsys) == "git has no user.name; set it: git config user.name …"
     with monkeypatch.context() as without:
         without.setenv("PATH", "")
         assert refused(site, capsys) == "git not found; install it (git-scm.com)"
@@ -184,10 +184,10 @@ def test_no_branch_of_sources_is_replaced(
     site: Path, remote: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (site / "site.yaml").write_text(SITE + "deploy: {branch: main}\n")
-    assert "'main' is the branch you are on" in refused(site, capsys)
+    assert "'main' is the current branch" in refused(site, capsys)
     git(site, "push", "origin", "main")
     git(site, "switch", "--create", "work")
-    assert "branch 'main' of origin holds no web site (no index.html)" in refused(site, capsys)
+    assert "branch 'main' of origin contains no web site (no index.html)" in refused(site, capsys)
 
 
 def test_a_server_says_why(

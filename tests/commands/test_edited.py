@@ -81,7 +81,7 @@ def test_an_edit_makes_what_a_build_makes(site: Path, edit: str) -> None:
     ("name", "text", "problem"),
     [
         ("index.md", "# Home\n\n[x](nowhere.md)\n", "index.md:3: link"),
-        ("guide/one.md", "---\ntags: [a]\n", "one.md:1: yaml: this front matter has no end"),
+        ("guide/one.md", "---\ntags: [a]\n", "one.md:1: yaml: this front matter is not closed"),
         ("index.md", FILES["index.md"] + "\n```ros\ntopic:\n```\n", "did you mean 'topics'?"),
     ],
 )

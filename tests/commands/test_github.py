@@ -151,7 +151,7 @@ def test_nothing_is_overwritten(repository: Path, capsys: pytest.CaptureFixture[
     file.write_text("mine")
     assert main(["init", "--github", str(web)]) == 1
     assert capsys.readouterr().err == (
-        f"{file} exists already; remove it, or edit it\n1 problem, nothing was written\n"
+        f"{file} already exists; remove or edit it\n1 problem, nothing was written\n"
     )
     assert [path.name for path in file.parent.iterdir()] == ["pages.yml"]
     file.unlink()

@@ -35,14 +35,14 @@ def test_a_workspace_becomes_a_site(workspace: Path, capsys: pytest.CaptureFixtu
     }
     assert site.notes == ()
     text = (workspace / "site.yaml").read_text()
-    assert "# The programs that the page runs." in text
+    assert "# The nodes that the page runs." in text
     assert "# url: https://me.github.io/my-robot/" in text
 
 
 def test_a_site_that_is_there_stays(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (workspace / "site.yaml").write_text("mine")
     assert main(["init", str(workspace)]) == 1
-    assert "site.yaml exists already; remove it, or edit it" in capsys.readouterr().err
+    assert "site.yaml already exists; remove or edit it" in capsys.readouterr().err
     assert (workspace / "site.yaml").read_text() == "mine"
 
 
@@ -52,9 +52,9 @@ def test_a_folder_with_nothing_to_run_is_told(
     empty = tmp_path / "empty"
     empty.mkdir()
     assert main(["init", str(empty)]) == 1
-    assert "no ROS package here or below" in capsys.readouterr().err
+    assert "no ROS package found in this folder" in capsys.readouterr().err
     assert main(["init", str(workspace / "src/calc_interfaces")]) == 1
-    assert "no package has an executable that could run on a page: calc_interfaces" in (
+    assert "no package has an executable that can run in the browser: calc_interfaces" in (
         capsys.readouterr().err
     )
     assert not (empty / "site.yaml").exists()
@@ -93,27 +93,27 @@ launch:
     faults = [
         "src/bringup/launch/Sim/other_launch.py:4: node: package 'cpp_pubsub' has no executable "
         "'swimmer'; known: listener, talker",
-        "src/bringup/launch/all_launch.xml:1: include: 'all.launch.py' is not below the folder of "
+        "src/bringup/launch/all_launch.xml:1: include: 'all.launch.py' is outside the folder of "
         "site.yaml",
-        "src/bringup/launch/look.launch.xml: starts nothing that a page could run",
+        "src/bringup/launch/look.launch.xml: starts no node that can run in the browser",
     ]
     assert "  /cpp_pubsub/on/  src/cpp_pubsub/launch/on.launch.yaml\n" in said
     for fault in faults:
-        assert f"  left out: {fault}\n" in said
+        assert f"  skipped: {fault}\n" in said
     site = config.load(workspace / "site.yaml")
     assert {page.path: list(page.nodes) for page in site.pages[3:]} == {
         "bringup/all/": ["talker"],
         "cpp_pubsub/on/": ["left", "listener"],
     }
     text = (workspace / "site.yaml").read_text()
-    assert text[text.index("# What no page can run") :].splitlines() == [
-        "# What no page can run as it is, and why:",
+    assert text[text.index("# Skipped, because it cannot run") :].splitlines() == [
+        "# Skipped, because it cannot run in the browser as it is:",
         *(f"#   {fault}" for fault in faults),
         "",
-        "# Robot descriptions, for nodes like robot_state_publisher:",
+        "# Robot descriptions, for nodes such as robot_state_publisher:",
         "#   bringup: urdf/fox.urdf, urdf/fox.urdf.xacro",
         "",
-        "# Messages, services and actions, which all nodes may use:",
+        "# Messages, services and actions that all nodes can use:",
         "#   calc_interfaces: srv/Divide.srv",
     ]
 
@@ -146,12 +146,12 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
     said = capsys.readouterr().out
     assert "  /eyes/  blind\n" in said
     for fault in (
-        "src/eyes: 'seer' needs 'OpenCV', which has no build for the page",
-        "src/eyes: 'camera' needs 'cv_bridge', which has no build for the page",
+        "src/eyes: 'seer' needs 'OpenCV', which is not available in the browser",
+        "src/eyes: 'camera' needs 'cv_bridge', which is not available in the browser",
         "src/eyes/launch/see.launch.xml: src/eyes: 'seer' needs 'OpenCV', "
         "which has no build for the page",
     ):
-        assert f"  left out: {fault}\n" in said
+        assert f"  skipped: {fault}\n" in said
     pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
     assert pages["eyes/"] == pages["eyes/rest/"] == ["blind"]
     assert "eyes/see/" not in pages
@@ -177,10 +177,10 @@ def test_nodes_that_lack_a_module_are_left_out(
         (package / name).write_text(text)
     assert main(["init", str(workspace)]) == 0
     said = capsys.readouterr().out
-    fault = "src/plots/plots/draw.py:2: import matplotlib: 'matplotlib' has to be compiled"
+    fault = "src/plots/plots/draw.py:2: import matplotlib: 'matplotlib' needs a build for Pyodide"
     assert "  /plots/  say\n" in said
-    assert f"  left out: {fault}" in said
-    assert f"  left out: src/plots/launch/both.launch.xml: {fault}" in said
+    assert f"  skipped: {fault}" in said
+    assert f"  skipped: src/plots/launch/both.launch.xml: {fault}" in said
 
 
 def test_names_suit_nodes_and_pages(workspace: Path) -> None:

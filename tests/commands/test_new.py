@@ -69,8 +69,9 @@ def test_what_is_no_package_name_is_refused(
 ) -> None:
     assert main(["new", str(tmp_path / name)]) == 1
     assert capsys.readouterr().err == (
-        f"'{name}' is no package name; use lower-case letters, digits and single '_', a letter"
-        f" first, like '{like}'\n1 problem, nothing was written\n"
+        f"'{name}' is not a valid package name; "
+        "use lower-case letters, digits and single '_', starting with a letter"
+        f", like '{like}'\n1 problem, nothing was written\n"
     )
     assert list(tmp_path.iterdir()) == []
 
@@ -80,7 +81,7 @@ def test_nothing_is_overwritten(tmp_path: Path, capsys: pytest.CaptureFixture[st
     folder.mkdir()
     (folder / "README.md").write_text("mine")
     assert main(["new", str(folder)]) == 1
-    there = f"{folder} is there already and holds README.md; choose another name"
+    there = f"{folder} already exists and contains README.md; choose another name"
     assert there in capsys.readouterr().err
     assert [file.read_text() for file in folder.iterdir()] == ["mine"]
 

@@ -121,7 +121,7 @@ def test_a_broken_edit_is_told_and_the_last_good_page_stays(
     expect(problems).to_contain_text("did you mean 'title'?", timeout=20_000)
     expect(problems).to_contain_text("site.yaml:4: pages[1].titel: unknown key")
     expect(tab.locator("main")).to_contain_text("The first text.")
-    assert "the pages stay as they were" in served.said.getvalue()
+    assert "the pages are unchanged" in served.said.getvalue()
     # Also to who comes now.
     tab.goto(f"{served.url}other/")
     expect(tab.get_by_role("alert")).to_contain_text("unknown key")

@@ -7,7 +7,7 @@ from textwrap import dedent
 import pytest
 
 from sitegen.config import load, themes
-from sitegen.errors import Place, SiteError
+from sitegen.errors import Location, SiteError
 from sitegen.model import Markdown, Site, Widget
 
 # Sites that are wrong, each with all lines that sitegen says about it.
@@ -79,7 +79,7 @@ def test_nesting_has_an_end(tmp_path: Path) -> None:
 
 def test_a_folder_without_site_yaml_is_said(tmp_path: Path) -> None:
     assert problems(tmp_path / "site.yaml") == [
-        "site.yaml: no such file in this folder; name the folder that has one"
+        "site.yaml: no such file in this folder; give the folder that contains it"
     ]
 
 
@@ -100,10 +100,10 @@ def test_links_do_not_lead_out_of_the_site(tmp_path: Path) -> None:
     (file.parent / "ws").symlink_to(tmp_path / "other/src")
     (file.parent / "page.md").symlink_to(tmp_path / "other/page.md")
     (file.parent / "themes/mine").symlink_to(tmp_path / "other/themes/default")
-    way = "leads out of the site's folder; keep everything below site.yaml"
+    way = "is outside the site's folder; keep all files below the folder of site.yaml"
     assert problems(file) == [
-        "site.yaml:1: site.theme: 'themes/mine' leads out of the site's folder; "
-        "copy the theme there",
+        "site.yaml:1: site.theme: 'themes/mine' is outside the site's folder; "
+        "copy the theme into it",
         f"site.yaml:2: workspace: 'ws' {way}",
         f"site.yaml:4: pages[0].file: 'page.md' {way}",
         f"site.yaml:5: pages[1].content[0].markdown: 'page.md' {way}",
@@ -148,17 +148,17 @@ def test_a_whole_site(tmp_path: Path) -> None:
     assert site.notes == ()
 
     (page,) = site.pages
-    place = Place(tmp_path / "site.yaml", 17)
-    assert (page.path, page.title, page.level, page.place) == ("", "Home", "I2", place)
+    location = Location(tmp_path / "site.yaml", 17)
+    assert (page.path, page.title, page.level, page.location) == ("", "Home", "I2", location)
     hello, buttons, console, end = page.content
-    assert hello == Markdown("Hello.", tmp_path, Place(tmp_path / "site.yaml", 20))
+    assert hello == Markdown("Hello.", tmp_path, Location(tmp_path / "site.yaml", 20))
     assert buttons == Widget(
-        "buttons", "talker", {"autostart": True}, Place(tmp_path / "site.yaml", 21)
+        "buttons", "talker", {"autostart": True}, Location(tmp_path / "site.yaml", 21)
     )
     assert console == Widget(
-        "console", "talker", {"lines": 1000}, Place(tmp_path / "site.yaml", 22)
+        "console", "talker", {"lines": 1000}, Location(tmp_path / "site.yaml", 22)
     )
-    assert end == Markdown("The end.\n", tmp_path / "docs", Place(tmp_path / "docs/end.md", 1))
+    assert end == Markdown("The end.\n", tmp_path / "docs", Location(tmp_path / "docs/end.md", 1))
     assert page.nodes["talker"].command_line() == [
         *["--foo", "--ros-args", "-r", "chatter:=/demo/chatter", "-r", "__ns:=/demo"]
     ]
@@ -206,10 +206,10 @@ def test_a_page_may_be_a_markdown_file(tmp_path: Path) -> None:
     assert (page.title, page.description, page.level) == ("From site.yaml", "It talks", "I2")
     before, buttons, console, after = page.content
     file = tmp_path / "demo/page.md"
-    assert before == Markdown("# Heading\n", file.parent, Place(file, 8))
-    assert isinstance(buttons, Widget) and buttons.place == Place(file, 11)
+    assert before == Markdown("# Heading\n", file.parent, Location(file, 8))
+    assert isinstance(buttons, Widget) and buttons.location == Location(file, 11)
     assert isinstance(console, Widget) and console.options == {"lines": 5}
-    assert isinstance(after, Markdown) and after.place == Place(file, 14)
+    assert isinstance(after, Markdown) and after.location == Location(file, 14)
     assert "console: an example" in after.text
 
 
@@ -288,7 +288,7 @@ def test_a_node_that_no_page_uses_is_a_note(tmp_path: Path) -> None:
     site = load_text(tmp_path, f"{TALKERS}    content: [console: talker]\n")
     assert site.notes == (
         "site.yaml:4: nodes.listener: no page uses this node; "
-        "give it a console or buttons, or remove it",
+        "add a console or buttons for it, or remove it",
     )
 
 

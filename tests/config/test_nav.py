@@ -52,19 +52,19 @@ def test_a_folder_is_pages_in_the_order_of_their_names(tmp_path: Path) -> None:
         (
             "  - {path: /, folder: docs}",
             ("docs/1-a.md", "docs/2-a.md"),
-            "'a/', of 2-a.md, is taken by",
+            "'a/' from 2-a.md is already used by",
         ),
-        ("  - {path: /, folder: docs}", ("docs/a.txt",), "no Markdown file in 'docs'; begin with"),
+        ("  - {path: /, folder: docs}", ("docs/a.txt",), "no Markdown file in 'docs'; add"),
         ("  - {path: /, folder: dcos}", ("docs/a.md",), "no folder 'dcos'; did you mean 'docs'?"),
         (
             "  - {path: /, folder: docs, title: A}",
             ("docs/a.md",),
-            "given beside 'folder'; write it",
+            "cannot be combined with 'folder'; write it",
         ),
         (
             "  - {path: /, folder: docs, file: docs/a.md}",
             ("docs/a.md",),
-            "given beside 'file'; keep",
+            "cannot be combined with 'file'; keep",
         ),
     ],
 )

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from sitegen.config import parameters
 from sitegen.config.document import Value, parse
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 
 
 def value(text: str, problems: Problems) -> Value:
-    found = parse(text, Place(Path("site.yaml"), 1), problems, key="parameters")
+    found = parse(text, Location(Path("site.yaml"), 1), problems, key="parameters")
     assert found
     return found
 
@@ -54,14 +54,14 @@ def test_what_is_no_parameter_is_told_with_its_line() -> None:
     _, wrong = read("a b: 1\nnone:\nmixed: [1, two]\nempty: []\nnested: [[1]]\n")
     assert wrong == [
         "site.yaml:1: parameters.a b: "
-        "'a b' is no name of a parameter; use letters, digits, '_' and '.'",
+        "'a b' is not a valid parameter name; use letters, digits, '_' and '.'",
         "site.yaml:2: parameters.none: "
-        "expected a flag, a number, a text or a list of these, found nothing",
+        "expected a boolean, a number, a string or a list of these, found nothing",
         "site.yaml:3: parameters.mixed: "
-        "a list has values of one type, found text and whole numbers",
-        "site.yaml:4: parameters.empty: an empty list has no type; leave it out",
+        "all values of a list must have the same type, found text and whole numbers",
+        "site.yaml:4: parameters.empty: an empty list has no type; remove it",
         "site.yaml:5: parameters.nested[0]: "
-        "expected a flag, a number, a text or a list of these, found a list",
+        "expected a boolean, a number, a string or a list of these, found a list",
     ]
 
 
@@ -71,7 +71,9 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
         "arm:\n  left:\n    ros__parameters: {joints: {count: 6}}\n"
     )
     problems = Problems(tmp_path)
-    listed = parse("[robot.yaml, {speed: 2.0}, robot.yaml]", Place(Path("x"), 1), problems, key="p")
+    listed = parse(
+        "[robot.yaml, {speed: 2.0}, robot.yaml]", Location(Path("x"), 1), problems, key="p"
+    )
     assert listed
     assert list(parameters.read(listed, problems).items()) == [
         ("speed", "2.0"),
@@ -80,7 +82,7 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
         ("/arm/left:joints.count", "6"),
     ]
     words = parse(
-        "[-v, --ros-args, --params-file, robot.yaml, -r, a:=b]", Place(Path("x"), 1), problems
+        "[-v, --ros-args, --params-file, robot.yaml, -r, a:=b]", Location(Path("x"), 1), problems
     )
     assert words
     assert parameters.arguments(words, problems) == (
@@ -93,11 +95,11 @@ def test_files_of_parameters_come_in_their_order(tmp_path: Path) -> None:
 def test_files_that_are_none_are_told(tmp_path: Path) -> None:
     (tmp_path / "list.yaml").write_text("[1]\n")
     problems = Problems(tmp_path)
-    listed = parse("- no.yaml\n- list.yaml\n- 3\n", Place(Path("x"), 1), problems, key="p")
+    listed = parse("- no.yaml\n- list.yaml\n- 3\n", Location(Path("x"), 1), problems, key="p")
     assert listed
     parameters.read(listed, problems)
     assert [line.split(": ", 1)[1] for line in problems.lines] == [
         "p[0]: no file 'no.yaml'; did you mean 'list.yaml'?",
-        "p[1]: 'list.yaml' has no parameters; begin with the name of a node",
-        "p[2]: expected a file or names with a value each, found the number 3",
+        "p[1]: 'list.yaml' has no parameters; start with the name of a node",
+        "p[2]: expected a file or a mapping of names to values, found the number 3",
     ]

@@ -116,7 +116,7 @@ def test_a_container_is_one_node_with_its_components(root: Path, kind: str) -> N
     [
         (
             "<node_container pkg='rclcpp_components' exec='mine' name='a' namespace=''/>",
-            "node_container: 'mine' is no component container of a page; ",
+            "node_container: 'mine' is not a supported component container; ",
         ),
         (
             "<load_composable_node target='none'/>",
@@ -170,13 +170,16 @@ def root(tmp_path: Path) -> Path:
     [
         ("<launch><node pkg='a'></launch>", "launch: mismatched tag; check the tags here"),
         ("<robot/>", "launch: expected <launch>, found <robot>"),
-        ("<!DOCTYPE x><launch/>", "launch: a document type is not allowed here"),
+        ("<!DOCTYPE x><launch/>", "launch: a document type declaration is not allowed"),
         ("<launch><node pkg='a'/></launch>", "node: 'exec' is missing"),
-        ("<launch><nod pkg='a'/></launch>", "nod: this does not work on a page; did you mean"),
+        (
+            "<launch><nod pkg='a'/></launch>",
+            "nod: this action is not supported in the browser; did you mean",
+        ),
         ("<launch><let name='x' value='$(eval 1/0)'/></launch>", "let: '1/0' is no expression"),
         ("<launch><let name='x' value='$(eval open)'/></launch>", "let: 'open' is no expression"),
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
-        ("<launch><let name='x' value='$(var y)'/></launch>", "let: there is no argument 'y'"),
+        ("<launch><let name='x' value='$(var y)'/></launch>", "let: argument 'y' is not set"),
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
         (
             "<launch><let name='x' value='$(command ls)'/></launch>",
@@ -210,7 +213,7 @@ def test_what_is_wrong_is_said_with_its_line(root: Path, text: str, expected: st
         ("launch: {node: {}}", "1: launch: expected a list"),
         ("- node:", "1: launch: expected one key, 'launch', with a list of actions"),
         ("launch:\n- node: {pkg: a}", "2: node: 'exec' is missing"),
-        ("launch:\n- node: {pkg: a, exec: [b]}", "2: launch: 'exec' of 'node' has to be a text"),
+        ("launch:\n- node: {pkg: a, exec: [b]}", "2: launch: 'exec' of 'node' must be a string"),
         ("launch: [", "2: launch: "),
     ],
 )
@@ -280,11 +283,14 @@ def test_functions_get_the_arguments_where_they_are_called(root: Path) -> None:
     [
         (
             "def generate(): pass",
-            "1: launch: LookupError: there is no function generate_launch_description()",
+            "1: launch: LookupError: no function generate_launch_description() found",
         ),
         ("import nowhere", "1: launch: ModuleNotFoundError: No module named 'nowhere'"),
         ("x = (\n", "1: launch: SyntaxError: '(' was never closed"),
-        ("import os\nos._exit(0)", "1: launch: it ended before it described anything"),
+        (
+            "import os\nos._exit(0)",
+            "1: launch: the launch file exited before it described anything",
+        ),
         (
             "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
             "def generate_launch_description():\n"
@@ -527,5 +533,5 @@ def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:
     with pytest.raises(SiteError) as caught:
         load(root / "site.yaml")
     text = "\n".join(caught.value.lines)
-    assert "launch: 'twice', which 'x.launch.xml' starts, is a node of site.yaml too" in text
+    assert "launch: 'twice', which 'x.launch.xml' starts, is also a node in site.yaml" in text
     assert "x.launch.xml:2: node: package 'mine' is of build type 'catkin'" in text

@@ -65,5 +65,5 @@ def test_processes_that_are_nodes_of_the_workspace_run(tmp_path: Path, kind: str
         "talk_3": ("talk", "it is"),
     }
     assert [line.split(": ", 1)[1] for line in notes.lines] == [
-        "executable: a program of the system does not run in a page; this is left out"
+        "executable: skipped: system programs cannot run in the browser"
     ] * 2

@@ -54,6 +54,7 @@ RUN = """([program, input]) => new Promise((resolve, reject) => {
     worker.terminate();
     error ? reject(new Error(`${error}: ${output.slice(-1)}`)) : resolve(output);
   };
+  worker.onerror = ({ message }) => reject(new Error(message));
   worker.postMessage([program, input]);
 })"""
 

@@ -34,10 +34,12 @@ RUN = """async (name) => {
   const node = ros.nodes.get(name);
   const lines = [];
   node.addEventListener("lines", (event) => lines.push(...event.detail));
-  await new Promise((resolve) => {
+  await new Promise((resolve, reject) => {
     node.addEventListener("state", () => {
       if (node.state === "stopped" || node.state === "failed") resolve();
     });
+    const limit = () => reject(new Error(`'${name}' is ${node.state} after two minutes`));
+    setTimeout(limit, 120_000);
     node.start();
   });
   return [node.state, lines.map(({ severity, text }) => [severity, text])];

@@ -88,7 +88,7 @@ def link(name: str) -> zipfile.ZipInfo:
 )
 def test_other_members_are_refused(name: str, tmp_path: Path) -> None:
     file = zipped(tmp_path, FILES, (name, ""))
-    assert "which is no file of its nodes" in refused(file, tmp_path)
+    assert "it contains the unexpected file" in refused(file, tmp_path)
 
 
 def test_links_are_refused(tmp_path: Path) -> None:
@@ -101,13 +101,13 @@ def test_links_are_refused(tmp_path: Path) -> None:
 
 def test_two_of_one_name_are_refused(tmp_path: Path) -> None:
     file = zipped(tmp_path, FILES, ("p/talker.jspi.js", "other"))
-    assert refused(file, tmp_path) == "it has two files of one name"
+    assert refused(file, tmp_path) == "it contains two files with the same name"
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_all_has_to_be_there(name: str, tmp_path: Path) -> None:
     file = zipped(tmp_path, {key: text for key, text in FILES.items() if key != name})
-    expected = "it has no manifest.json" if name == "manifest.json" else f"it lacks '{name}'"
+    expected = "it has no manifest.json" if name == "manifest.json" else f"'{name}' is missing"
     assert refused(file, tmp_path).startswith(expected)
 
 
@@ -118,12 +118,15 @@ def changed(**node: object) -> str:
 @pytest.mark.parametrize(
     ("manifest", "expected"),
     [
-        ("{", "its 'manifest.json' is no JSON"),
-        ("[" * 100_000, "its 'manifest.json' is no JSON"),
+        ("{", "its 'manifest.json' is not valid JSON"),
+        ("[" * 100_000, "its 'manifest.json' is not valid JSON"),
         ("[]", "has no format"),
-        (json.dumps({**MANIFEST, "format": 2}), "is of format 2, this sitegen reads 1"),
-        (json.dumps({**MANIFEST, "nodes": []}), "names no nodes"),
-        (json.dumps({**MANIFEST, "nodes": MANIFEST["nodes"] * 2}), "names a node twice"),
+        (
+            json.dumps({**MANIFEST, "format": 2}),
+            "has format 2, this version of sitegen reads format 1",
+        ),
+        (json.dumps({**MANIFEST, "nodes": []}), "lists no nodes"),
+        (json.dumps({**MANIFEST, "nodes": MANIFEST["nodes"] * 2}), "lists a node twice"),
         (changed(package=".."), "cannot be read"),
         (changed(package="../p"), "cannot be read"),
         (changed(package="manifest.json"), "cannot be read"),
@@ -140,18 +143,18 @@ def test_manifests_that_lie(manifest: str, expected: str, tmp_path: Path) -> Non
 
 def test_types_have_to_be_types(tmp_path: Path) -> None:
     file = zipped(tmp_path, {**FILES, "p/talker.types.json": "[]"})
-    assert refused(file, tmp_path) == "its 'p/talker.types.json' has no types"
+    assert refused(file, tmp_path) == "its 'p/talker.types.json' does not contain a JSON object"
 
 
 def test_what_unpacks_to_too_much(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(archive, "LARGEST_UNPACKED", 10_000)
     file = zipped(tmp_path, {**FILES, "p/talker.jspi.wasm": "0" * 20_000})
-    assert refused(file, tmp_path) == "it would become more than 10,000 bytes"
+    assert refused(file, tmp_path) == "it is larger than 10,000 bytes when unpacked"
     # All together count, too.
     half = {name: "0" * 4_000 for name in FILES if name.endswith((".js", ".wasm"))}
     assert "more than 10,000" in refused(zipped(tmp_path, {**FILES, **half}), tmp_path)
     monkeypatch.setattr(archive, "LARGEST", 100)
-    assert refused(file, tmp_path) == "it has more than 100 bytes"
+    assert refused(file, tmp_path) == "it is larger than 100 bytes"
 
 
 def test_a_head_that_lies_about_the_size(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -170,4 +173,4 @@ def test_damaged_archives(tmp_path: Path) -> None:
     broken[whole.index(b"p/talker.jspi.js") + 20] ^= 0xFF
     for data in (b"", b"no archive", whole[: len(whole) // 2], bytes(broken)):
         file.write_bytes(data)
-        assert refused(file, tmp_path) == "it is no zip archive, or a damaged one"
+        assert refused(file, tmp_path) == "it is not a valid zip archive"

@@ -124,7 +124,7 @@ def test_names_that_cannot_be_compiled(
 def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["compile", "py_pubsub", "py_pubsub/talker", "-o", str(tmp_path / "nodes.zip")]
     assert main([*words, "--workspace", str(ROOT / "demos" / "demo06")]) == 1
-    why = "is in Python, which is not compiled; add the package to the workspace"
+    why = "is written in Python, which is not compiled; add the package to the site's workspace"
     lines = capsys.readouterr().err.splitlines()[:-1]
     assert lines == [f"package 'py_pubsub' {why}", f"'py_pubsub/talker' {why}"]
 
@@ -135,13 +135,13 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
     [
         (
             "compiled: http://example.org/x.zip",
-            "site.yaml:2: nodes.x.compiled: 'http://example.org/x.zip' is not safe; use an address"
-            " that begins with https://",
+            "site.yaml:2: nodes.x.compiled: 'http://example.org/x.zip' is not a secure address; "
+            "use one that begins with https://",
         ),
         (
             "compiled: https://example.org/x.zip",
-            "site.yaml:2: nodes.x.sha256: missing; what comes from elsewhere needs a hash, as"
-            " `sitegen compile` prints it, or `sha256sum`",
+            "site.yaml:2: nodes.x.sha256: missing; a download needs the hash that is"
+            " printed by `sitegen compile` or `sha256sum`",
         ),
         (
             "compiled: node.zip",
@@ -149,8 +149,8 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
         ),
         (
             "compiled: ../nodes.zip",
-            "site.yaml:2: nodes.x.compiled: '../nodes.zip' leads out of the site's folder; keep"
-            " everything below site.yaml",
+            "site.yaml:2: nodes.x.compiled: '../nodes.zip' is outside the site's folder; keep"
+            " all files below the folder of site.yaml",
         ),
         (
             "compiled: nodes.zip, sha256: 'no'",
@@ -160,18 +160,17 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
         ),
         (
             "compiled: nodes.zip",
-            "site.yaml:2: nodes.x.compiled: the archive has more than one node; name its 'package'"
-            " and 'executable', of cpp_pubsub/listener, cpp_pubsub/talker",
+            "site.yaml:2: nodes.x.compiled: the archive has more than one node; set 'package'"
+            " and 'executable' to one of: cpp_pubsub/listener, cpp_pubsub/talker",
         ),
         (
             "compiled: nodes.zip, executable: talkr",
-            "site.yaml:2: nodes.x.compiled: the archive has no such node; name its 'package' and"
-            " 'executable', of cpp_pubsub/listener, cpp_pubsub/talker",
+            "site.yaml:2: nodes.x.compiled: the archive has no such node; set 'package' and"
+            " 'executable' to one of: cpp_pubsub/listener, cpp_pubsub/talker",
         ),
         (
             "compiled: bad.zip",
-            "site.yaml:2: nodes.x.compiled: bad.zip cannot be used: it is no zip archive, or a"
-            " damaged one",
+            "site.yaml:2: nodes.x.compiled: bad.zip cannot be used: it is not a valid zip archive",
         ),
         (
             "compiled: nodes.zip, executable: talker, sha256: " + "0" * 64,
@@ -183,8 +182,8 @@ def test_python_is_not_compiled(tmp_path: Path, capsys: pytest.CaptureFixture[st
         ),
         (
             f'compiled: nodes.zip, executable: talker, sha256: "{"0" * 64}"',
-            "site.yaml:2: nodes.x.compiled: 'nodes.zip' is not the file you mean; if you trust it,"
-            " write 'sha256: HASH'",
+            "site.yaml:2: nodes.x.compiled: 'nodes.zip' does not have the expected hash; "
+            "if you trust it, write 'sha256: HASH'",
         ),
         (
             "compiled: nodes.zip, executable: talker, executble: x",
@@ -215,5 +214,5 @@ def test_two_programs_of_one_name(
     shutil.copytree(ROOT / "demos" / "demo03" / "src", folder / "src")
     assert main(["build", str(folder)]) == 1
     assert capsys.readouterr().err.startswith(
-        "site.yaml:3: nodes.talker.compiled: another 'cpp_pubsub/talker' is on the site already;"
+        "site.yaml:3: nodes.talker.compiled: another 'cpp_pubsub/talker' is already on the site;"
     )

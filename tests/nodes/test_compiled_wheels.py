@@ -16,7 +16,7 @@ from playwright.sync_api import Browser
 from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.nodes.cpp.toolchain import Toolchain
-from sitegen.nodes.python import wheels
+from sitegen.nodes.python import dependencies
 from sitegen.report import Report
 from tests.native.test_rclpy import printed, run
 
@@ -94,7 +94,7 @@ def shelved(shelf: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         for name, (file, depends, imports) in packages.items()
     }
     lock.write_text(json.dumps({"packages": entries}))
-    monkeypatch.setattr(wheels, "DISTRIBUTION", lock)
+    monkeypatch.setattr(dependencies, "DISTRIBUTION", lock)
 
 
 def test_packages_of_the_distribution_run_with_the_libraries_that_they_need(
@@ -117,7 +117,7 @@ def test_what_pinned_packages_need_is_pinned_too_or_of_the_distribution(
     require(site, f"contourpy==1.4.0 --hash=sha256:{CONTOURPY}")
     assert problems(site) == [
         "requirements.txt:1: contourpy: it needs 'numpy'; "
-        "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
+        "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
     ]
     shelved(site / "shelf", monkeypatch)
     lock = json.loads((site / "shelf" / "lock.json").read_text())
@@ -135,8 +135,8 @@ def test_what_pinned_packages_need_is_pinned_too_or_of_the_distribution(
 def test_it_is_told_what_a_package_without_a_wheel_would_need(site: Path) -> None:
     require(site, f"numpy==2.4.6 --hash=sha256:{CONTOURPY}")
     assert problems(site) == [
-        "requirements.txt: numpy==2.4.6: no wheel of it can be had; it needs one of pure Python, "
-        f"or one that is compiled for the page ({TAG})"
+        "requirements.txt: numpy==2.4.6: no compatible wheel found; use a pure Python package, "
+        f"or one compiled for Pyodide ({TAG})"
     ]
 
 

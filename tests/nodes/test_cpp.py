@@ -310,7 +310,8 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
     ]
     assert need == (
-        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which has no build for the page"
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which is not "
+        "available in the browser"
     )
     assert vision == (
         "src/half_vision/CMakeLists.txt: 'half_vision' needs 'OpenCV', "
@@ -323,7 +324,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
     ]
     assert name == (
         "src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong' "
-        "without 'rmw_other_cpp', which the page does not have"
+        "without 'rmw_other_cpp', which is not available in the browser"
     )
     assert {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()} == before
 
@@ -366,17 +367,17 @@ def test_wrong_definitions_are_told_by_file_and_line(workspace: Workspace) -> No
         "valid integer value >= 0 and <= 255",
         "msg/Constant.msg:2: 'b' is an invalid constant name; write it like WHEEL_SPEED",
         "msg/Twice.msg:3: more than one field named 'one'",
-        "msg/Alone.msg:1: 'int32' is no field; a type and a name are needed",
+        "msg/Alone.msg:1: 'int32' is not a valid field; write a type and a name",
         "msg/Unknown.msg:2: package 'wrong_msgs' has no message 'Whel'; known: Alone, "
         "Constant, Former, Nam, Name, Twice, Twins, Type, Unknown, Value",
         "msg/Unknown.msg:3: package 'std_msgs' has no message 'Sting'; did you mean 'String'?",
         "msg/Unknown.msg:4: no package 'no_msgs' with interfaces; did you mean "
-        "'nav_msgs'? (package.xml must name it)",
+        "'nav_msgs'? (package.xml must list it)",
         "msg/Former.msg:1: 'time' is builtin_interfaces/Time now",
-        "msg/Twins.idl:4: the file ends too early",
-        "srv/Half.srv:1: service needs 1 line '---', here are 0",
+        "msg/Twins.idl:4: unexpected end of file",
+        "srv/Half.srv:1: service needs 1 line '---', found 0",
         "srv/Whole.srv:4: no type 'strin'; did you mean 'string'?",
-        "action/Long.action:4: action needs 2 lines '---', here are 3",
+        "action/Long.action:4: action needs 2 lines '---', found 3",
         "CMakeLists.txt: rosidl_generate_interfaces() names 'msg/Nam.msg', which does "
         "not exist; did you mean 'msg/Name.msg'?",
     ]
@@ -398,7 +399,7 @@ def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
     package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", (), (), ())
     said = 'Could not find a package configuration file provided by "Eigen3" with any of'
     assert Diagnosis(tmp_path, package).of_cmake(said) == [
-        "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed here "
+        "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
         "(pip install 'sitegen[eigen]', or apt-get install libeigen3-dev)"
     ]
 

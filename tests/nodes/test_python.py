@@ -141,26 +141,28 @@ def test_pyproject_is_read(package: Path) -> None:
         (
             "from setuptools import setup\nsetup(packages=['py_pubsub'])\n",
             "talker",
-            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; name them "
-            "in its setup.py: entry_points={'console_scripts': "
+            "site.yaml:3: nodes.talker.package: package 'py_pubsub' has no entry points; "
+            "declare them in its setup.py: entry_points={'console_scripts': "
             "['talker = my_package.talker:main']}",
         ),
         (
             "from setuptools import setup\n\nsetup(entry_points=make())\n",
             "talker",
-            "src/py_pubsub/setup.py:3: setup: entry_points: 'make()' is read only by running it; "
-            "sitegen does not run setup.py; write it out, or put it into setup.cfg",
+            "src/py_pubsub/setup.py:3: setup: entry_points: 'make()' is known only when "
+            "setup.py runs; "
+            "sitegen does not run setup.py; write the value out, or move it to setup.cfg",
         ),
         (
             "setup(\n",
             "talker",
-            "src/py_pubsub/setup.py:1: setup: Python cannot read it: '(' was never closed "
+            "src/py_pubsub/setup.py:1: setup: not valid Python: '(' was never closed "
             "(<unknown>, line 1)",
         ),
         (
             "setup(entry_points={'console_scripts': ['talker']})\n",
             "talker",
-            "src/py_pubsub/setup.py:1: setup: 'talker' is no entry point; write it like 'talker = "
+            "src/py_pubsub/setup.py:1: setup: 'talker' is not a valid entry point; "
+            "write it like 'talker = "
             "my_package.talker:main'",
         ),
     ],

@@ -161,28 +161,28 @@ def test_all_that_is_wrong_is_said_at_once(tmp_path: Path) -> None:
         "site.yaml:3: nodes.a.ros2wasm: no file 'nodes/talkre.js'; did you mean 'nodes/talker.js'?",
         "site.yaml:3: nodes.a.types./chatter: no type 'std_msgs/msg/Strin'; "
         "did you mean 'std_msgs/msg/String'?",
-        "site.yaml:4: nodes.b.ros2wasm: 'nodes/talker.wasm' is no script; "
-        "name the .js file that the compiler wrote",
-        "site.yaml:4: nodes.b.types.chatter: 'chatter' is no name of the graph; "
+        "site.yaml:4: nodes.b.ros2wasm: 'nodes/talker.wasm' is not a script; "
+        "give the .js file that the compiler wrote",
+        "site.yaml:4: nodes.b.types.chatter: 'chatter' is not a valid topic or service name; "
         "write it like '/chatter'",
-        "site.yaml:4: nodes.b.types.chatter: no package 'std_msg' with types; "
+        "site.yaml:4: nodes.b.types.chatter: no package 'std_msg' with interfaces; "
         "did you mean 'std_msgs'?",
         "site.yaml:5: nodes.c.types./fibonacci: expected the type of a message or a service, found "
         "the text 'example_interfaces/action/Fibonacci'; "
         "write it like 'types: {/chatter: std_msgs/msg/String}'",
-        "site.yaml:5: nodes.c.ros2wasm: it loads 'alone.wasm', which is not beside it; "
-        "copy it there",
+        "site.yaml:5: nodes.c.ros2wasm: it loads 'alone.wasm', which does not exist; "
+        "copy it next to the script",
         "site.yaml:6: nodes.d.package: unknown key; known: ros2wasm, types",
         "site.yaml:6: nodes.d.types: expected names of the graph with a type each, found a list; "
         "write it like 'types: {/chatter: std_msgs/msg/String}'",
-        "site.yaml:6: nodes.d.ros2wasm: '../talker.js' leads out of the site's folder; "
-        "keep everything below site.yaml",
+        "site.yaml:6: nodes.d.ros2wasm: '../talker.js' is outside the site's folder; "
+        "keep all files below the folder of site.yaml",
         "site.yaml:7: nodes.e.types: missing; "
         "write it like 'types: {/chatter: std_msgs/msg/String}'",
         "site.yaml:8: nodes.f.types./n: expected the type of a message or a service, "
         "found the number 5; write it like 'types: {/chatter: std_msgs/msg/String}'",
-        "site.yaml:8: nodes.f.ros2wasm: 'out.wasm', which it loads, leads out of the site's "
-        "folder; copy it here",
+        "site.yaml:8: nodes.f.ros2wasm: 'out.wasm', which the script loads, is outside the site's "
+        "folder; copy it into the folder",
     ]
 
 

@@ -13,7 +13,7 @@ import pytest
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.nodes.programs import nodes_of
-from sitegen.nodes.python import archives, imports, wheels
+from sitegen.nodes.python import archives, dependencies, imports
 
 SHA256 = "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0"
 REQUIREMENT = f"sortedcontainers==2.4.0 --hash=sha256:{SHA256}\n"
@@ -79,7 +79,7 @@ def test_a_program_needs_what_its_modules_import_and_cannot_do_without(site: Pat
     setup = loaded.packages["mine"].setup
     assert setup
     found = imports.outside(setup.files, setup.scripts["run.py"])
-    places = {name: one.place for name, one in found.items() if one.sure}
+    places = {name: one.location for name, one in found.items() if one.sure}
     assert {name: (place.file.name, place.line) for name, place in places.items()} == {
         "json": ("run.py", 1),
         "one": ("run.py", 2),
@@ -93,14 +93,15 @@ def test_a_program_needs_what_its_modules_import_and_cannot_do_without(site: Pat
 def test_what_is_missing_is_named_when_the_site_is_built(site: Path, tmp_path: Path) -> None:
     program = "import rclpy, numpy\nimport nowhere\nimport cachetools, yaml\nnumpy.dot"
     write(site, {"run.py": program})
-    advice = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
+    advice = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
     assert problems(site, tmp_path) == [
-        "src/mine/run.py:1: import numpy: 'numpy' has to be compiled for the page; "
-        "say where the Pyodide distribution is, in 'pyodide: {packages: …}'",
-        "src/mine/run.py:2: import nowhere: no module of this name comes to the page; "
-        f"{advice}, or leave it out",
-        "src/mine/run.py:3: import cachetools: no module of this name comes to the page; "
-        f"{advice}, or leave it out",
+        "src/mine/run.py:1: import numpy: 'numpy' needs a build for Pyodide; "
+        "give the location of the Pyodide distribution in 'pyodide: {packages: …}'",
+        "src/mine/run.py:2: import nowhere: module 'nowhere' is not available in the browser; "
+        f"{advice}, or remove the import",
+        "src/mine/run.py:3: import cachetools: "
+        "module 'cachetools' is not available in the browser; "
+        f"{advice}, or remove the import",
     ]
 
 
@@ -111,9 +112,9 @@ def test_what_only_some_runs_import_is_left_out_with_a_note(site: Path, tmp_path
     said: list[str] = []
     archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
     assert said == [
-        "src/mine/run.py:3: import matplotlib: 'matplotlib' has to be compiled for the page; "
-        "say where the Pyodide distribution is, in 'pyodide: {packages: …}'; "
-        "left out, since not every run comes there"
+        "src/mine/run.py:3: import matplotlib: 'matplotlib' needs a build for Pyodide; "
+        "give the location of the Pyodide distribution in 'pyodide: {packages: …}' "
+        "(skipped: imported only conditionally)"
     ]
     write(site, {"run.py": f"{text}\nimport matplotlib\n"})
     [line] = problems(site, tmp_path)
@@ -150,7 +151,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     entry["sha256"] = SHA256
     lock = tmp_path / "lock.json"
     lock.write_text(json.dumps({"packages": {"sortedcontainers": entry}}))
-    monkeypatch.setattr(wheels, "DISTRIBUTION", lock)
+    monkeypatch.setattr(dependencies, "DISTRIBUTION", lock)
     write(site, {"run.py": "import sortedcontainers\n"})
     (site / "site.yaml").write_text(SITE + "pyodide: {packages: shelf}\n")
     loaded = load(site / "site.yaml")
@@ -167,4 +168,4 @@ def test_compiled_packages_come_from_where_the_author_says(
     shutil.rmtree(tmp_path / "cache")
     [line] = problems(site, tmp_path)
     assert "import sortedcontainers: " in line
-    assert "is not the file you mean" in line
+    assert "does not have the expected hash" in line

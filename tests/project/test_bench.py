@@ -18,6 +18,8 @@ def test_a_part_runs(part: str) -> None:
     figures = bench.PARTS[part](SMALLEST)
     assert figures
     assert all(figure.ours > 0 for figure in figures)
+    ratios = [figure for figure in figures if figure.target and figure.target.of == "ratio"]
+    assert all(figure.bare for figure in ratios)
 
 
 def test_a_part_that_fails_costs_no_other(

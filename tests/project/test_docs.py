@@ -15,7 +15,7 @@ from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import FRONT_MATTER, WIDGETS, Key
 from sitegen.config.section import conforms
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Widget
 
 DOCS = ROOT / "docs"
@@ -129,6 +129,6 @@ def test_every_command_is_described(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize("key", KEYS, ids=lambda key: key.name)
 def test_the_example_of_a_key_is_right(key: Key) -> None:
     problems = Problems(Path())
-    value = parse(key.example, Place(Path("example"), 1), problems)
+    value = parse(key.example, Location(Path("example"), 1), problems)
     assert value
     assert conforms(value.entries(problems)[key.name], key, problems), problems.lines

@@ -91,16 +91,20 @@ def test_texts_are_escaped() -> None:
 @pytest.mark.parametrize(
     ("source", "line", "fault"),
     [
-        ("pie\n a", "pie", "'pie' is no diagram here; begin with 'flowchart LR' or"),
-        ("graph XY\n a", "graph XY", "'XY' is no direction; write 'flowchart LR'"),
-        ("graph LR\n a => b", "a => b", "'=> b' is no arrow; write it like 'a --> b'"),
+        ("pie\n a", "pie", "'pie' is not a supported diagram; start with 'flowchart LR' or"),
+        ("graph XY\n a", "graph XY", "'XY' is not a valid direction; write 'flowchart LR'"),
+        ("graph LR\n a => b", "a => b", "'=> b' is not a valid arrow; write it like 'a --> b'"),
         ("graph LR\n a --> ", "a -->", "expected a box before ''"),
-        ("graph LR\n a[b", "a[b", "'[' has no end; close it with ']'"),
-        ("graph LR\n subgraph x", "subgraph x", "'subgraph' is not drawn here"),
-        ("graph LR", "graph LR", "a flowchart without boxes"),
+        ("graph LR\n a[b", "a[b", "'[' is not closed; close it with ']'"),
+        ("graph LR\n subgraph x", "subgraph x", "'subgraph' is not supported"),
+        ("graph LR", "graph LR", "this flowchart has no boxes"),
         ("sequenceDiagram\n hello", "hello", "'hello' is not understood"),
-        ("sequenceDiagram\n loop x\n a->>b: c", "loop", "'loop' has no end; close it with 'end'"),
-        ("", "", "'' is no diagram here"),
+        (
+            "sequenceDiagram\n loop x\n a->>b: c",
+            "loop",
+            "'loop' is not closed; close it with 'end'",
+        ),
+        ("", "", "'' is not a supported diagram"),
     ],
 )
 def test_what_cannot_be_drawn_is_told(source: str, line: str, fault: str) -> None:

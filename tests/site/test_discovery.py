@@ -161,7 +161,7 @@ def git(folder: Path, *words: str, day: str = "2026-01-01") -> None:
 def changed(file: Path) -> dict[str, str]:
     days = {}
     for path, data in built(file).items():
-        found = re.search(r'Last change: <time datetime="(.*?)">', data.decode(errors="replace"))
+        found = re.search(r'Last updated: <time datetime="(.*?)">', data.decode(errors="replace"))
         if found:
             days[path] = found[1]
     return days

@@ -55,7 +55,7 @@ def test_it_looks_and_leads_as_the_site_does_at_any_depth(
     tab.locator("dialog.search").get_by_role("button", name="Close").click()
     manual = tab.get_by_role("link", name="manual").get_attribute("href")
     assert tab.evaluate("async (path) => (await fetch(path)).status", manual) == 200
-    tab.get_by_role("link", name="To the first page").click()
+    tab.get_by_role("link", name="Go to the home page").click()
     tab.wait_for_url(url)
     tab.close()
 

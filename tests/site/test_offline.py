@@ -135,12 +135,14 @@ def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Pa
     tab.reload()
     # Still that of the version that the page began with, until the visitor wants the new one.
     expect(tab.locator("main")).to_contain_text("The first text.")
-    expect(tab.get_by_text("A new version of this site is here.")).to_be_visible(timeout=30_000)
+    expect(tab.get_by_text("A new version of this site is available.")).to_be_visible(
+        timeout=30_000
+    )
     assert len(cached(tab)) == 2
     other = tab.context.new_page()
     other.goto(url)
     other.evaluate("window.old = true")
-    tab.get_by_role("button", name="Load it").click()
+    tab.get_by_role("button", name="Reload").click()
     expect(tab.locator("main")).to_contain_text("The second text.")
     # All tabs go with it: none is left between two versions.
     other.wait_for_function("window.old === undefined")
@@ -185,7 +187,7 @@ def test_only_what_changed_is_fetched_again(host: Host, tab: Page) -> None:
     for file in (host.folder / "dist").rglob("*.wasm"):
         file.unlink()
     tab.reload()
-    tab.get_by_role("button", name="Load it").click()
+    tab.get_by_role("button", name="Reload").click()
     expect(tab.locator("main")).to_contain_text("The second text.")
     host.off()
     tab.goto(url)
@@ -259,7 +261,7 @@ def test_other_sites_of_the_server_are_left_alone(host: Host, tab: Page) -> None
     until(tab, READY)
     edit(host, "The first text.", "The second text.")
     tab.reload()
-    tab.get_by_role("button", name="Load it").click()
+    tab.get_by_role("button", name="Reload").click()
     until(tab, "async () => (await caches.keys()).length === 3")
     assert {"of another site", "sitegen:http://127.0.0.1/:1"} < set(cached(tab))
     scope = tab.evaluate("async () => (await navigator.serviceWorker.ready).scope")

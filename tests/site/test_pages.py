@@ -16,7 +16,7 @@ from paths import ROOT
 from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 
-from sitegen.errors import Place, SiteError
+from sitegen.errors import Location, SiteError
 from sitegen.model import Artifact, Build, Markdown, Node, Page, Site, Widget
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.nodes.programs import programs_of
@@ -42,18 +42,18 @@ class Author:
         self.root = root
         self.pages: list[Page] = []
 
-    def place(self, line: int = 1) -> Place:
-        return Place(self.root / "site.yaml", line)
+    def location(self, line: int = 1) -> Location:
+        return Location(self.root / "site.yaml", line)
 
     def node(self, name: str, **more: object) -> Node:
-        return Node(name, "cpp_pubsub", name, self.place(), **more)  # type: ignore[arg-type]
+        return Node(name, "cpp_pubsub", name, self.location(), **more)  # type: ignore[arg-type]
 
     def widget(self, kind: str, target: str, **options: object) -> Widget:
-        return Widget(kind, target, options, self.place())
+        return Widget(kind, target, options, self.location())
 
     def text(self, text: str, file: str = "site.yaml", line: int = 1) -> Markdown:
         path = self.root / file
-        return Markdown(text, path.parent, Place(path, line))
+        return Markdown(text, path.parent, Location(path, line))
 
     def page(
         self, path: str, *content: Markdown | Widget | str, title: str = "", level: str = ""
@@ -61,7 +61,7 @@ class Author:
         parts = tuple(self.text(part) if isinstance(part, str) else part for part in content)
         targets = dict.fromkeys(part.target for part in parts if isinstance(part, Widget))
         nodes = {name: self.node(name) for name in targets}
-        page = Page(path, title or path or "Home", "", nodes, parts, level, self.place())
+        page = Page(path, title or path or "Home", "", nodes, parts, level, self.location())
         self.pages.append(page)
         return page
 
@@ -123,7 +123,7 @@ def test_page_json_says_what_the_page_runs(author: Author) -> None:
         author.widget("console", "listener"),
     )
     nodes = {"talker": talker, "listener": author.node("listener")}
-    author.pages.append(Page("a/demo/", "T", "", nodes, content, "I2", author.place()))
+    author.pages.append(Page("a/demo/", "T", "", nodes, content, "I2", author.location()))
     text = author.built()["a/demo/page.json"]
     entry = json.loads(text)
     assert text == json.dumps(entry, sort_keys=True, separators=(",", ":"))
@@ -313,9 +313,9 @@ def test_what_is_missing_is_named_with_its_line(author: Author) -> None:
     assert problems(author) == [
         "page.md:12: image: no file 'robto.png' in .; did you mean 'robot.png'?",
         "page.md:14: link: no page 'demos/'; did you mean 'demo/'?",
-        "page.md:16: image: '../y.png' is outside the site's folder; move it beside site.yaml",
-        "page.md:17: image: 'https://z.org/z.png' is on another site; "
-        "save it in this one and name the file",
+        "page.md:16: image: '../y.png' is outside the site's folder; "
+        "move it below the folder of site.yaml",
+        "page.md:17: image: 'https://z.org/z.png' is on another site; copy the file into this site",
     ]
 
 

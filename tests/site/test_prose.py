@@ -128,13 +128,25 @@ def test_a_link_to_a_heading_that_is_not_there_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        ("<script>alert(1)</script>", "html: '<script>' is not allowed: a page runs no script"),
-        ('<p onclick="x()">a</p>', "html: 'onclick=' is not allowed: a page runs no script"),
-        ('<p style="color: red">a</p>', "html: 'style=' is not allowed: a page has no style"),
-        ("<style>p {}</style>", "html: '<style>' is not allowed: a page has no style"),
-        ("[a](javascript:alert(1))", "link: a link runs no script"),
+        (
+            "<script>alert(1)</script>",
+            "html: '<script>' is not allowed: pages cannot run their own scripts",
+        ),
+        (
+            '<p onclick="x()">a</p>',
+            "html: 'onclick=' is not allowed: pages cannot run their own scripts",
+        ),
+        (
+            '<p style="color: red">a</p>',
+            "html: 'style=' is not allowed: pages cannot have their own styles",
+        ),
+        (
+            "<style>p {}</style>",
+            "html: '<style>' is not allowed: pages cannot have their own styles",
+        ),
+        ("[a](javascript:alert(1))", "link: a link cannot run a script"),
         ('<iframe src="https://a.b/"></iframe>', "frame: 'https://a.b/' is on another site"),
-        ('<form action="x"></form>', "html: '<form>' is not allowed: a page sends nothing"),
+        ('<form action="x"></form>', "html: '<form>' is not allowed: pages cannot submit forms"),
     ],
 )
 def test_what_the_policy_would_stop_is_told(tmp_path: Path, text: str, fault: str) -> None:

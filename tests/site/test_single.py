@@ -77,7 +77,7 @@ def test_nodes_run_in_a_file_that_was_opened(alone: Page, tmp_path: Path) -> Non
     services.get_by_label("a int64").fill("40")
     services.get_by_label("b int64").fill("2")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_label("answer")).to_have_text("sum: 42")
+    expect(services.get_by_label("response")).to_have_text("sum: 42")
     alone.locator("[data-ros-widget=graph]").scroll_into_view_if_needed()
     expect(alone.locator(".ros-topic-box")).to_have_count(1)
     Panel(alone, "talker").stop()
@@ -144,13 +144,15 @@ def test_what_cannot_be_a_file_is_said(
 ) -> None:
     assert main(["build", str(ROOT), "--single-file", "demo06"]) == 1
     said = capsys.readouterr().err
-    assert "demos/demo06/page.md:6: nodes.talker: no node for a single file: Python comes" in said
+    assert (
+        "demos/demo06/page.md:6: nodes.talker: does not work in a single file: Python nodes" in said
+    )
     assert main(["build", str(site), "--single-file", "guide/strat"]) == 1
     assert "did you mean 'guide/start/'?" in capsys.readouterr().err
     (site / "index.html").write_text("mine")
     assert main(["build", str(site), "--single-file", "/"]) == 1
-    assert "is there and not of sitegen; choose another --output" in capsys.readouterr().err
+    assert "was not written by sitegen; choose another --output" in capsys.readouterr().err
     assert (site / "index.html").read_text() == "mine"
     (site / "index.md").write_text('# Home\n\n<iframe src="guide/start/" title="S"></iframe>\n')
     assert main(["build", str(site), "--single-file", "/", "--output", f"{tmp_path}/x.html"]) == 1
-    assert "a single file shows no frame of another page" in capsys.readouterr().err
+    assert "a single file cannot embed another page" in capsys.readouterr().err

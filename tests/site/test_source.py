@@ -106,11 +106,11 @@ def test_a_source_runs_nothing(folder: Path) -> None:
         ("source: talkr", "ros.source: no node 'talkr'; did you mean 'talker'?"),
         (
             "source: {lines: 1-2}",
-            "ros.source: names nothing to show; write it like 'source: talker'",
+            "ros.source: needs a node or a file; write it like 'source: talker'",
         ),
         (
             "source: {node: talker, lines: 7-99}",
-            "source.lines: '7-99' are no lines of talker.cpp, ",
+            "source.lines: '7-99' is not a valid range of lines: talker.cpp ",
         ),
         (
             "source: {node: talker, lines: 3}",
@@ -128,7 +128,7 @@ def test_a_source_runs_nothing(folder: Path) -> None:
             "source: {file: ../../etc/passwd}",
             "source: '../../etc/passwd' is outside the site's folder",
         ),
-        ("source: other", "source: nothing tells the source of 'other'; name the"),
+        ("source: other", "source: the source of 'other' is unknown; give the"),
         (
             "source: {node: talker, lines: 1-2, region: a}",
             "ros.source.lines: given beside 'region'",

@@ -105,7 +105,7 @@ def test_a_copy_of_a_theme_is_a_theme(
     assert main(["theme", "copy", "plain"]) == 1
     assert main(["theme", "copy", "defualt", "new"]) == 1
     said = capsys.readouterr().err
-    assert "themes/plain exists already; name another folder" in said
+    assert "themes/plain already exists; choose another folder" in said
     assert "no theme named 'defualt'; did you mean 'default'?" in said
     assert "nothing was copied" in said
 

@@ -219,12 +219,13 @@ def test_all_that_is_wrong_is_said_at_once(tmp_path: Path) -> None:
         },
     )
     assert problems(tmp_path) == [
-        "b/package.xml:3: name: package 'twin' is in 'a' too; rename or remove one of the two",
+        "b/package.xml:3: name: package 'twin' is also in 'a'; rename or remove one of the two",
         "c/package.xml:3: xml: mismatched tag; check the tags here and above",
         "d/package.xml:1: name: missing; write it like <name>my_robot</name>",
         "e/package.xml:2: name: '../up' is not a valid package name; "
         "write it like <name>my_robot</name>",
-        "f/package.xml:2: xml: a document type is not allowed here; remove the line <!DOCTYPE …>",
+        "f/package.xml:2: xml: a document type declaration is not allowed; "
+        "remove the line <!DOCTYPE …>",
         "g/package.xml:1: xml: no element found; check the tags here and above",
     ]
 
@@ -286,7 +287,7 @@ def test_a_cycle_of_dependencies_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(SiteError) as caught:
         with_dependencies(packages, "a")
     assert caught.value.lines == [
-        "package.xml of 'b': packages depend on each other in a cycle, b → c → b; "
+        "package.xml of 'b': packages depend on each other in a cycle: b → c → b; "
         "remove one <depend>"
     ]
 

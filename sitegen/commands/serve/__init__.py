@@ -22,6 +22,6 @@ def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> No
     with Server(live, port) as server:
         if server.port != port:
             report.say(f"port {port} is in use")
-        report.say(f"{server.url} (Ctrl-C ends it)")
+        report.say(f"{server.url} (press Ctrl-C to stop)")
         for changed in changes(folder):
             live.rebuild(changed)

@@ -51,7 +51,7 @@ class LiveSite:
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)
-            self._report.say(f"{count(len(error.lines), 'problem')}; the pages stay as they were")
+            self._report.say(f"{count(len(error.lines), 'problem')}; the pages are unchanged")
             self._tell("wrong", error.lines)
             self._made = None
             return

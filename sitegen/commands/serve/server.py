@@ -16,11 +16,11 @@ from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.site import offline
 
-# What is ours beside the site's files.
-OWN = "_sitegen/"
+# The path of the files that the server adds to the site.
+PREFIX = "_sitegen/"
 HERE = Path(__file__).parent
-NEWS = f"{OWN}news"
-FOLLOW = f'<script type="module" src="/{OWN}follow.js"></script>\n</head>'
+NEWS = f"{PREFIX}news"
+FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
 # How many ports are tried after the one that was wanted.
 TRIES = 20
@@ -92,8 +92,8 @@ class _Handler(BaseHTTPRequestHandler):
         path = path.removeprefix("/")
         if path == NEWS:
             self._send_news()
-        elif path.startswith(OWN) and path.removeprefix(OWN) in ("follow.js", "follow.css"):
-            self._send(path, (HERE / path.removeprefix(OWN)).read_bytes())
+        elif path.startswith(PREFIX) and path.removeprefix(PREFIX) in ("follow.js", "follow.css"):
+            self._send(path, (HERE / path.removeprefix(PREFIX)).read_bytes())
         else:
             self._send_file(path)
 

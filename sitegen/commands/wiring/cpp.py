@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sitegen.commands.wiring.cpptext import Text, literal
 from sitegen.commands.wiring.endpoint import Endpoint, Program
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.model import Package
 
 _CREATE = re.compile(
@@ -107,8 +107,8 @@ def _program(text: Text, file: Path) -> Program:
             type = literal(arguments[1]) or "" if len(arguments) > 1 else ""
         else:
             type = _type(types[0], aliases) if types else ""
-        place = Place(file, text.line(found.start("kind")))
-        program.endpoints.append(Endpoint(found["kind"], name, type, place))
+        location = Location(file, text.line(found.start("kind")))
+        program.endpoints.append(Endpoint(found["kind"], name, type, location))
     for name, namespace in _nodes(text):
         program.names.add(name)
         program.namespaces.add(namespace)

@@ -22,7 +22,7 @@ _CLOSING = {"(": ")", "[": "]", "{": "}"}
 class Text:
     """A C++ source without its comments: `code` with texts in quotes, `bare` with them blanked.
 
-    All three have the same length, so a place in one is a place in the others.
+    All three have the same length, so a position in one is a position in the others.
     """
 
     code: str
@@ -36,7 +36,7 @@ class Text:
         return cls(code, bare)
 
     def line(self, at: int) -> int:
-        """Return the line of a place, from 1."""
+        """Return the line of a position, from 1."""
         return self.bare.count("\n", 0, at) + 1
 
     def template(self, at: int) -> tuple[list[str], int]:
@@ -45,16 +45,16 @@ class Text:
         if self.bare[begin : begin + 1] != "<":
             return [], at
         depth, start, found = 0, begin + 1, []
-        for place in range(begin, len(self.bare)):
-            letter = self.bare[place]
+        for position in range(begin, len(self.bare)):
+            letter = self.bare[position]
             depth += (letter in "<(") - (letter in ">)")
             if letter in ";{":
                 break
             if depth == 0 or (depth == 1 and letter == ","):
-                found.append(self.code[start:place].strip())
-                start = place + 1
+                found.append(self.code[start:position].strip())
+                start = position + 1
             if depth == 0:
-                return found, place + 1
+                return found, position + 1
         return [], at
 
     def arguments(self, at: int) -> list[str] | None:
@@ -76,15 +76,15 @@ def literal(argument: str) -> str | None:
 
 def _parts(bare: str, begin: int) -> Iterator[tuple[int, int]]:
     waiting, start = [_CLOSING[bare[begin]]], begin + 1
-    for place in range(begin + 1, len(bare)):
-        letter = bare[place]
+    for position in range(begin + 1, len(bare)):
+        letter = bare[position]
         if letter in _CLOSING:
             waiting.append(_CLOSING[letter])
         elif letter == waiting[-1]:
             waiting.pop()
         if not waiting or (len(waiting) == 1 and letter == ","):
-            yield start, place
-            start = place + 1
+            yield start, position
+            start = position + 1
         if not waiting:
             return
 

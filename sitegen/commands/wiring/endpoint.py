@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 
 PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT = "publisher", "subscription", "service", "client"
 KINDS = (PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT)
@@ -21,7 +21,7 @@ class Endpoint:
     kind: str
     name: str
     type: str
-    place: Place
+    location: Location
     sure: bool = True
 
 

@@ -85,17 +85,25 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
     others = {each.endpoint.name for each in sides if each.endpoint.kind == wanted}
     if wanted is None or {endpoint.name, widgets.ANY} & others or _is_common(endpoint.name):
         return
-    does, lacks, way = {
-        SUBSCRIPTION: ("subscribes to", "where nobody publishes it", "a node or a publish widget"),
-        PUBLISHER: ("publishes", "where nobody subscribes to it", "a node or a topics widget"),
-        CLIENT: ("calls", "where nobody serves it", "a node that does"),
+    does, missing, way = {
+        SUBSCRIPTION: (
+            "subscribes to",
+            "which has no publisher",
+            "a node that publishes it or a publish widget",
+        ),
+        PUBLISHER: (
+            "publishes",
+            "which has no subscription",
+            "a node that subscribes to it or a topics widget",
+        ),
+        CLIENT: ("calls", "which has no server", "a node that provides it"),
     }[endpoint.kind]
     known = sorted(name for name in others if not _is_common(name))
     close = nearest(endpoint.name, known)
-    advice = close if close.startswith("did") else f"give the page {way}, or remap the name"
-    where = f"on page /{page.path}, {lacks}"
+    advice = close if close.startswith("did") else f"add {way}, or remap the name"
+    where = f"on page /{page.path}, {missing}"
     key = "service" if endpoint.kind == CLIENT else "topic"
-    problems.add(endpoint.place, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
+    problems.add(endpoint.location, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
 
 
 def _is_common(name: str) -> bool:
@@ -108,12 +116,12 @@ def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
     for one, other in _pairs(sure):
         if one.endpoint.type != other.endpoint.type:
             key = "service" if one.endpoint.kind == SERVICE else "topic"
-            name, there = other.endpoint.name, problems.where(one.endpoint.place)
+            name, there = other.endpoint.name, problems.where(one.endpoint.location)
             message = (
                 f"'{name}' is {other.endpoint.type} for {other.who}, "
-                f"but {one.endpoint.type} for {one.who} ({there}); give both the same type"
+                f"but {one.endpoint.type} for {one.who} ({there}); use the same type for both"
             )
-            problems.add(other.endpoint.place, key, message)
+            problems.add(other.endpoint.location, key, message)
 
 
 def _pairs(sides: list[_Side]) -> Iterator[tuple[_Side, _Side]]:

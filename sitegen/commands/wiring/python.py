@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from sitegen.commands.wiring.endpoint import KINDS, Endpoint, Program
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.model import Setup
 
 _CREATE = {f"create_{kind}": kind for kind in KINDS}
@@ -55,8 +55,8 @@ def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
     while waiting:
         name = waiting.pop()
         stem = f"python/{name.replace('.', '/')}"
-        places = (name, f"{stem}.py", f"{stem}/__init__.py")
-        file = next((setup.files[place] for place in places if place in setup.files), None)
+        paths = (name, f"{stem}.py", f"{stem}/__init__.py")
+        file = next((setup.files[path] for path in paths if path in setup.files), None)
         if name in found or file is None:
             program.open |= name == first and file is None
             continue
@@ -80,7 +80,7 @@ def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
 
 
 def _stems(setup: Setup) -> set[str]:
-    return {place.removesuffix(".py").removesuffix("/__init__") for place in setup.files}
+    return {path.removesuffix(".py").removesuffix("/__init__") for path in setup.files}
 
 
 def _imports(tree: ast.Module, package: str) -> Iterator[tuple[str, str]]:
@@ -176,8 +176,8 @@ def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sur
     if name is None:
         program.open = True
         return
-    place = Place(module.file, call.lineno)
-    program.endpoints.append(Endpoint(kind, name, _type(type, module), place, sure))
+    location = Location(module.file, call.lineno)
+    program.endpoints.append(Endpoint(kind, name, _type(type, module), location, sure))
 
 
 def _nodes(

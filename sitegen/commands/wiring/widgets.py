@@ -35,42 +35,42 @@ def endpoints(widgets: Iterable[Widget]) -> tuple[list[Endpoint], bool]:
 def _topics(widget: Widget) -> Iterator[Endpoint]:
     echo = widget.options.get("echo")
     if echo:
-        yield Endpoint(SUBSCRIPTION, str(echo), "", widget.place)
+        yield Endpoint(SUBSCRIPTION, str(echo), "", widget.location)
     shown = widget.options.get("show")
     for name in shown if isinstance(shown, list) else [ANY]:
-        yield Endpoint(SUBSCRIPTION, name, "", widget.place, sure=False)
+        yield Endpoint(SUBSCRIPTION, name, "", widget.location, sure=False)
 
 
 def _services(widget: Widget) -> Iterator[Endpoint]:
-    yield Endpoint(CLIENT, ANY, "", widget.place, sure=False)
+    yield Endpoint(CLIENT, ANY, "", widget.location, sure=False)
 
 
 def _publish(widget: Widget) -> Iterator[Endpoint]:
     topic, type = widget.options.get("topic"), widget.options.get("type")
     if topic:
-        yield Endpoint(PUBLISHER, str(topic), str(type or ""), widget.place)
+        yield Endpoint(PUBLISHER, str(topic), str(type or ""), widget.location)
     else:
-        yield Endpoint(PUBLISHER, ANY, "", widget.place, sure=False)
+        yield Endpoint(PUBLISHER, ANY, "", widget.location, sure=False)
 
 
 def _robot(widget: Widget) -> Iterator[Endpoint]:
     given: Mapping[str, object] = widget.options
     if given["kind"] == "turtlesim":
-        yield Endpoint(SUBSCRIPTION, str(given["window"]), _WINDOW, widget.place)
+        yield Endpoint(SUBSCRIPTION, str(given["window"]), _WINDOW, widget.location)
         return
     if given.get("odometry"):
-        yield Endpoint(SUBSCRIPTION, str(given["odometry"]), _ODOMETRY, widget.place)
+        yield Endpoint(SUBSCRIPTION, str(given["odometry"]), _ODOMETRY, widget.location)
     else:
         # It has the topics of its default whether somebody uses them or not.
         own = given["twist"] != "/cmd_vel"
-        yield Endpoint(SUBSCRIPTION, str(given["twist"]), _TWIST, widget.place, sure=own)
+        yield Endpoint(SUBSCRIPTION, str(given["twist"]), _TWIST, widget.location, sure=own)
     if given["kind"] == "vernie":
         own = given["color"] != "/color"
         text = "std_msgs/msg/String"
-        yield Endpoint(SUBSCRIPTION, str(given["color"]), text, widget.place, sure=own)
+        yield Endpoint(SUBSCRIPTION, str(given["color"]), text, widget.location, sure=own)
         for name, type in _SENSORS.items():
             sensor = f"{given['sensors']}/{name}"
-            yield Endpoint(PUBLISHER, sensor, type, widget.place, sure=False)
+            yield Endpoint(PUBLISHER, sensor, type, widget.location, sure=False)
 
 
 _READ = {"topics": _topics, "services": _services, "publish": _publish, "robot": _robot}

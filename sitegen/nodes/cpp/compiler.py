@@ -228,7 +228,7 @@ class Compiler:
         if cmake.library.exists():
             return
         name = f"rclcpp ({engine})"
-        self._report.doing(name, "compiling the library, once for all nodes")
+        self._report.doing(name, "compiling the library (once for all nodes)")
         done = cmake.make_library()
         self._report.done(name)
         if done.returncode:
@@ -256,7 +256,9 @@ class Compiler:
         cmake = self._cmake(engine)
         if self._is_prepared(cmake, package, needs):
             return
-        self._report.doing(f"{package.name} ({engine})", "compiling what other packages use of it")
+        self._report.doing(
+            f"{package.name} ({engine})", "compiling the libraries that other packages use"
+        )
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")

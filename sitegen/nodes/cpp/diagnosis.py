@@ -48,7 +48,7 @@ class Diagnosis:
         missing = self.missing(output)
         if missing:
             how = INSTALLED.get(missing)
-            return [self._needs(missing, f"is not installed here ({how})" if how else NO_BUILD)]
+            return [self._needs(missing, f"is not installed ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
@@ -56,7 +56,7 @@ class Diagnosis:
         if f"unknown target '{executable}'" in output:
             what = f"has no executable '{executable}'"
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
-                what += f" without {names}, which the page does not have"
+                what += f" without {names}, which is not available in the browser"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
         if hollow := HOLLOW.search(output):
             return [self._needs(HOLLOW_NAMES[hollow[1]], NO_BUILD)]

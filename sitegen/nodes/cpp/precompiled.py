@@ -125,8 +125,8 @@ class Reader:
 
     def _follows(self, quoted: str, angled: str, beside: Path) -> bool | None:
         name = quoted or angled
-        places = (folder / name for folder in ([beside] if quoted else []) + [*self.folders])
-        file = next((place for place in places if place.is_file()), None)
+        candidates = (folder / name for folder in ([beside] if quoted else []) + [*self.folders])
+        file = next((candidate for candidate in candidates if candidate.is_file()), None)
         if file == HEADER:
             return True
         if file is None or file in self._read:  # the compiler's own, or read already

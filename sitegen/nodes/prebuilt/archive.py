@@ -71,7 +71,7 @@ def unpack(archive: Path, to: Path) -> None:
     Only the files that the manifest leads to are written, and all have to be there.
     """
     if archive.stat().st_size > LARGEST:
-        raise ArchiveError(f"it has more than {LARGEST:,} bytes")
+        raise ArchiveError(f"it is larger than {LARGEST:,} bytes")
     to.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=to.parent) as temporary:
         fresh = Path(temporary) / "new"
@@ -79,7 +79,7 @@ def unpack(archive: Path, to: Path) -> None:
             with zipfile.ZipFile(archive) as opened:
                 _extract(opened, fresh)
         except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError):
-            raise ArchiveError("it is no zip archive, or a damaged one") from None
+            raise ArchiveError("it is not a valid zip archive") from None
         if not to.exists():
             fresh.rename(to)
 
@@ -108,7 +108,7 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
     if MANIFEST not in names:
         raise ArchiveError(f"it has no {MANIFEST}; `sitegen compile` writes such archives")
     if len(set(names)) < len(names):
-        raise ArchiveError("it has two files of one name")
+        raise ArchiveError("it contains two files with the same name")
     left = LARGEST_UNPACKED
     manifest = _read(archive, archive.getinfo(MANIFEST), left)
     nodes = _nodes(manifest)
@@ -122,15 +122,15 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
         kind = stat.S_IFMT(entry.external_attr >> 16)
         is_file = kind in (0, stat.S_IFREG) and entry.filename in wanted
         if not is_file and not (kind in (0, stat.S_IFDIR) and entry.filename in folders):
-            raise ArchiveError(f"it has '{entry.filename}', which is no file of its nodes")
+            raise ArchiveError(f"it contains the unexpected file '{entry.filename}'")
     missing = sorted(wanted - set(names))
     if missing:
-        raise ArchiveError(f"it lacks '{missing[0]}'")
+        raise ArchiveError(f"'{missing[0]}' is missing")
     for name in sorted(wanted):
         data = _read(archive, archive.getinfo(name), left)
         left -= len(data)
         if name.endswith(".types.json") and not isinstance(_json(data, name), dict):
-            raise ArchiveError(f"its '{name}' has no types")
+            raise ArchiveError(f"its '{name}' does not contain a JSON object")
         file = to / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(data)
@@ -141,7 +141,7 @@ def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, most: int) -> bytes:
     with archive.open(entry) as file:
         data = file.read(most + 1)
     if len(data) > most:
-        raise ArchiveError(f"it would become more than {LARGEST_UNPACKED:,} bytes")
+        raise ArchiveError(f"it is larger than {LARGEST_UNPACKED:,} bytes when unpacked")
     return data
 
 
@@ -150,14 +150,17 @@ def _nodes(manifest: bytes) -> list[tuple[str, str, Sequence[str]]]:
     content = _json(manifest, MANIFEST)
     found = content.get("format") if isinstance(content, dict) else None
     if found != FORMAT:
-        theirs = f"is of format {found}" if isinstance(found, int) else "has no format"
-        raise ArchiveError(f"its {MANIFEST} {theirs}, this sitegen reads {FORMAT}; compile it anew")
+        theirs = f"has format {found}" if isinstance(found, int) else "has no format"
+        raise ArchiveError(
+            f"its {MANIFEST} {theirs}, this version of sitegen reads format {FORMAT}; "
+            "compile it again"
+        )
     nodes = content.get("nodes")
     if not isinstance(nodes, list) or not 0 < len(nodes) <= MOST_NODES:
-        raise ArchiveError(f"its {MANIFEST} names no nodes")
+        raise ArchiveError(f"its {MANIFEST} lists no nodes")
     read = [_node(node) for node in nodes]
     if len({node[:2] for node in read}) < len(read):
-        raise ArchiveError(f"its {MANIFEST} names a node twice")
+        raise ArchiveError(f"its {MANIFEST} lists a node twice")
     return read
 
 
@@ -167,7 +170,7 @@ def _node(node: Any) -> tuple[str, str, Sequence[str]]:
     engines = given.get("engines")
     named = PACKAGE.fullmatch(package) and EXECUTABLE.fullmatch(executable)
     if not named or engines not in (["jspi"], list(ENGINES)):
-        raise ArchiveError(f"its {MANIFEST} names a node that cannot be read: {node!r:.80}")
+        raise ArchiveError(f"its {MANIFEST} lists an invalid node: {node!r:.80}")
     return package, executable, engines
 
 
@@ -175,7 +178,7 @@ def _json(data: bytes, name: str) -> Any:
     try:
         return json.loads(data)
     except (ValueError, RecursionError):
-        raise ArchiveError(f"its '{name}' is no JSON") from None
+        raise ArchiveError(f"its '{name}' is not valid JSON") from None
 
 
 def _names(package: str, executable: str, engine: str) -> tuple[str, str]:

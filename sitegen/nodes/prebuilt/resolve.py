@@ -41,8 +41,8 @@ def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
             continue
         name = (member.package, member.executable)
         if name in own or builds.get(name, member.builds) != member.builds:
-            message = f"another '{'/'.join(name)}' is on the site already; use one of the two"
-            problems.add(given.place, given.key, message)
+            message = f"another '{'/'.join(name)}' is already on the site; use one of the two"
+            problems.add(given.location, given.key, message)
         builds[name] = member.builds
         found[given] = replace(node, package=member.package, executable=member.executable)
     problems.raise_if_any()
@@ -89,9 +89,9 @@ def _unpacked(
             unpack(file, folder)
         return folder
     except FetchError as error:
-        problems.add(given.place, given.key, str(error))
+        problems.add(given.location, given.key, str(error))
     except ArchiveError as error:
-        problems.add(given.place, given.key, f"{name} cannot be used: {error}")
+        problems.add(given.location, given.key, f"{name} cannot be used: {error}")
     return None
 
 
@@ -106,11 +106,11 @@ def _chosen(
     ]
     if len(fitting) != 1:
         which = "no such node" if not fitting else "more than one node"
-        advice = f"name its 'package' and 'executable', of {described(fitting or nodes)}"
-        problems.add(given.place, given.key, f"the archive has {which}; {advice}")
+        advice = f"set 'package' and 'executable' to one of: {described(fitting or nodes)}"
+        problems.add(given.location, given.key, f"the archive has {which}; {advice}")
         return None
     [node] = fitting
     if site.asyncify and len(node.builds) < 2:
-        message = "was compiled for browsers with JSPI only; write 'asyncify: false' below 'site'"
-        problems.add(given.place, given.key, f"'{described([node])}' {message}")
+        message = "was compiled only for browsers with JSPI; write 'asyncify: false' under 'site'"
+        problems.add(given.location, given.key, f"'{described([node])}' {message}")
     return node

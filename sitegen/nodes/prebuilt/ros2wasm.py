@@ -32,7 +32,7 @@ class Ros2wasmProgram:
 
     @property
     def files(self) -> Sequence[Artifact]:
-        """Return its files, which keep their places: they look for each other."""
+        """Return its files, with their paths unchanged, because they refer to each other."""
         return [Artifact(self._path(file), file) for file in self.program.files]
 
     @property

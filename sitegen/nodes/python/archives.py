@@ -14,7 +14,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, imports, wheels
+from sitegen.nodes.python import bytecode, dependencies, imports
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
@@ -101,15 +101,15 @@ def bundle(
     if workspace.SITEGEN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
-    lacks = _wanted(programs, needs, common)
-    small = set() if site.pyodide.packages else _content_with_ours(lacks, needs)
+    missing = _wanted(programs, needs, common)
+    small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
     for program in small:
-        del lacks[program]["numpy"]
-    collected = wheels.collect(site, lacks, cache=cache, say=say)
+        del missing[program]["numpy"]
+    collected = dependencies.collect(site, missing, cache=cache, say=say)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
     for package, executable in sorted(small):
-        say(f"{package}/{executable}: without numpy; its arrays are ours and do no arithmetic")
+        say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
     for package, executable in sorted(programs):
@@ -119,9 +119,9 @@ def bundle(
         archives |= {path: wheel.data for path, wheel in others.items()}
         ours = [NUMPY] if (package, executable) in small else []
         needed[package, executable] = (COMMON, *ours, *others, _own(package))
-        places = [place.split("/") for place, _ in _installed(needs[package])]
+        paths = [path.split("/") for path, _ in _installed(needs[package])]
         own[package, executable] = sorted(
-            {p[1].removesuffix(".py") for p in places if p[0] == "python"}
+            {p[1].removesuffix(".py") for p in paths if p[0] == "python"}
         )
     types = {name: _types(needs[name], prefix) for name in names}
     return Bundles(archives, needed, own, types)
@@ -131,7 +131,7 @@ def _own(package: str) -> str:
     return f"nodes/{package}/python.zip"
 
 
-def lacking(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
+def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
     """Return the modules that a node imports in every run, and that no page has by itself.
 
     `packages` are those of the workspace and those that come with sitegen.
@@ -154,13 +154,13 @@ def _wanted(
     common: Iterable[str],
 ) -> dict[tuple[str, str], dict[str, imports.Import]]:
     """Return the modules that each program imports and that are not on every page."""
-    there = {place.split("/")[1].removesuffix(".py") for place in common}
+    there = {path.split("/")[1].removesuffix(".py") for path in common}
     there |= sys.stdlib_module_names | IN_THE_PAGE
     found = {}
     for package, executable in programs:
         modules = imports.outside(*_program(needs[package], executable))
         found[package, executable] = {
-            name: place for name, place in modules.items() if name not in there
+            name: path for name, path in modules.items() if name not in there
         }
     return found
 
@@ -168,7 +168,7 @@ def _wanted(
 def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:
     """Return the files that a program of the last of `packages` has, and where it begins."""
     setups = [each.setup for each in packages if each.setup]
-    files = {place: file for setup in setups for place, file in setup.files.items()}
+    files = {path: file for setup in setups for path, file in setup.files.items()}
     return files, setups[-1].scripts[executable]
 
 
@@ -185,17 +185,17 @@ def _content_with_ours(
 
 
 def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files of a package and of those that it needs, by their place."""
+    """Yield the files of a package and of those that it needs, by path."""
     for package in packages:
-        for place, file in (package.setup.files if package.setup else {}).items():
-            yield place, file.read_bytes()
+        for path, file in (package.setup.files if package.setup else {}).items():
+            yield path, file.read_bytes()
 
 
 def _rclpy() -> dict[str, bytes]:
-    """Return rclpy with all that it imports but message classes, by place."""
+    """Return rclpy with all that it imports but message classes, by path."""
     given = {share.name for share in generator.shares([ROS])}
     return {
-        place: content for place, content in bytecode.brought() if place.split("/")[1] not in given
+        path: content for path, content in bytecode.brought() if path.split("/")[1] not in given
     }
 
 
@@ -204,7 +204,7 @@ def _shares(prefix: Path) -> dict[str, Path]:
 
 
 def _classes(packages: Iterable[str], prefix: Path) -> Iterator[tuple[str, bytes]]:
-    """Yield the message classes of `packages`, by place."""
+    """Yield the message classes of `packages`, by path."""
     for package in packages:
         for root in (prefix / "python", bytecode.PAGE):
             files = sorted((root / package).rglob("*.py"))
@@ -231,8 +231,8 @@ def _named_by_rclpy() -> Iterator[str]:
 
 def _sources(package: Package) -> Iterator[str]:
     scripts = package.setup.scripts.values() if package.setup else ()
-    for place, file in (package.setup.files if package.setup else {}).items():
-        if file.suffix == ".py" or place in scripts:
+    for path, file in (package.setup.files if package.setup else {}).items():
+        if file.suffix == ".py" or path in scripts:
             yield file.read_text(encoding="utf-8", errors="replace")
 
 

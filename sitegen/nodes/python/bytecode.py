@@ -31,7 +31,7 @@ GENERATED = re.compile(r"python/(?!rclpy/)\w+/(msg|srv|action)/\w+\.py")
 
 
 def brought() -> Iterator[tuple[str, bytes]]:
-    """Yield what sitegen has for pages of Python, message classes and all, by its place."""
+    """Yield what sitegen has for pages of Python, message classes and all, by path."""
     for file in sorted(PAGE.rglob("*")):
         if file.is_file():
             yield f"python/{file.relative_to(PAGE).as_posix()}", with_our_numpy(file.read_bytes())
@@ -55,9 +55,9 @@ def with_our_numpy(module: bytes) -> bytes:
     return NUMPY.sub(OUR_NUMPY, module)
 
 
-def key(place: str, module: bytes) -> str:
+def key(path: str, module: bytes) -> str:
     """Return the name of a module's bytecode in STORE."""
-    return hashlib.sha256(place.encode() + b"\0" + module).hexdigest()[:32]
+    return hashlib.sha256(path.encode() + b"\0" + module).hexdigest()[:32]
 
 
 def added(files: Mapping[str, bytes]) -> dict[str, bytes]:
@@ -67,14 +67,14 @@ def added(files: Mapping[str, bytes]) -> dict[str, bytes]:
     """
     found = {}
     known = _known()
-    for place, content in files.items():
-        code = known.get(key(place, content)) if place.endswith(".py") else None
-        if code is None or not GENERATED.fullmatch(place):
-            found[place] = content
-        if code is not None and GENERATED.fullmatch(place):
-            found[f"{place}c"] = code
+    for path, content in files.items():
+        code = known.get(key(path, content)) if path.endswith(".py") else None
+        if code is None or not GENERATED.fullmatch(path):
+            found[path] = content
+        if code is not None and GENERATED.fullmatch(path):
+            found[f"{path}c"] = code
         elif code is not None:
-            folder, _, name = place.rpartition("/")
+            folder, _, name = path.rpartition("/")
             found[f"{folder}/__pycache__/{name.removesuffix('py')}{TAG}.pyc"] = code
     return found
 

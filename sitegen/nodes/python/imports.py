@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 
 # Who catches one of these can do without the module.
 CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
@@ -16,7 +16,7 @@ CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
 class Import(NamedTuple):
     """Where a module is imported, and whether every run comes there: not in an if of a function."""
 
-    place: Place
+    location: Location
     sure: bool
 
 
@@ -24,14 +24,14 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
     """Return the modules from elsewhere that a program asks for and does not do without.
 
     `files` are those of its package and of the packages that it needs, by their place below the
-    prefix; `program` is an entry point ("module:function") or the place of a file.
+    prefix; `program` is an entry point ("module:function") or the path of a file.
     """
     return _walk(files, program)[0]
 
 
 def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
     """Return these modules, and the files of the program's own."""
-    modules = {_name(place): file for place, file in files.items() if _is_module(place)}
+    modules = {_name(path): file for path, file in files.items() if _is_module(path)}
     found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
     seen: dict[str, Path] = {}
@@ -75,12 +75,12 @@ def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
     return found
 
 
-def _is_module(place: str) -> bool:
-    return place.startswith("python/") and place.endswith(".py")
+def _is_module(path: str) -> bool:
+    return path.startswith("python/") and path.endswith(".py")
 
 
-def _name(place: str) -> str:
-    parts = PurePosixPath(place).with_suffix("").parts[1:]
+def _name(path: str) -> str:
+    parts = PurePosixPath(path).with_suffix("").parts[1:]
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
@@ -102,7 +102,7 @@ def _sort(
         else:
             known = found.get(above[0])
             if known is None or (sure and not known.sure):
-                found[above[0]] = Import(Place(file, line), sure)
+                found[above[0]] = Import(Location(file, line), sure)
 
 
 def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:

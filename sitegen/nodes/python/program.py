@@ -29,7 +29,7 @@ class Archive:
 class PythonProgram:
     """A Python program.
 
-    `target` is its entry point ("module:function") or the place of its script; `archives` are
+    `target` is its entry point ("module:function") or the path of its script; `archives` are
     unpacked in this order; `modules` names those of the workspace among them; `messages` are the
     message types that it may use.
     """

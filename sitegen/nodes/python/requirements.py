@@ -44,7 +44,7 @@ def _said_by_pip(file: Path, text: str, tag: str) -> list[str]:
     errors = [line[7:] for line in text.splitlines() if line.startswith("ERROR: ")]
     line = errors[-1] if errors else text.strip()
     if found := NONE.search(line):
-        lack = f"it needs one of pure Python, or one that is compiled for the page ({tag})"
-        return [f"{file.as_posix()}: {found[1]}: no wheel of it can be had; {lack}"]
+        advice = f"use a pure Python package, or one compiled for Pyodide ({tag})"
+        return [f"{file.as_posix()}: {found[1]}: no compatible wheel found; {advice}"]
     advice = "write each as 'name==1.2.3 --hash=sha256:…'"
     return [f"{file.as_posix()}: pip: {line}; {advice}"]

@@ -51,8 +51,8 @@ def opened(name: str, file: Path) -> Wheel:
                 files[f"lib/{path.name}"] = content
             elif data or ".data/" not in path.parts[0] + "/":
                 files[f"python/{data[2] if data else path.as_posix()}"] = content
-    places = (PurePosixPath(place).parts for place in files)
-    tops = {parts[1] for parts in places if parts[0] == "python"}
+    paths = (PurePosixPath(path).parts for path in files)
+    tops = {parts[1] for parts in paths if parts[0] == "python"}
     modules = {top.partition(".")[0] for top in tops if not top.endswith(".dist-info")}
     return Wheel(name, frozenset(modules), archived(files), frozenset(needs))
 

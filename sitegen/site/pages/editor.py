@@ -30,25 +30,27 @@ def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[st
     package = site.packages.get(node.package)
     setup = node.kind.setup if isinstance(node.kind, Python) else None
     if not setup or not package or not package.path.is_relative_to(site.root):
-        message = f"'{node.name}' has no Python source in this workspace; show it with 'source'"
-        problems.add(widget.place, "editor", message)
+        message = f"'{node.name}' has no Python source in this workspace; use 'source' instead"
+        problems.add(widget.location, "editor", message)
         return None
-    files = {relative(file, package.path): place for place, file in setup.files.items()}
+    files = {relative(file, package.path): path for path, file in setup.files.items()}
     name = str(widget.options.get("file") or "") or _main(setup, node, package)
     if name not in files or not _is_python(package.path / name, files[name]):
-        modules = [n for n, place in files.items() if _is_python(package.path / n, place)]
+        modules = [n for n, path in files.items() if _is_python(package.path / n, path)]
         message = (
             f"no Python file '{name}' of {package.name} is installed; {nearest(name, modules)}"
         )
-        problems.add(widget.place, "editor", message)
+        problems.add(widget.location, "editor", message)
         return None
     try:
         text = (package.path / name).read_text(encoding="utf-8")
     except UnicodeDecodeError:
-        problems.add(widget.place, "editor", f"'{name}' is no text in UTF-8; name another")
+        problems.add(
+            widget.location, "editor", f"'{name}' is not a UTF-8 text file; choose another"
+        )
         return None
     if len(text) > _LARGEST:
-        problems.add(widget.place, "editor", f"'{name}' is too large to edit; name another")
+        problems.add(widget.location, "editor", f"'{name}' is too large to edit; choose another")
         return None
     return {"file": name, "place": files[name], "text": text.replace("\r\n", "\n")}
 
@@ -63,5 +65,5 @@ def _main(setup: Setup, node: Node, package: Package) -> str:
     return next((relative(file, package.path) for file in found if file), f"{module}.py")
 
 
-def _is_python(file: Path, place: str) -> bool:
-    return file.suffix == ".py" or place.startswith("lib/")
+def _is_python(file: Path, path: str) -> bool:
+    return file.suffix == ".py" or path.startswith("lib/")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.model import Markdown, Page, Site
 
 PATH = "404.html"
@@ -19,7 +19,7 @@ def missing(site: Site, said: SimpleNamespace) -> Page:
     """
     home = next((page for page in site.pages if not page.path), site.pages[0])
     text = f"{said.missing_text}\n\n[{said.missing_home}](/{home.path})\n"
-    place = Place(site.root / "site.yaml", 1)
+    location = Location(site.root / "site.yaml", 1)
     base = urlsplit(site.url).path or "/"
-    content = (Markdown(text, site.root, place),)
-    return Page(PATH, said.missing, "", {}, content, "", place, base=base)
+    content = (Markdown(text, site.root, location),)
+    return Page(PATH, said.missing, "", {}, content, "", location, base=base)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from sitegen.model import Page, Section, Site
+from sitegen.model import NavItem, Page, Site
 from sitegen.site.prose import address
 
 
@@ -65,7 +65,7 @@ class Navigation:
         self._entries: dict[str, _Entry] = {}
         self._index(self._top, None)
         self._order = list(self._entries)
-        self._places = {path: place for place, path in enumerate(self._order)}
+        self._places = {path: index for index, path in enumerate(self._order)}
 
     def menu(self, page: Page) -> list[Link]:
         """Return the lines of the menu on `page`."""
@@ -79,10 +79,10 @@ class Navigation:
 
     def around(self, page: Page) -> tuple[Link | None, Link | None]:
         """Return the pages before and after `page`."""
-        place = self._places.get(_original(page))
-        if place is None:
+        index = self._places.get(_original(page))
+        if index is None:
             return None, None
-        sides = (place - 1, place + 1)
+        sides = (index - 1, index + 1)
         before, after = (self._order[s] if 0 <= s < len(self._order) else None for s in sides)
         return self._to(before, page), self._to(after, page)
 
@@ -150,7 +150,7 @@ def _original(page: Page) -> str:
     return page.path if page.original is None else page.original
 
 
-def _given(sections: Iterable[Section]) -> list[_Entry]:
+def _given(sections: Iterable[NavItem]) -> list[_Entry]:
     return [_Entry(s.title, s.page, s.url, _given(s.inside)) for s in sections]
 
 

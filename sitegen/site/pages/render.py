@@ -43,7 +43,7 @@ class Rendered:
     artifacts: tuple[Artifact, ...]
     ids: frozenset[str]
     anchors: tuple[Anchor, ...]
-    sections: tuple[search.Section, ...]
+    passages: tuple[search.Passage, ...]
     found: tuple[tuple[str, int, str], ...]
 
 
@@ -124,7 +124,7 @@ class Renderer:
             tuple(artifacts),
             frozenset(prose.ids | slots | ALWAYS),
             tuple(prose.links.anchors),
-            tuple(search.sections(page, (block.html for block in parts))),
+            tuple(search.passages(page, (block.html for block in parts))),
             tuple(problems.found),
         )
 
@@ -141,7 +141,7 @@ class Renderer:
 
     def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return what a search looks into."""
-        return search.artifacts(self.site, ((each.page, each.sections) for each in rendered))
+        return search.artifacts(self.site, ((each.page, each.passages) for each in rendered))
 
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return the artifacts of pages and those of the whole site, or raise a SiteError.
@@ -227,8 +227,8 @@ class Renderer:
 _forked: Renderer
 
 
-def _chunk(places: range) -> list[Rendered]:
-    return [_forked.page(_forked.site.pages[place]) for place in places]
+def _chunk(indexes: range) -> list[Rendered]:
+    return [_forked.page(_forked.site.pages[index]) for index in indexes]
 
 
 def _toc(headings: Sequence[Heading]) -> list[Heading]:
@@ -240,8 +240,8 @@ def _toc(headings: Sequence[Heading]) -> list[Heading]:
 def _check_anchors(rendered: Sequence[Rendered], problems: Problems) -> None:
     ids = {each.page.path: each.ids for each in rendered}
     for each in rendered:
-        for path, name, place in each.anchors:
+        for path, name, location in each.anchors:
             if name not in ids[path]:
                 where = "this page" if path == each.page.path else f"/{path}"
                 message = f"no heading '#{name}' in {where}; {nearest(name, ids[path] - ALWAYS)}"
-                problems.add(place, "link", message)
+                problems.add(location, "link", message)

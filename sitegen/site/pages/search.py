@@ -22,7 +22,7 @@ _PART = re.compile(r'<h[1-6](?=[^>]*\sid="([^"]+)")[^>]*>(.*?)</h[1-6]>', re.DOT
 _NOT_SAID = re.compile(r"<(math|svg)\b.*?</\1>", re.DOTALL)
 
 
-class Section(NamedTuple):
+class Passage(NamedTuple):
     """A stretch of a page that a search can find: the id of its heading, that heading, its text."""
 
     id: str
@@ -40,28 +40,28 @@ def path(language: str) -> str:
     return f"search.{language.lower()}.json"
 
 
-def sections(page: Page, texts: Iterable[str]) -> Iterator[Section]:
-    """Yield the sections of a page, what stands before its first heading too."""
+def passages(page: Page, texts: Iterable[str]) -> Iterator[Passage]:
+    """Yield the passages of a page: one for each heading, and the text before the first one."""
     _, *rest = pieces = _PART.split(_NOT_SAID.sub(" ", "\n".join(texts)))
     before = plain(pieces[0])
     if before or not rest:
-        yield Section("", page.title, before)
+        yield Passage("", page.title, before)
     for name, heading, text in zip(rest[::3], rest[1::3], rest[2::3], strict=True):
-        yield Section(html.unescape(name), plain(heading), plain(text))
+        yield Passage(html.unescape(name), plain(heading), plain(text))
 
 
-def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Section]]]) -> list[Artifact]:
-    """Return an index for each language that a site has pages in, of their sections."""
+def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Passage]]]) -> list[Artifact]:
+    """Return an index for each language that a site has pages in, of their passages."""
     if not wanted(site):
         return []
-    by_language: dict[str, list[tuple[Page, Section]]] = {}
-    for page, its_sections in found:
+    by_language: dict[str, list[tuple[Page, Passage]]] = {}
+    for page, its_passages in found:
         rows = by_language.setdefault(page.language or site.language, [])
-        rows += ((page, section) for section in its_sections)
+        rows += ((page, section) for section in its_passages)
     return [Artifact(path(language), _index(rows)) for language, rows in by_language.items()]
 
 
-def _index(rows: Iterable[tuple[Page, Section]]) -> bytes:
+def _index(rows: Iterable[tuple[Page, Passage]]) -> bytes:
     terms: dict[str, dict[int, dict[int, int]]] = {}
     ids: dict[int, str] = {}
     lengths: dict[int, list[int]] = {}
@@ -73,14 +73,14 @@ def _index(rows: Iterable[tuple[Page, Section]]) -> bytes:
         shown = {"href": href, "title": page.title, "excerpt": _excerpt(section.text)}
         stored[number] = {**shown, **({"heading": heading} if heading else {})}
         lengths[number] = []
-        # A page's title counts where it begins only, or all its sections would come first.
+        # A page's title counts where it begins only, or all its passages would come first.
         title = page.title if not heading else ""
         for field, text in enumerate((title, heading, section.text)):
             words = WORD.findall(text.lower())
             lengths[number].append(len(set(words)))
             for word in words:
-                places = terms.setdefault(word, {}).setdefault(field, {})
-                places[number] = places.get(number, 0) + 1
+                counts = terms.setdefault(word, {}).setdefault(field, {})
+                counts[number] = counts.get(number, 0) + 1
     count = len(ids)
     averages = [sum(row[field] for row in lengths.values()) / max(count, 1) for field in range(3)]
     index = {

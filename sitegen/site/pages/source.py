@@ -25,10 +25,14 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
             file.read_text(encoding="utf-8").replace("\r\n", "\n").removesuffix("\n").split("\n")
         )
     except (OSError, UnicodeDecodeError):
-        problems.add(source.place, "source", f"'{file.name}' is no text in UTF-8; name another")
+        problems.add(
+            source.location, "source", f"'{file.name}' is not a UTF-8 text file; choose another"
+        )
         return ""
     if file.stat().st_size > _LARGEST:
-        problems.add(source.place, "source", f"'{file.name}' is too large to show; name another")
+        problems.add(
+            source.location, "source", f"'{file.name}' is too large to show; choose another"
+        )
         return ""
     first, last = _range(source, lines, file.name, problems)
     marks = (_BEGIN, _END)
@@ -51,21 +55,23 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         folder, known = package.path, package.sources.get(source.node.executable, ())
     name = source.file or next(iter(known), "")
     if not name:
-        message = f"nothing tells the source of '{source.target}'; name the 'file'"
-        problems.add(source.place, "source", message)
+        message = f"the source of '{source.target}' is unknown; give the 'file'"
+        problems.add(source.location, "source", message)
         return None
     file = (folder / name).resolve()
     if not file.is_file() and not source.file:
         # A CMakeLists.txt further down names files from where it is.
         file = next(iter(sorted(folder.rglob(Path(name).name))), file).resolve()
     if not file.is_relative_to(root):
-        message = f"'{name}' is outside the site's folder; keep everything below site.yaml"
-        problems.add(source.place, "source", message)
+        message = (
+            f"'{name}' is outside the site's folder; keep all files below the folder of site.yaml"
+        )
+        problems.add(source.location, "source", message)
         return None
     if not file.is_file():
         beside = sorted(folder.rglob(f"*{file.suffix}")) if file.suffix else []
         hint = nearest(name, (relative(other, folder) for other in beside[:200]))
-        problems.add(source.place, "source", f"no file '{name}' in {folder.name}; {hint}")
+        problems.add(source.location, "source", f"no file '{name}' in {folder.name}; {hint}")
         return None
     return file
 
@@ -80,9 +86,9 @@ def _range(source: Source, lines: list[str], name: str, problems: Problems) -> t
     if source.lines:
         first, last = source.lines
         if not first <= last <= len(lines):
-            message = f"'{first}-{last}' are no lines of {name}, which has {len(lines)}"
+            message = f"'{first}-{last}' is not a valid range of lines: {name} has {len(lines)}"
             problems.add(
-                source.place, "source.lines", f"{message}; write 'lines: {1}-{len(lines)}'"
+                source.location, "source.lines", f"{message}; write 'lines: {1}-{len(lines)}'"
             )
         return first, last
     if source.region:
@@ -94,5 +100,5 @@ def _range(source: Source, lines: list[str], name: str, problems: Problems) -> t
                     ends = (n for n, text in enumerate(lines, 1) if n > number and _END.match(text))
                     return number + 1, next(ends, len(lines) + 1) - 1
         message = f"no region '{source.region}' in {name}; {nearest(source.region, names)}"
-        problems.add(source.place, "source.region", message)
+        problems.add(source.location, "source.region", message)
     return 1, len(lines)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from markdown.extensions.toc import slugify_unicode
 
-from sitegen.errors import Place
+from sitegen.errors import Location
 from sitegen.model import Markdown, Page, Site
 from sitegen.shipped import DEFAULT_THEME
 from sitegen.site.pages.texts import texts
@@ -60,10 +60,10 @@ def _path(tag: str, site: Site, language: str) -> str:
 
 
 def _page(site: Site, language: str, path: str, title: str, lines: list[str]) -> Page:
-    place = Place(site.root / "site.yaml", 1)
-    text = Markdown("\n".join(lines), site.root, place)
+    location = Location(site.root / "site.yaml", 1)
+    text = Markdown("\n".join(lines), site.root, location)
     own = "" if language == site.language else language
-    return Page(path, title, "", {}, (text,), "", place, language=own, original=path)
+    return Page(path, title, "", {}, (text,), "", location, language=own, original=path)
 
 
 def _escaped(text: str) -> str:

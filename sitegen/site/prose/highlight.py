@@ -110,15 +110,15 @@ def _words(text: str, language: str) -> Iterator[str]:
         if not name or word.isspace():
             yield escape(word)
             continue
-        for place, line in enumerate(word.split("\n")):
-            yield "\n" * bool(place)
+        for index, line in enumerate(word.split("\n")):
+            yield "\n" * bool(index)
             yield f'<span class="{name}">{escape(line)}</span>' if line else ""
 
 
 def _lines(body: str, numbers: Sequence[int], marked: Collection[int]) -> Iterator[str]:
-    for place, line in enumerate(body.split("\n")[:-1]):
-        name = "line marked" if place + 1 in marked else "line"
-        data = f' data-line="{numbers[place]}"' if numbers else ""
+    for index, line in enumerate(body.split("\n")[:-1]):
+        name = "line marked" if index + 1 in marked else "line"
+        data = f' data-line="{numbers[index]}"' if numbers else ""
         yield f'<span class="{name}"{data}>{line}\n</span>'
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import quote, unquote, urlsplit, urlunsplit
 
-from sitegen.errors import Place, Problems, nearest, relative
+from sitegen.errors import Location, Problems, nearest, relative
 from sitegen.model import Markdown, Page, Site
 from sitegen.site.prose.media import lasting_name
 
@@ -31,11 +31,11 @@ def address(page: Page, path: str) -> str:
 
 
 class Anchor(NamedTuple):
-    """A link to a place in a page: the page's path, the id there, and where it was written."""
+    """A link to a location in a page: the page's path, the id there, and where it was written."""
 
     path: str
     id: str
-    place: Place
+    location: Location
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,9 @@ class Library:
         """Return the library of a site."""
         sources: dict[str, Page] = {}
         for page in site.pages:
-            for place in (page.place, *(part.place for part in page.content)):
-                if place.file.suffix == ".md":
-                    sources.setdefault(os.path.realpath(place.file), page)
+            for location in (page.location, *(part.location for part in page.content)):
+                if location.file.suffix == ".md":
+                    sources.setdefault(os.path.realpath(location.file), page)
         return cls(site, {page.path: page for page in site.pages}, sources)
 
 
@@ -68,7 +68,7 @@ class Links:
     anchors: list[Anchor] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        files = {part.place.file for part in self.page.content}
+        files = {part.location.file for part in self.page.content}
         self._own = {os.path.realpath(file) for file in files if file.suffix == ".md"}
 
     def resolve(self, url: str, key: str, source: Markdown) -> tuple[str | None, Path | None]:
@@ -79,14 +79,16 @@ class Links:
         try:
             parts = urlsplit(url)
         except ValueError:
-            self.problems.add(line_of(source, url), key, f"'{url}' is no address; check it")
+            self.problems.add(
+                line_of(source, url), key, f"'{url}' is not a valid address; correct it"
+            )
             return None, None
         if parts.scheme == "javascript":
-            self.problems.add(line_of(source, url), key, "a link runs no script; write a widget")
+            self.problems.add(line_of(source, url), key, "a link cannot run a script; use a widget")
             return None, None
         if parts.scheme or parts.netloc:
             if key != "link" and parts.scheme != "data":
-                message = f"'{url}' is on another site; save it in this one and name the file"
+                message = f"'{url}' is on another site; copy the file into this site"
                 self.problems.add(line_of(source, url), key, message)
             return None, None
         name, target, file = unquote(parts.path), None, None
@@ -97,8 +99,8 @@ class Links:
         if target is not None:
             # What a browser is to look for in the text has no id.
             if parts.fragment and not parts.fragment.startswith(":~:"):
-                place = line_of(source, url)
-                self.anchors.append(Anchor(target, unquote(parts.fragment), place))
+                location = line_of(source, url)
+                self.anchors.append(Anchor(target, unquote(parts.fragment), location))
             if not name:
                 return None, None
         else:
@@ -131,7 +133,7 @@ class Links:
         file = (source.folder / name).resolve()
         fault = ""
         if not file.is_relative_to(root):
-            fault = f"'{name}' is outside the site's folder; move it beside site.yaml"
+            fault = f"'{name}' is outside the site's folder; move it below the folder of site.yaml"
         elif not file.is_file():
             fault = self._missing(name, file, key)
         else:
@@ -149,7 +151,7 @@ class Links:
     def _missing(self, name: str, file: Path, key: str) -> str:
         folder = relative(file.parent, self.library.site.root.resolve())
         if file.is_dir():
-            return f"'{name}' is a folder and no page; name a file in it"
+            return f"'{name}' is a folder, not a page; link to a file in it"
         beside = file.parent.glob(f"*{file.suffix}") if file.parent.is_dir() else []
         hint = nearest(file.name, (other.name for other in beside if other.is_file()))
         if key in ("link", "frame") and not file.suffix:
@@ -158,10 +160,10 @@ class Links:
         return f"no file '{file.name}' in {folder}; {hint}"
 
 
-def line_of(source: Markdown, text: str) -> Place:
+def line_of(source: Markdown, text: str) -> Location:
     """Return the line of `source` that first has `text`, as the author wrote or escaped it."""
     written = (text, html.escape(text), quote(text))
     for number, line in enumerate(source.text.split("\n")):
         if any(form in line for form in written):
-            return Place(source.place.file, source.place.line + number)
-    return source.place
+            return Location(source.location.file, source.location.line + number)
+    return source.location

@@ -11,14 +11,14 @@ _TAG = re.compile(r"""<([a-z][\w-]*)((?:[^>"']|"[^"]*"|'[^']*')*)>""", re.IGNORE
 _ATTRIBUTE = re.compile(r"""\s([\w:-]+)\s*=\s*(?:"[^"]*"|'[^']*'|[^\s"'>]+)""")
 
 REFUSED = {
-    "script": "a page runs no script of its own; write a widget",
-    "style": "a page has no style of its own; give it a class, and put the rules into a theme",
-    "object": "a page embeds nothing; link to the file",
-    "embed": "a page embeds nothing; link to the file",
-    "form": "a page sends nothing anywhere; leave the form out",
-    "base": "it would change every link of the page; leave it out",
-    "meta": "it belongs into the theme; leave it out",
-    "link": "it belongs into the theme; leave it out",
+    "script": "pages cannot run their own scripts; use a widget",
+    "style": "pages cannot have their own styles; use a class, and put the rules in a theme",
+    "object": "pages cannot embed other documents; link to the file",
+    "embed": "pages cannot embed other documents; link to the file",
+    "form": "pages cannot submit forms; remove the form",
+    "base": "it would change every link of the page; remove it",
+    "meta": "it belongs in the theme; remove it",
+    "link": "it belongs in the theme; remove it",
 }
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from markdown.extensions.toc import slugify_unicode
 
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Markdown, Page
 from sitegen.site.prose import raw
 from sitegen.site.prose.extensions import converter
@@ -144,8 +144,8 @@ class Prose:
         return sized(written, image) if name == "img" and image else written
 
 
-def without_text(source: Markdown) -> Iterator[tuple[str, Place]]:
-    """Yield the images of `source` that have no text, with their places.
+def without_text(source: Markdown) -> Iterator[tuple[str, Location]]:
+    """Yield the images of `source` that have no text, with their locations.
 
     An `alt=""` that the author wrote as HTML says that there is nothing to see.
     """

@@ -255,7 +255,7 @@ def test_what_draws_on_a_screen_is_left_out() -> None:
     assert "rviz2" not in [node.package for node in found]
     [line] = notes.lines
     assert line.startswith("src/arm/launch/display.launch.py:")
-    assert line.endswith("node: 'rviz2' draws on a screen of its own and is left out of the page")
+    assert line.endswith("node: 'rviz2' is skipped: it needs a desktop window")
 
 
 @pytest.mark.parametrize(

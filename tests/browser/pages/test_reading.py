@@ -24,7 +24,7 @@ def test_colours_are_as_the_device_or_as_chosen(tab: Tab, url: str) -> None:
     tab.goto(url)
     assert tab.evaluate(PAPER) == DARK
     button = tab.get_by_role("button", name="Colours")
-    expect(button).to_have_accessible_name("Colours: as the device")
+    expect(button).to_have_accessible_name("Colours: system")
     button.press("Enter")
     expect(button).to_have_accessible_name("Colours: light")
     assert tab.evaluate(PAPER) == LIGHT
@@ -34,7 +34,7 @@ def test_colours_are_as_the_device_or_as_chosen(tab: Tab, url: str) -> None:
     tab.emulate_media(color_scheme="light")
     assert tab.evaluate(PAPER) == DARK
     button.press("Enter")
-    expect(button).to_have_accessible_name("Colours: as the device")
+    expect(button).to_have_accessible_name("Colours: system")
     assert tab.evaluate(PAPER) == LIGHT
 
 
@@ -100,7 +100,7 @@ def test_the_menu_of_a_phone_opens_and_closes_by_keyboard(tab: Tab, url: str) ->
 def test_the_first_key_skips_to_the_content(tab: Tab, url: str) -> None:
     tab.goto(f"{url}guide/text/")
     tab.keyboard.press("Tab")
-    expect(tab.get_by_role("link", name="Skip to the content")).to_be_focused()
+    expect(tab.get_by_role("link", name="Skip to content")).to_be_focused()
     tab.keyboard.press("Enter")
     assert tab.evaluate("document.activeElement.id") == "main"
 

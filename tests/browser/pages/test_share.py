@@ -181,7 +181,7 @@ def test_tabs_of_the_text_are_carried(tmp_path: Path, tab: Page, serve: Serve) -
 def test_the_link_is_copied_or_marked(tab: Page, url: str) -> None:
     tab.goto(f"{url}demo02/")
     dialog = shared(tab)
-    expect(dialog.get_by_role("status")).to_have_text("This address works on this computer only.")
+    expect(dialog.get_by_role("status")).to_have_text("This link works only on this computer.")
     tab.evaluate(
         "() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; }"
     )
@@ -219,7 +219,7 @@ def test_a_frame_runs_in_a_page_of_another_site(
     expect(frame.get_by_role("heading", level=1)).to_be_visible()
     for around in ("header.site", "nav", "footer"):
         assert frame.locator(around).locator("visible=true").count() == 0
-    whole = frame.get_by_role("link", name="Open this page by itself")
+    whole = frame.get_by_role("link", name="Open the full page")
     expect(whole).to_have_attribute("target", "_blank")
     with tab.context.expect_page() as opened:
         whole.click()

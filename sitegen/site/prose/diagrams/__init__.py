@@ -21,5 +21,5 @@ def drawn(source: str) -> str:
         return flowchart(lines)
     if kind == "sequenceDiagram":
         return sequence(lines)
-    message = f"'{kind}' is no diagram here; begin with 'flowchart LR' or 'sequenceDiagram'"
+    message = f"'{kind}' is not a supported diagram; start with 'flowchart LR' or 'sequenceDiagram'"
     raise DiagramError(lines[0] if lines else "", message)

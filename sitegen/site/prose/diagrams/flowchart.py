@@ -12,7 +12,7 @@ from sitegen.site.prose.diagrams.layers import Box, place
 from sitegen.site.prose.diagrams.svg import Point
 
 DIRECTIONS = {"TB", "TD", "BT", "LR", "RL"}
-MARGIN, OWN = 12.0, 36.0
+MARGIN, LOOP = 12.0, 36.0
 
 # What stands around the text of a box, the longer ones first.
 SHAPES = {
@@ -56,19 +56,21 @@ def flowchart(lines: Sequence[str]) -> str:
     _, _, direction = lines[0].partition(" ")
     direction = direction.strip() or "TB"
     if direction not in DIRECTIONS:
-        raise DiagramError(lines[0], f"'{direction}' is no direction; write 'flowchart LR'")
+        raise DiagramError(
+            lines[0], f"'{direction}' is not a valid direction; write 'flowchart LR'"
+        )
     chart = _Chart()
     for line in lines[1:]:
         for statement in filter(None, map(str.strip, line.split(";"))):
             _read(statement, chart)
     if not chart.boxes:
-        raise DiagramError(lines[0], "a flowchart without boxes; write 'talker --> listener'")
+        raise DiagramError(lines[0], "this flowchart has no boxes; write 'talker --> listener'")
     return _draw(chart, direction)
 
 
 def _read(line: str, chart: _Chart) -> None:
     if line.split()[0] in REFUSED:
-        fault = f"'{line.split()[0]}' is not drawn here; boxes and arrows are"
+        fault = f"'{line.split()[0]}' is not supported; use boxes and arrows"
         raise DiagramError(line, fault)
     rest, starts = line, list[str]()
     arrow: re.Match[str] | None = None
@@ -80,7 +82,7 @@ def _read(line: str, chart: _Chart) -> None:
             return
         arrow = ARROW.match(rest)
         if not arrow:
-            raise DiagramError(line, f"'{rest}' is no arrow; write it like 'a --> b'")
+            raise DiagramError(line, f"'{rest}' is not a valid arrow; write it like 'a --> b'")
         rest, starts = rest[arrow.end() :].lstrip(), names
 
 
@@ -104,7 +106,9 @@ def _names(rest: str, line: str, chart: _Chart) -> tuple[list[str], str]:
             if rest.startswith(opening):
                 inner, end, after = rest[len(opening) :].partition(closing)
                 if not end:
-                    raise DiagramError(line, f"'{opening}' has no end; close it with '{closing}'")
+                    raise DiagramError(
+                        line, f"'{opening}' is not closed; close it with '{closing}'"
+                    )
                 text, shape, rest = inner.strip().strip('"'), kind, after
                 break
         if shape or name not in chart.boxes:
@@ -124,7 +128,7 @@ def _draw(chart: _Chart, direction: str) -> str:
     for name, (text, shape) in chart.boxes.items():
         w, h = _size(text, shape)
         # An arrow to itself is on the right of a box, which stays in the middle of its room.
-        w += 2 * (OWN + svg.width(own[name].text)) if name in own else 0
+        w += 2 * (LOOP + svg.width(own[name].text)) if name in own else 0
         boxes[name] = Box(h, w) if sideways else Box(w, h)
     ways = place(boxes, [(a.start, a.end, _label_size(a.text, sideways)) for a in arrows])
     total = (
@@ -148,12 +152,12 @@ def _draw(chart: _Chart, direction: str) -> str:
         right = x + w / 2
         points = [
             (right, y - 8),
-            (right + OWN - 8, y - 9),
-            (right + OWN - 8, y + 9),
+            (right + LOOP - 8, y - 9),
+            (right + LOOP - 8, y + 9),
             (right, y + 8),
         ]
         parts.append(_line(arrow, points))
-        labels.append(_label(arrow.text, right + OWN + svg.width(arrow.text) / 2, y))
+        labels.append(_label(arrow.text, right + LOOP + svg.width(arrow.text) / 2, y))
     for name, (text, shape) in chart.boxes.items():
         x, y = at(boxes[name])
         w, h = _size(text, shape)

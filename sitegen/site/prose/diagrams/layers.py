@@ -1,4 +1,4 @@
-"""Place the boxes of a graph in layers, so that its arrows lead from each to the next.
+"""Location the boxes of a graph in layers, so that its arrows lead from each to the next.
 
 Sugiyama's method: turn arrows that would close a circle, put every box as far down as its arrows
 ask, cross as few arrows as sorting finds, then move boxes towards those that they are joined to.
@@ -31,7 +31,7 @@ class Box:
 def place(
     boxes: Mapping[str, Box], arrows: Sequence[tuple[str, str, tuple[float, float]]]
 ) -> list[list[Box]]:
-    """Place `boxes` and return, for each arrow, the boxes it goes through, ends included.
+    """Location `boxes` and return, for each arrow, the boxes it goes through, ends included.
 
     An arrow is its two ends and the size of its label, (0, 0) without one; the label's box is the
     middle one of its way.
@@ -154,7 +154,7 @@ def _align(layers: Sequence[list[Box]]) -> None:
 
 
 def _spread(layer: Sequence[Box], wanted: Sequence[float]) -> None:
-    """Place boxes as near to `wanted` as their sizes allow: least squares, kept in order."""
+    """Location boxes as near to `wanted` as their sizes allow: least squares, kept in order."""
     offsets, at = [], 0.0
     for box, following in zip(layer, [*layer[1:], None], strict=True):
         offsets.append(at)

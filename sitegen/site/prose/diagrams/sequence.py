@@ -77,9 +77,11 @@ def sequence(lines: Sequence[str]) -> str:
         _read(line, read)
     if read.open:
         frame = read.open[-1]
-        raise DiagramError(frame.kind, f"'{frame.kind}' has no end; close it with 'end'")
+        raise DiagramError(frame.kind, f"'{frame.kind}' is not closed; close it with 'end'")
     if not read.names:
-        raise DiagramError(lines[0], "nobody says anything; write 'client->>server: request'")
+        raise DiagramError(
+            lines[0], "this diagram has no messages; write 'client->>server: request'"
+        )
     return _draw(read)
 
 
@@ -114,7 +116,7 @@ def _read(line: str, read: _Sequence) -> None:
         read.messages.append(_Message(start, end, text or "", dash == "--", head, read.y))
         read.y += 18 if start == end else 0
     else:
-        fault = f"'{line}' is not understood; write it like 'client->>server: request'"
+        fault = f"'{line}' is not a valid statement; write it like 'client->>server: request'"
         raise DiagramError(line, fault)
 
 
@@ -145,24 +147,24 @@ def _draw(read: _Sequence) -> str:
 def _columns(read: _Sequence) -> dict[str, float]:
     """Return where each line of life stands: as far apart as what is written between needs."""
     names = list(read.names)
-    place = {name: number for number, name in enumerate(names)}
+    column = {name: number for number, name in enumerate(names)}
     gaps: list[float] = [
         max(APART, (svg.width(read.names[a]) + svg.width(read.names[b])) / 2 + 48)
         for a, b in pairwise(names)
     ]
     for message in read.messages:
-        first, last = sorted((place[message.start], place[message.end]))
+        first, last = sorted((column[message.start], column[message.end]))
         if first == last and first < len(gaps):
             gaps[first] = max(gaps[first], svg.width(message.text) + 60)
         if first < last:
-            lacks = svg.width(message.text) + 36 - sum(gaps[first:last])
+            needed = svg.width(message.text) + 36 - sum(gaps[first:last])
             for gap in range(first, last):
-                gaps[gap] += max(lacks, 0) / (last - first)
+                gaps[gap] += max(needed, 0) / (last - first)
     left = svg.width(read.names[names[0]]) / 2 + 14
     for note in read.notes:
-        if note.side == "left of" and place[note.names[0]] == 0:
+        if note.side == "left of" and column[note.names[0]] == 0:
             left = max(left, svg.width(note.text) + 40)
-        if note.side == "over" and place[note.names[0]] == 0:
+        if note.side == "over" and column[note.names[0]] == 0:
             left = max(left, svg.width(note.text) / 2 + 20)
     at = [MARGIN + left + 10 * bool(read.frames)]
     for apart in gaps:

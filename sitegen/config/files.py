@@ -17,23 +17,25 @@ def locate(value: Value, problems: Problems, *, folder: bool = False) -> Path | 
     except (OSError, RuntimeError, ValueError):
         path, fault = root, f"'{text}' cannot be opened; check the path"
     if fault:
-        problems.add(value.place, value.label, fault)
+        problems.add(value.location, value.label, fault)
         return None
     return path
 
 
 def _fault(text: str, path: Path, root: Path, folder: bool) -> str:
     if "\\" in text:
-        return f"'{text}' has a backslash; write '{text.replace(chr(92), '/')}'"
+        return f"'{text}' contains a backslash; write '{text.replace(chr(92), '/')}'"
     if Path(text).is_absolute():
-        return f"'{text}' is absolute; write it relative to the folder of site.yaml"
+        return f"'{text}' is an absolute path; make it relative to the folder of site.yaml"
     if not path.is_relative_to(root):
-        return f"'{text}' leads out of the site's folder; keep everything below site.yaml"
+        return (
+            f"'{text}' is outside the site's folder; keep all files below the folder of site.yaml"
+        )
     if path.is_dir() if folder else path.is_file():
         return ""
     wanted, other = ("folder", "file") if folder else ("file", "folder")
     if path.exists():
-        return f"'{text}' is a {other}; name a {wanted}"
+        return f"'{text}' is a {other}; give a {wanted}"
     siblings = path.parent.iterdir() if path.parent.is_dir() else ()
     names = [
         (Path(text).parent / sibling.name).as_posix()

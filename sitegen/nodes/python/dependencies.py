@@ -13,7 +13,7 @@ from typing import Any
 from packaging.utils import canonicalize_name
 
 from sitegen.cache.fetch import FetchError, fetch, mismatch
-from sitegen.errors import Place, Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
@@ -28,8 +28,8 @@ LARGEST = 100_000_000
 THERE = {"pyyaml", "typing-extensions"}
 # How PyPI names the packages of ROS: those come with rclpy and the messages.
 OF_ROS = "ros-"
-ADVICE = "name its package in a file of 'pyodide: {requirements: requirements.txt}'"
-POINT = "say where the Pyodide distribution is, in 'pyodide: {packages: …}'"
+ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
+POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
 
 
 # Package and executable.
@@ -56,13 +56,13 @@ def collect(
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
-        for module, (place, sure) in modules.items():
-            lacks = problems if sure else notes
+        for module, (location, sure) in modules.items():
+            report = problems if sure else notes
             if module in given:
                 # What one of them needs is among them, or the build has said so.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
-                lacks.add(place, f"import {module}", _lack(module, origins, lock))
+                report.add(location, f"import {module}", _unavailable(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -71,23 +71,25 @@ def collect(
                     wheels += pinned if len(others) < len(names) else []
                     found[program] |= {wheel.name: wheel for wheel in wheels}
                 except FetchError as error:
-                    lacks.add(place, f"import {module}", str(error))
+                    report.add(location, f"import {module}", str(error))
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
-        say(f"{line}; left out, since not every run comes there")
+        say(f"{line} (skipped: imported only conditionally)")
     return {program: list(wheels.values()) for program, wheels in found.items()}
 
 
-def lack(module: str) -> str:
+def unavailable(module: str) -> str:
     """Return why a module is not on pages by itself, and what to do."""
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
-    return _lack(module, {name: each for each, of in lock.items() for name in of["imports"]}, lock)
+    return _unavailable(
+        module, {name: each for each, of in lock.items() for name in of["imports"]}, lock
+    )
 
 
-def _lack(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
+def _unavailable(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
     if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
-        return f"no module of this name comes to the page; {ADVICE}, or leave it out"
-    return f"'{origins[module]}' has to be compiled for the page; {POINT}"
+        return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"
+    return f"'{origins[module]}' needs a build for Pyodide; {POINT}"
 
 
 def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:
@@ -99,7 +101,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
     there = {wheel.package for wheel in wheels}
     names: list[str] = []
     for wheel in wheels:
-        place = Place(file, _line(file, wheel.package))
+        location = Location(file, _line(file, wheel.package))
         for need in sorted(wheel.needs - there - THERE):
             if need.startswith(OF_ROS):
                 continue
@@ -107,14 +109,14 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
                 names.append(need)
                 continue
             compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
-            advice = POINT if compiled else "it has to be in this file, too"
-            problems.add(place, wheel.package, f"it needs '{need}'; {advice}")
+            advice = POINT if compiled else "add it to this file"
+            problems.add(location, wheel.package, f"it needs '{need}'; {advice}")
     for name in _with_needs(names, lock):
         if name not in there:
             try:
                 wheels.append(_of_distribution(site, lock[name], cache))
             except FetchError as error:
-                problems.add(Place(file, 1), name, str(error))
+                problems.add(Location(file, 1), name, str(error))
     return wheels
 
 
@@ -156,7 +158,9 @@ def _copy(source: Path, sha256: str, to: Path) -> None:
     try:
         data = source.read_bytes()
     except OSError as error:
-        raise FetchError(f"{source}: {error.strerror}; it is of release 314 of Pyodide") from None
+        raise FetchError(
+            f"{source}: {error.strerror}; the distribution must be Pyodide release 314"
+        ) from None
     found = hashlib.sha256(data).hexdigest()
     if found != sha256:
         raise FetchError(mismatch(source.name, found))
