@@ -32,7 +32,7 @@ function parse(text) {
 /** @param {unknown} value @param {string} name @param {Record<string, MessageType>} types */
 function readMessage(value, name, types) {
   const type = types[name];
-  if (!type) throw new Error(`no definition of ${name}`);
+  if (!type) throw new Error(`there is no definition of ${name}`);
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
     throw new Error(`the fields of ${name} are expected, not ${describe(value)}`);
   }

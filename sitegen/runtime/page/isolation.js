@@ -31,7 +31,7 @@ export async function isolate(script) {
   }
   reason = hindrance(script);
   if (reason) return;
-  const word = create("div", "ros-word", say("This page reloads once so that it can share memory with its nodes."));
+  const word = create("div", "ros-word", say("This page loads once more, so that it may share memory with its nodes."));
   word.setAttribute("role", "status");
   document.body.append(word);
   try {

@@ -127,7 +127,7 @@ export class NodeProcess extends EventTarget {
 
   /** Say that this browser cannot run it. @param {string} who needs what it lacks */
   #lack(who) {
-    const lacks = "this browser does not support JavaScript Promise Integration, which";
+    const lacks = "this browser lacks JavaScript Promise Integration, which";
     this.#print("fatal", `${this.name}: ${lacks} ${who}`);
     this.#setState("failed");
   }

@@ -31,7 +31,7 @@ export class Link {
     this.#outbox = new Outbox(port);
     this.#listener = listener;
     port.onmessage = (event) => this.#receive(event.data);
-    port.onmessageerror = () => this.#complain("an unreadable message");
+    port.onmessageerror = () => this.#complain("a message that cannot be read");
   }
 
   /** Send a message as the outbox does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
@@ -67,7 +67,7 @@ export class Link {
       const received = now();
       const { deliver } = this.#listener;
       const rest = readRecords(data, (head, message) => deliver(head, message, received));
-      if (rest > 0) this.#complain(`a frame whose last ${rest} of ${data.byteLength} bytes are not records`);
+      if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are no records`);
     } else {
       const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});
       if (op === "credit" && [writer, reader, records, bytes].every(isCount)) {
@@ -75,7 +75,7 @@ export class Link {
       } else if (op === "alive" && [writer, reader].every(isCount)) {
         this.#listener.hear(writer, reader);
       } else {
-        this.#complain("an invalid frame");
+        this.#complain("what is no frame");
       }
     }
     this.#listener.wake();

@@ -52,7 +52,7 @@ export function mount(element, ros, { node: name, file, place, text: original })
   const controls = create("div", "ros-controls", run, reset);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", file);
-  const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
+  const hint = create("p", "ros-leave", say("Esc, then Tab leaves the editor."));
   const code = create("div", "ros-code");
   element.replaceChildren(create("div", "ros-bar", title, controls), code, hint);
 
@@ -64,8 +64,8 @@ export function mount(element, ros, { node: name, file, place, text: original })
     if (!given) remember(store, text === original ? undefined : { of: original, text });
   };
   const show = () => {
-    const changed = given ? say("changed by the link; read it before you run it") : say("changed");
-    const how = text === original ? say("unchanged") : changed;
+    const changed = given ? say("changed by the link: read it before you run it") : say("changed");
+    const how = text === original ? say("as it was") : changed;
     setText(state, error ? say("error in line {}", error) : how);
     state.dataset.changed = String(text !== original || error > 0);
     reset.disabled = text === original;

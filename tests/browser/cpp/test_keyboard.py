@@ -55,21 +55,19 @@ def test_it_is_read_by_lines_unseen_and_key_by_key(typist: Typist) -> None:
     typist.answer("name?", "Ada <b>L</b>")
     panel.wait_for("meanwhile")
     expect(keyboard).to_have_attribute(
-        "placeholder", f"Input for {panel.node}; press Enter to send the line"
+        "placeholder", f"Type for {panel.node}; Enter sends the line"
     )
     typist.answer("number?", "21")
     panel.wait_for("twice 42")
     expect(keyboard).to_have_attribute("type", "password")
     typist.answer("twice", "hush")
     panel.wait_for("0 before any key")
-    expect(keyboard).to_have_attribute(
-        "placeholder", f"{panel.node} receives every key pressed here"
-    )
+    expect(keyboard).to_have_attribute("placeholder", f"{panel.node} reads each key pressed here")
     for key in KEYS:
         typist.press(key)
     expect(keyboard).to_have_value("")
     expect(keyboard).to_have_attribute(
-        "placeholder", f"Input for {panel.node}; press Enter to send the line"
+        "placeholder", f"Type for {panel.node}; Enter sends the line"
     )
     typist.answer("key 113", "one")
     panel.wait_for("line one")

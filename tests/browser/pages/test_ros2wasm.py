@@ -161,7 +161,7 @@ def test_services_reach_both_ways(page: Page, url: str) -> None:
     services.get_by_label("a int64").fill("9223372036854775000")
     services.get_by_label("b int64").fill("807")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_label("response")).to_have_text("sum: 9223372036854775807")
+    expect(services.get_by_label("answer")).to_have_text("sum: 9223372036854775807")
 
 
 def test_answers_go_to_those_who_asked(page: Page, url: str) -> None:
@@ -282,18 +282,18 @@ def test_what_is_wrong_is_told_once_and_breaks_nothing(page: Page, url: str) -> 
     listener.wait_for("I heard: 'still, here'")
     image = '/<img src=x onerror="alert(1)">'
     assert words(rude) == [
-        "sent null, which is not a command",
-        "sent 7, which is not a command",
-        "sent register, which is not a command",
-        "sent a list, which is not a command",
-        "sent an object, which is not a command",
-        "sent 'constructor', which is not a command",
+        "sent null, which is no command",
+        "sent 7, which is no command",
+        "sent register, which is no command",
+        "sent a list, which is no command",
+        "sent an object, which is no command",
+        "sent 'constructor', which is no command",
         "sent 'publish' with undefined for 'message', which must be text",
         "sent 'publish' with a list for 'topic', which must be text",
         "sent 'console' with an object for 'message', which must be text",
         "sent 'register' with undefined for 'role', which must be text",
-        "published on /unknown without being its publisher",
-        "asked for messages of /unknown without being its subscriber",
+        "published on /unknown and is no publisher of it",
+        "asked for messages of /unknown and is no subscriber of it",
         "took back /unknown (publisher), which it had not registered",
         "registered as publisher of /untyped, and site.yaml does not say of which type; "
         "give 'rude' there types: {/untyped: package/msg/Name}",
@@ -304,16 +304,16 @@ def test_what_is_wrong_is_told_once_and_breaks_nothing(page: Page, url: str) -> 
         "registered as subscriber of /add_two_ints, which site.yaml calls "
         "tutorial_interfaces/srv/AddTwoInts; "
         "give 'rude' there types: {/add_two_ints: package/msg/Name}",
-        "registered as 'constructor' of /chatter, which is not a role",
+        "registered as 'constructor' of /chatter, which is no role",
         "registered as action_server of /fibonacci; ROS2WASM does not say how the parts of an "
-        "action travel, so it is unreachable",
+        "action travel, so nobody can reach it",
         "registered as action_client of /fibonacci; ROS2WASM does not say how the parts of an "
-        "action travel, so it is unreachable",
+        "action travel, so nobody can reach it",
         f"registered as publisher of {image}, and site.yaml does not say of which type; "
         f"give 'rude' there types: {{{image}: package/msg/Name}}",
-        "sent an invalid std_msgs/msg/Int32 on /number: data: 'seven' is not a whole number; "
+        "sent on /number what is no std_msgs/msg/Int32: data: 'seven' is no whole number; "
         "check the type that site.yaml gives /number",
-        "responded on /add_two_ints without a request",
+        "answered on /add_two_ints, where nobody had asked",
         "printed <b>as it is</b>",
         "printed <b>as it is</b>",
     ]

@@ -47,7 +47,7 @@ def editor(tab: Page, serve: Serve, built: Built) -> Editor:
 
 @pytest.mark.firefox
 def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> None:
-    expect(editor.state).to_have_text("unchanged")
+    expect(editor.state).to_have_text("as it was")
     editor.replace("STEP = 1", "STEP = 100")
     expect(editor.state).to_have_text("changed")
     editor.run()
@@ -63,7 +63,7 @@ def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> Non
     editor.node.start()
     editor.node.wait_for("Now it is 200")
     editor.page.get_by_role("button", name="Reset").click()
-    expect(editor.state).to_have_text("unchanged")
+    expect(editor.state).to_have_text("as it was")
     expect(editor.code).to_be_focused()
     editor.node.button("Clear").click()
     editor.run()
@@ -89,7 +89,7 @@ def test_source_that_came_with_a_link_waits_for_its_reader(
     page.goto(f"{address}{link}")
     editor = Editor(page)
     # The link says that the node runs; it runs as its author wrote it.
-    expect(editor.state).to_have_text("changed by the link; read it before you run it")
+    expect(editor.state).to_have_text("changed by the link: read it before you run it")
     editor.node.wait_for("Now it is 2")
     assert page.evaluate("Object.keys(localStorage)") == []
     editor.node.button("Clear").click()

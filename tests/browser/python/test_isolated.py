@@ -90,7 +90,8 @@ def test_the_first_visit_loads_a_page_twice_and_says_so(
     tab.add_init_script(LISTEN)
     visit(tab, url)
     assert (
-        noted(tab, "said") == "This page reloads once so that it can share memory with its nodes."
+        noted(tab, "said")
+        == "This page loads once more, so that it may share memory with its nodes."
     )
     assert run(tab, "greeter")[0] == "stopped"
     assert noted(tab, "loads") == "2"

@@ -80,7 +80,7 @@ def test_the_graph_is_drawn_and_follows(stage: Tab) -> None:
     picture = panel.get_by_role("img")
     expect(picture).to_have_attribute(
         "aria-label",
-        "/talker publishes /chatter; /listener subscribes to /chatter; /alone has no connections",
+        "/talker publishes /chatter; /listener subscribes to /chatter; /alone stands alone",
     )
     assert sorted(drawn(panel)) == ["/alone", "/chatter", "/listener", "/talker"]
     # From left to right, as messages go, and each name inside its box.

@@ -57,7 +57,7 @@ class Parser {
 
   parse() {
     const condition = this.#any();
-    if (this.#at < this.#tokens.length) throw new Error(`'${this.#peek()}' is unexpected here`);
+    if (this.#at < this.#tokens.length) throw new Error(`'${this.#peek()}' is not expected here`);
     return condition;
   }
 
@@ -118,10 +118,10 @@ class Parser {
     this.#at += 1;
     if (/^%/.test(token)) {
       const parameter = this.#parameters[Number(token.slice(1))];
-      if (parameter === undefined) throw new Error(`no parameter ${token}`);
+      if (parameter === undefined) throw new Error(`there is no parameter ${token}`);
       const [only, ...more] = tokens(parameter);
       const value = more.length || only === undefined ? undefined : literal(only);
-      if (!value) throw new Error(`parameter ${token} is not a value: ${parameter} (quote text as '…')`);
+      if (!value) throw new Error(`parameter ${token} is no value: ${parameter} (texts stand in '…')`);
       return value;
     }
     const value = literal(token);
@@ -145,7 +145,7 @@ class Parser {
 
 /** @param {string} token @param {string} why */
 function unexpected(token, why) {
-  const what = token ? `'${token}' is unexpected here` : "the expression ends too early";
+  const what = token ? `'${token}' is not expected here` : "the expression ends too early";
   return new Error(`${what}: ${why}`);
 }
 
@@ -157,7 +157,7 @@ function tokens(text) {
   while (TOKEN.lastIndex < trimmed.length) {
     const at = TOKEN.lastIndex;
     const match = TOKEN.exec(trimmed);
-    if (!match) throw new Error(`invalid syntax at '${trimmed.slice(at).trim()}'`);
+    if (!match) throw new Error(`'${trimmed.slice(at).trim()}' is not understood`);
     found.push(match[0].trim());
   }
   return found;
@@ -200,7 +200,7 @@ function both(left, right, compare) {
  * @param {Operand} text @param {Operand} like @param {boolean} wild @returns {Condition}
  */
 function pattern(text, like, wild) {
-  if (text.sort !== "text") throw new Error(`LIKE and MATCH compare text, not a ${text.sort}`);
+  if (text.sort !== "text") throw new Error(`LIKE and MATCH are for texts, not for a ${text.sort}`);
   const source = String(like.of([]) ?? "");
   const plain = source.replace(/[\\^$.|+()[\]{}]/g, "\\$&").replace(/[%*]/g, ".*").replace(/[_?]/g, ".");
   const regex = new RegExp(`^(?:${wild ? plain : source})$`, "s");

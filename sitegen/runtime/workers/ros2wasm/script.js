@@ -99,7 +99,7 @@ export class Script {
     const needs = COMMANDS.get(command);
     if (!needs) {
       const what = typeof command === "string" ? `'${shown(command)}'` : shown(data);
-      this.#complaints.add(`command ${what}`, `sent ${what}, which is not a command`);
+      this.#complaints.add(`command ${what}`, `sent ${what}, which is no command`);
       return;
     }
     const lacks = needs.find((key) => typeof texts[key] !== "string");
@@ -163,8 +163,8 @@ export class Script {
     if (!kind) {
       const what = ACTIONS.includes(role)
         ? `registered as ${role} of ${shown(name)}; ROS2WASM does not say how the parts of an action ` +
-          "travel, so it is unreachable"
-        : `registered as '${shown(role)}' of ${shown(name)}, which is not a role`;
+          "travel, so nobody can reach it"
+        : `registered as '${shown(role)}' of ${shown(name)}, which is no role`;
       this.#complaints.add(`role ${role} ${name}`, what);
       return none;
     }
@@ -233,7 +233,7 @@ export class Script {
   /** @param {string} name @param {string} did @param {string} role */
   #tellUnknown(name, did, role) {
     if (this.#without.has(name)) return; // told when it was registered
-    this.#complaints.add(`unknown ${role} ${name}`, `${did} ${shown(name)} without being its ${role}`);
+    this.#complaints.add(`unknown ${role} ${name}`, `${did} ${shown(name)} and is no ${role} of it`);
   }
 
   /** @param {string} text */
