@@ -194,10 +194,10 @@ def test_it_is_told_how_far_python_is_loaded(page: Page) -> None:
 @pytest.mark.parametrize(
     ("file", "status", "words"),
     [
-        ("python_stdlib.zip", 0, "start again when there is a connection to the site"),
-        ("pyodide.asm.wasm", 404, "the server answers 404; load the page again"),
-        ("pyodide.mjs", 0, "start again when there is a connection to the site"),
-        ("ros.zip", 404, "the server answers 404; load the page again"),
+        ("python_stdlib.zip", 0, "check the connection to the site, then start again"),
+        ("pyodide.asm.wasm", 404, "the server answered 404; reload the page"),
+        ("pyodide.mjs", 0, "check the connection to the site, then start again"),
+        ("ros.zip", 404, "the server answered 404; reload the page"),
     ],
 )
 def test_what_cannot_be_loaded_is_told_and_a_second_start_tries_again(

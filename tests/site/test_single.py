@@ -77,7 +77,7 @@ def test_nodes_run_in_a_file_that_was_opened(alone: Page, tmp_path: Path) -> Non
     services.get_by_label("a int64").fill("40")
     services.get_by_label("b int64").fill("2")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_label("answer")).to_have_text("sum: 42")
+    expect(services.get_by_label("response")).to_have_text("sum: 42")
     alone.locator("[data-ros-widget=graph]").scroll_into_view_if_needed()
     expect(alone.locator(".ros-topic-box")).to_have_count(1)
     Panel(alone, "talker").stop()

@@ -76,8 +76,8 @@ export function createEcho(ros) {
     const { type, publishers, subscriptions } = describe(ros, topic);
     setText(name, topic);
     setText(kind, type);
-    setText(ends, topic ? `${list(publishers, say("nobody publishes"))} → ${list(subscriptions, say("nobody listens"))}` : "");
-    log.setAttribute("aria-label", say("messages of {}", topic));
+    setText(ends, topic ? `${list(publishers, say("no publishers"))} → ${list(subscriptions, say("no subscribers"))}` : "");
+    log.setAttribute("aria-label", say("messages on {}", topic));
     setText(pause, paused ? say("Resume") : say("Pause"));
     controls.hidden = !topic;
     const known = Boolean(ros.types[type]);
@@ -128,10 +128,10 @@ export function createEcho(ros) {
 /** @param {string} topic @param {string} type @param {boolean} known @param {number} publishers @param {boolean} paused */
 function hintFor(topic, type, known, publishers, paused) {
   if (!topic) return say("Choose a topic to read its messages");
-  if (!type) return say("Nobody uses {} now. It shows messages as soon as a node publishes there.", topic);
+  if (!type) return say("No node uses {} now. Messages appear here when a node publishes.", topic);
   if (!known) return say("This page has no definition of {}, so it cannot read these messages.", type);
   if (paused) return say("Paused");
-  return publishers ? say("No message yet") : say("Nobody publishes {} now", topic);
+  return publishers ? say("No message yet") : say("{} has no publishers now", topic);
 }
 
 /** @param {Ros} ros @param {string} topic */

@@ -66,7 +66,7 @@ export function readScalar(text, { base, capacity }) {
   if (isFloat(base)) return readFloat(text.trim(), base);
   if (base === "bool") return readFlag(text.trim());
   const length = base === "wstring" ? text.length : new TextEncoder().encode(text).length;
-  if (length > capacity) throw new Error(say("holds at most {} bytes, here are {}", capacity, length));
+  if (length > capacity) throw new Error(say("holds at most {} bytes, not {}", capacity, length));
   return text;
 }
 
@@ -92,9 +92,9 @@ export function readList(text, type) {
  */
 export function toArray(values, { base, array, size }) {
   if (array === "fixed" && values.length !== size) {
-    throw new Error(say("needs {} items, here are {}", size, values.length));
+    throw new Error(say("needs {} items, not {}", size, values.length));
   }
-  if (values.length > size) throw new Error(say("holds at most {} items, here are {}", size, values.length));
+  if (values.length > size) throw new Error(say("holds at most {} items, not {}", size, values.length));
   /** @type {Record<string, {from(values: unknown[]): any}>} */
   const arrays = { .../** @type {any} */ (INTEGERS), ...FLOATS };
   return arrays[base]?.from(values) ?? values;
@@ -102,8 +102,8 @@ export function toArray(values, { base, array, size }) {
 
 /** @param {string} text @param {keyof typeof INTEGERS} base */
 function readInteger(text, base) {
-  if (!text) throw new Error(say("a whole number is needed"));
-  if (!/^[-+]?(\d+|0x[\da-f]+)$/i.test(text)) throw new Error(say("'{}' is no whole number", text));
+  if (!text) throw new Error(say("enter a whole number"));
+  if (!/^[-+]?(\d+|0x[\da-f]+)$/i.test(text)) throw new Error(say("'{}' is not a whole number", text));
   const size = BigInt(text.replace(/^[-+]/, ""));
   const value = text.startsWith("-") ? -size : size;
   const { least, most } = range(base);
@@ -113,13 +113,13 @@ function readInteger(text, base) {
 
 /** @param {string} text @param {keyof typeof FLOATS} base */
 function readFloat(text, base) {
-  if (!text) throw new Error(say("a number is needed"));
+  if (!text) throw new Error(say("enter a number"));
   const special = /^([-+]?)\.?(inf|infinity|nan)$/i.exec(text);
   if (special) return special[2]?.toLowerCase() === "nan" ? NaN : Number(`${special[1]}Infinity`);
   if (/^[-+]?\d+,\d+$/.test(text)) {
-    throw new Error(say("'{}' is no number; write {}", text, text.replace(",", ".")));
+    throw new Error(say("'{}' is not a number; write {}", text, text.replace(",", ".")));
   }
-  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) throw new Error(say("'{}' is no number", text));
+  if (!/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) throw new Error(say("'{}' is not a number", text));
   const value = Number(text);
   if (!Number.isFinite(base === "float32" ? Math.fround(value) : value)) {
     throw new Error(say("'{}' is too large for {}", text, base));
@@ -141,7 +141,7 @@ function items(text) {
   const item = /\s*(?:"((?:[^"\\]|\\.)*)"|'((?:[^']|'')*)'|((?!\s*["'])[^,]*))\s*(,|$)/y;
   for (;;) {
     const match = item.exec(text);
-    if (!match) throw new Error(say("a comma must stand between two items, and a quote must have its end"));
+    if (!match) throw new Error(say("separate items with commas and close every quote"));
     const [, double, single, plain, comma] = match;
     found.push(
       double !== undefined
@@ -157,6 +157,6 @@ function unescaped(text) {
   try {
     return JSON.parse(`"${text.replaceAll("\n", "\\n").replaceAll("\t", "\\t")}"`);
   } catch {
-    throw new Error(say('"{}" has a backslash that means nothing; write \\\\ for one', text));
+    throw new Error(say('"{}" has an invalid escape; write \\\\ for a backslash', text));
   }
 }

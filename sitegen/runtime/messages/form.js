@@ -52,12 +52,12 @@ export function createForm(type, types) {
 function messagePart(name, types) {
   const type = types[name];
   if (!type) {
-    throw new Error(say("this page has no definition of {}; run a node of the page that uses it", name));
+    throw new Error(say("this page has no definition of {}; start a node that uses it", name));
   }
   /** @type {[string, Part][]} */
   const parts = type.fields.map((field) => [field.name, fieldPart(field, type, types)]);
   const element = create("div", "ros-fields", ...parts.map(([, part]) => part.element));
-  if (!parts.length) element.append(create("p", "ros-none", say("It has no fields.")));
+  if (!parts.length) element.append(create("p", "ros-none", say("This type has no fields.")));
   const read = (/** @type {Fault[]} */ faults) =>
     Object.fromEntries(parts.map(([field, part]) => [field, part.read(faults)]));
   const typed = () => {

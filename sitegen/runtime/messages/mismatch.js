@@ -7,14 +7,14 @@ import { say } from "../ui/words.js";
 
 /** @type {Record<Policy, string>} */
 const REASONS = {
-  RELIABILITY: say("Reliability: the subscription asks for reliable, the publisher offers best effort"),
-  DURABILITY: say("Durability: the subscription asks for transient local, so for earlier messages too; the publisher is volatile and keeps none"),
-  DEADLINE: say("Deadline: the subscription asks for messages at shorter intervals than the publisher promises"),
-  LIVELINESS: say("Liveliness: the subscription asks for stricter signs of life than the publisher promises"),
+  RELIABILITY: say("Reliability: the subscription requests reliable, the publisher offers best effort"),
+  DURABILITY: say("Durability: the subscription requests transient local, the publisher offers volatile and keeps no earlier messages"),
+  DEADLINE: say("Deadline: the subscription requests a shorter period than the publisher offers"),
+  LIVELINESS: say("Liveliness: the subscription requests a stricter policy than the publisher offers"),
   TYPE: say("Type: they use different message types for the same topic"),
 };
 
 /** @param {Mismatch} mismatch */
 export function explain({ publisher, subscription, policy }) {
-  return `${say("{} does not hear {}.", subscription, publisher)} ${REASONS[policy]}`;
+  return `${say("{} does not receive from {}.", subscription, publisher)} ${REASONS[policy]}`;
 }

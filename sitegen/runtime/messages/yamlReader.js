@@ -34,7 +34,7 @@ function readMessage(value, name, types) {
   const type = types[name];
   if (!type) throw new Error(`there is no definition of ${name}`);
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
-    throw new Error(`the fields of ${name} are expected, not ${describe(value)}`);
+    throw new Error(`expected the fields of ${name}, not ${describe(value)}`);
   }
   /** @type {Record<string, any>} */
   const message = {};
@@ -58,13 +58,13 @@ function readField(value, text, types) {
   const type = parseFieldType(text);
   const read = (/** @type {unknown} */ one) => {
     if (isMessage(type.base)) return readMessage(one, type.base, types);
-    if (typeof one !== "string") throw new Error(`a ${type.base} is expected, not ${describe(one)}`);
+    if (typeof one !== "string") throw new Error(`expected a ${type.base}, not ${describe(one)}`);
     return readScalar(one, type);
   };
   if (!type.array) return read(value);
   // yaml-cpp writes an empty list so, too.
   if (value === "" || value === "~") return toArray([], type);
-  if (!Array.isArray(value)) throw new Error(`a list is expected, not ${describe(value)}`);
+  if (!Array.isArray(value)) throw new Error(`expected a list, not ${describe(value)}`);
   return toArray(value.map(read), type);
 }
 

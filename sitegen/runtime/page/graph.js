@@ -86,7 +86,7 @@ export class Graph extends EventTarget {
     const owner = this.#participants.get(id);
     if (!owner) return;
     if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) {
-      owner.complain("announced what is no endpoint; it was dropped");
+      owner.complain("announced an invalid endpoint; it was dropped");
       return;
     }
     owner.endpoints.set(endpoint.id, endpoint);

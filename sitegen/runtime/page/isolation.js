@@ -15,8 +15,8 @@ let reason = "";
 /** Why Python cannot stand still here, as the end of a sentence; empty if the site does not ask for isolation. */
 export function obstacle() {
   if (!wanted) return "";
-  if (globalThis.crossOriginIsolated) return "; it shares no memory with isolated pages either";
-  return `; memory that is shared would do, but ${reason}`;
+  if (globalThis.crossOriginIsolated) return "; it does not support shared memory either";
+  return `; shared memory would do instead, but ${reason}`;
 }
 
 /**
@@ -31,7 +31,7 @@ export async function isolate(script) {
   }
   reason = hindrance(script);
   if (reason) return;
-  const word = create("div", "ros-word", say("This page loads once more, so that it may share memory with its nodes."));
+  const word = create("div", "ros-word", say("This page reloads once to enable shared memory."));
   word.setAttribute("role", "status");
   document.body.append(word);
   try {
@@ -47,16 +47,16 @@ export async function isolate(script) {
 
 /** What stands in the way, empty if nothing does. @param {string} script */
 function hindrance(script) {
-  if (window !== top) return "this page is inside of another one; open it by itself";
-  if (!isSecureContext) return "this page did not come over https://; open it from there";
-  if (!("serviceWorker" in navigator)) return "this browser allows no service workers here; try a window that is not private";
+  if (window !== top) return "this page is embedded in another page; open it in its own tab";
+  if (!isSecureContext) return "this page was not loaded over https://; open its https:// address";
+  if (!("serviceWorker" in navigator)) return "this browser does not allow service workers here; try a window that is not private";
   try {
     if (sessionStorage.getItem(AGAIN + script)) {
       keep(script, false); // whoever reloads by hand may try again
-      return "loading this page once more did not isolate it; close its other tabs and load it again";
+      return "reloading did not isolate this page; close its other tabs and reload it";
     }
   } catch {
-    return "this browser lets this page keep nothing; allow it to store data";
+    return "this browser does not let this page store data; allow it to";
   }
   return "";
 }
@@ -77,7 +77,7 @@ function activated({ active, waiting, installing }) {
   return /** @type {Promise<void>} */ (new Promise((resolve, reject) => {
     const look = () => {
       if (worker?.state === "activated") resolve();
-      if (worker?.state === "redundant") reject(new Error("the site is just being published, or cannot be reached"));
+      if (worker?.state === "redundant") reject(new Error("the site is being published or cannot be reached"));
     };
     worker?.addEventListener("statechange", look);
     look();

@@ -111,7 +111,7 @@ export class NodeProcess extends EventTarget {
   /** Start a Python node. @param {PythonEntry} entry @param {Engine} engine of this browser */
   #interpret(entry, engine) {
     if (engine !== "jspi" && !sharesMemory) {
-      this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it${obstacle()}`);
+      this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer support it${obstacle()}`);
       return;
     }
     const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
@@ -125,10 +125,10 @@ export class NodeProcess extends EventTarget {
     }, group);
   }
 
-  /** Say that this browser cannot run it. @param {string} who needs what it lacks */
+  /** Report that this browser cannot run the node. @param {string} who needs it, and what to do */
   #lack(who) {
-    const lacks = "this browser lacks JavaScript Promise Integration, which";
-    this.#print("fatal", `${this.name}: ${lacks} ${who}`);
+    const lack = "this browser does not support JavaScript Promise Integration, which";
+    this.#print("fatal", `${this.name}: ${lack} ${who}`);
     this.#setState("failed");
   }
 
@@ -205,7 +205,7 @@ export class NodeProcess extends EventTarget {
     worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
     worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
       event.preventDefault();
-      const unloaded = "its worker could not be loaded; start again when there is a connection to the site";
+      const unloaded = "its worker could not be loaded; check the connection to the site, then start again";
       if (this.#run === run) this.#fail(event.message || unloaded);
     };
     try {

@@ -62,7 +62,7 @@ export class PageClient {
       publish: (message) => {
         const sent = this.#participant.publish(id, this.#codec.write(type, message));
         this.#participant.flush();
-        if (!sent) throw new Error(say("the subscriptions of {} have no room for more messages now", topic));
+        if (!sent) throw new Error(say("the queues of the subscriptions to {} are full", topic));
       },
       close: () => this.#participant.destroy(id),
     };
@@ -81,7 +81,7 @@ export class PageClient {
         done(() => resolve(this.#codec.read(`${type}_Response`, sample.message)));
       });
       const timer = setTimeout(() => {
-        done(() => reject(new Error(say("no answer from {} within {} s", service, timeout / 1000))));
+        done(() => reject(new Error(say("no response from {} within {} s", service, timeout / 1000))));
       }, timeout);
       const done = (/** @type {() => void} */ settle) => {
         clearTimeout(timer);
@@ -93,7 +93,7 @@ export class PageClient {
         }
       };
       if (this.#participant.matched(client.id) === 0) {
-        done(() => reject(new Error(say("no server on {} now", service))));
+        done(() => reject(new Error(say("no server for {} now", service))));
         return;
       }
       this.#participant.request(client.id, bytes);

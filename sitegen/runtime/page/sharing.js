@@ -99,7 +99,7 @@ export class Sharing {
     if (document.querySelector(".ros-word")) return;
     const close = button("×", "", () => word.remove());
     close.setAttribute("aria-label", say("Close"));
-    const text = say("Not all of this link fits this page as it is now; the rest was left out.");
+    const text = say("Parts of this link no longer match this page and were ignored.");
     const word = create("div", "ros-word", create("span", "", text), close);
     word.setAttribute("role", "status");
     document.body.append(word);

@@ -67,7 +67,7 @@ export class Link {
       const received = now();
       const { deliver } = this.#listener;
       const rest = readRecords(data, (head, message) => deliver(head, message, received));
-      if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are no records`);
+      if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are not valid records`);
     } else {
       const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});
       if (op === "credit" && [writer, reader, records, bytes].every(isCount)) {
@@ -75,7 +75,7 @@ export class Link {
       } else if (op === "alive" && [writer, reader].every(isCount)) {
         this.#listener.hear(writer, reader);
       } else {
-        this.#complain("what is no frame");
+        this.#complain("an invalid frame");
       }
     }
     this.#listener.wake();

@@ -34,8 +34,8 @@ export function showKeyboard(element, node) {
 
   /** @type {Record<Keyboard, string>} */
   const hints = {
-    lines: say("Type for {}; Enter sends the line", node.name),
-    hidden: say("Type for {}, unseen; Enter sends it", node.name),
+    lines: say("Input for {}; press Enter to send the line", node.name),
+    hidden: say("Hidden input for {}; press Enter to send it", node.name),
     keys: say("{} reads each key pressed here", node.name),
     raw: say("{} reads each key pressed here", node.name),
   };

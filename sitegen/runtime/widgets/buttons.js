@@ -14,7 +14,7 @@ import { say, states } from "../ui/words.js";
  */
 export function mount(element, ros, { node: name }) {
   const node = ros.nodes.get(name);
-  if (!node) throw new Error(`buttons: no node '${name}' in this page`);
+  if (!node) throw new Error(`buttons: no node '${name}' on this page`);
 
   const title = document.createElement("div");
   title.className = "ros-node";

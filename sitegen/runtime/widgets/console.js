@@ -17,7 +17,7 @@ import { say, states } from "../ui/words.js";
  */
 export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const node = ros.nodes.get(name);
-  if (!node) throw new Error(`console: no node '${name}' in this page`);
+  if (!node) throw new Error(`console: no node '${name}' on this page`);
 
   const state = create("span", "ros-state");
   const title = create("div", "ros-node", create("span", "ros-name", name), state);
@@ -26,7 +26,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const endLines = showLines(element, node, limit, {
     stopped: hasButtons ? say("Press Start to run {}", name) : say("Not running"),
     starting: say("Starting…"),
-    running: say("Running, nothing printed yet"),
+    running: say("Running, no output yet"),
     stopping: say("Stopping…"),
     failed: say("Failed"),
   });

@@ -20,7 +20,7 @@ const PAUSE = 300;
  */
 export function mount(element, ros, { node: name, file, place, text: original }) {
   const node = ros.nodes.get(name);
-  if (!node) throw new Error(`editor: no node '${name}' in this page`);
+  if (!node) throw new Error(`editor: no node '${name}' on this page`);
 
   const store = `sitegen:edit:${location.pathname}:${name}:${place}`;
   const kept = recall(store);
@@ -52,7 +52,7 @@ export function mount(element, ros, { node: name, file, place, text: original })
   const controls = create("div", "ros-controls", run, reset);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", file);
-  const hint = create("p", "ros-leave", say("Esc, then Tab leaves the editor."));
+  const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
   const code = create("div", "ros-code");
   element.replaceChildren(create("div", "ros-bar", title, controls), code, hint);
 
@@ -65,7 +65,7 @@ export function mount(element, ros, { node: name, file, place, text: original })
   };
   const show = () => {
     const changed = given ? say("changed by the link: read it before you run it") : say("changed");
-    const how = text === original ? say("as it was") : changed;
+    const how = text === original ? say("unchanged") : changed;
     setText(state, error ? say("error in line {}", error) : how);
     state.dataset.changed = String(text !== original || error > 0);
     reset.disabled = text === original;

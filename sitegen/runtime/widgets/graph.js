@@ -29,7 +29,7 @@ export function mount(element, ros) {
   let hidden = false;
   let drawn = "";
   const drawing = createDrawing();
-  const hint = create("p", "ros-hint", say("No nodes now. The graph shows those that run."));
+  const hint = create("p", "ros-hint", say("No nodes now. The graph shows running nodes."));
   const all = toggle(say("Show hidden"), (on) => {
     hidden = on;
     look();
@@ -159,5 +159,5 @@ function inWords(boxes, arrows) {
       : say("{} subscribes to {}", to.slice(5), from.slice(6)),
   );
   const alone = boxes.filter((box) => box.isNode && !arrows.some(({ from, to }) => [from, to].includes(keyOf(box))));
-  return [...sentences, ...alone.map(({ name }) => say("{} stands alone", name))].join("; ") || say("no nodes");
+  return [...sentences, ...alone.map(({ name }) => say("{} has no connections", name))].join("; ") || say("no nodes");
 }

@@ -137,8 +137,8 @@ export function mount(element, ros, { lines: limit = 1000 }) {
 
 /** @param {Ros} ros @param {number} count of what came */
 function hintFor(ros, count) {
-  if (!ros.types[TYPE]) return say("The programs of this page do not log to /rosout");
-  return count ? say("Nothing matches the filters") : say("Nothing logged yet");
+  if (!ros.types[TYPE]) return say("No program on this page logs to /rosout");
+  return count ? say("No lines match the filters") : say("Nothing logged yet");
 }
 
 /** @param {any} message rcl_interfaces/msg/Log @returns {Entry} */

@@ -20,7 +20,7 @@ const WORD = /[\w.]*$/;
  */
 export function mount(element, ros, { node: name, lines = 1000 }) {
   const node = ros.nodes.get(name);
-  if (!node) throw new Error(`prompt: no node '${name}' in this page`);
+  if (!node) throw new Error(`prompt: no node '${name}' on this page`);
 
   const state = create("span", "ros-state");
   state.setAttribute("aria-live", "polite");
@@ -34,7 +34,7 @@ export function mount(element, ros, { node: name, lines = 1000 }) {
     node.interrupt();
     input.focus();
   });
-  interrupt.title = say("Ctrl-C in the line does the same");
+  interrupt.title = say("Ctrl-C in the input line does the same");
   const controls = create("div", "ros-controls", start, stop, interrupt);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", name);
@@ -79,7 +79,7 @@ export function mount(element, ros, { node: name, lines = 1000 }) {
     interrupt.hidden = over;
     interrupt.disabled = node.state !== "running";
     input.disabled = over;
-    input.placeholder = over ? say("Press Start for Python") : "";
+    input.placeholder = over ? say("Press Start to run Python") : "";
     state.dataset.state = node.state;
     setText(state, states[node.state]);
   };

@@ -51,7 +51,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
   const rate = create("input", "ros-rate");
   rate.value = "1";
   rate.inputMode = "decimal";
-  rate.setAttribute("aria-label", say("messages a second (Hz)"));
+  rate.setAttribute("aria-label", say("messages per second (Hz)"));
   const repeat = button(say("Repeat"), "ros-start", () => (timer === undefined ? begin() : stop()));
   const note = create("p", "ros-note");
   note.setAttribute("role", "status");
@@ -94,7 +94,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
     const wrong = !(hertz >= SLOWEST && hertz <= FASTEST);
     rate.toggleAttribute("aria-invalid", wrong);
     if (wrong) {
-      tell(say("The rate is a number from {} to {} Hz", SLOWEST, FASTEST), true);
+      tell(say("The rate must be a number from {} to {} Hz", SLOWEST, FASTEST), true);
       rate.focus();
       return;
     }
@@ -137,7 +137,7 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
       if (given.message && !made.fill(given.message)) given.odd();
       given.message = undefined;
     } catch (error) {
-      tell(say("Nothing can be published here: {}", error instanceof Error ? error.message : error), true);
+      tell(say("Publishing is not possible here: {}", error instanceof Error ? error.message : error), true);
     }
   };
 
@@ -156,8 +156,8 @@ export function mount(element, ros, { topic: fixed, type: declared }) {
     repeat.disabled = !made;
     hint.hidden = Boolean(type);
     setText(hint, topic
-      ? say("Nobody uses {} now, so the type of its messages is not known. Start a node that does.", topic)
-      : say("No topic to publish on. They come when nodes start."));
+      ? say("No node uses {} now, so its type is unknown. Start a node that uses it.", topic)
+      : say("No topics to publish on. They appear when nodes start."));
   };
 
   form.addEventListener("submit", (event) => {

@@ -88,9 +88,9 @@ function show(element, ros, make, options) {
   const look = () => {
     const topics = ros.graph.topics();
     setText(listens, robot.inputs.map(({ topic, type }) => {
-      if (!ros.types[type]) return say("{}: no node of this page uses {}, so it cannot be read", topic, type);
+      if (!ros.types[type]) return say("{}: no node on this page uses {}, so it cannot be read", topic, type);
       const from = topics.find(({ name }) => name === topic)?.publishers ?? [];
-      return from.length ? say("{} from {}", topic, from.join(", ")) : say("{}: nobody publishes", topic);
+      return from.length ? say("{} from {}", topic, from.join(", ")) : say("{}: no publishers", topic);
     }).join(" · "));
   };
 

@@ -10,7 +10,7 @@ import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
-const NONE = say("No services now. They come when nodes that serve start.");
+const NONE = say("No services now. They appear when nodes start.");
 const ALL_HIDDEN = say("Only hidden services now.");
 // After this time (ms) a call is given up.
 const TIMEOUT = 5000;
@@ -127,7 +127,7 @@ function createCall(ros) {
   note.setAttribute("role", "status");
   const answer = create("pre", "ros-answer");
   answer.tabIndex = 0;
-  answer.setAttribute("aria-label", say("answer"));
+  answer.setAttribute("aria-label", say("response"));
   const form = create("form", "ros-call", place, create("div", "ros-controls", send), note, answer);
   form.noValidate = true;
   const hint = create("p", "ros-hint", say("Choose a service to call it"));
@@ -163,7 +163,7 @@ function createCall(ros) {
         given.request = undefined;
       }
     } catch (error) {
-      tell(say("It cannot be called from here: {}", error instanceof Error ? error.message : error), true);
+      tell(say("This service cannot be called from here: {}", error instanceof Error ? error.message : error), true);
     }
   };
 
@@ -174,13 +174,13 @@ function createCall(ros) {
     const mine = ++calling;
     const [name, its] = [service, type];
     answer.textContent = "";
-    tell(say("Waiting for the answer…"));
+    tell(say("Waiting for the response…"));
     const begun = performance.now();
     try {
       const response = await ros.call(name, its, request, TIMEOUT);
       if (mine !== calling || service !== name) return;
       answer.textContent = toYaml(response, `${its}_Response`, ros.types);
-      tell(say("{} answered in {} ms", name, (performance.now() - begun).toFixed(1)));
+      tell(say("{} responded in {} ms", name, (performance.now() - begun).toFixed(1)));
     } catch (error) {
       if (mine !== calling || service !== name) return;
       tell(error instanceof Error ? error.message : String(error), true);
@@ -207,7 +207,7 @@ function createCall(ros) {
       form.hidden = !name || !type;
       send.disabled = !made;
       hint.hidden = !form.hidden;
-      setText(hint, name ? say("No server on {} now. Start the node that serves it.", name) : say("Choose a service to call it"));
+      setText(hint, name ? say("No server for {} now. Start the node that provides it.", name) : say("Choose a service to call it"));
       send.classList.toggle("ros-idle", servers === 0);
     },
   };

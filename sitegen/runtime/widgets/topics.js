@@ -18,16 +18,16 @@ const REFRESH = 500;
 
 const HEADINGS = /** @type {const} */ ([
   [say("Topic"), say("name and type")],
-  [say("Pub"), say("how many publish")],
-  [say("Sub"), say("how many subscribe")],
-  [say("Rate"), say("messages and bytes a second, over the last five seconds")],
+  [say("Pub"), say("number of publishers")],
+  [say("Sub"), say("number of subscriptions")],
+  [say("Rate"), say("messages and bytes per second, over the last five seconds")],
 ]);
 
 // More of those who do not hear each other than this are counted, not listed.
 const WARNINGS = 3;
-const NONE = say("No topics now. They come when nodes start.");
+const NONE = say("No topics now. They appear when nodes start.");
 const ALL_HIDDEN = say("Only hidden topics now.");
-const MISSED = say("Messages that came faster than subscriptions took them, so that newer ones replaced them");
+const MISSED = say("Messages replaced by newer ones before a subscription took them");
 const compact = new Intl.NumberFormat("en", { notation: "compact" });
 
 /**
@@ -209,7 +209,7 @@ function createRow(ros, name, choose) {
 function warn(element, mismatches) {
   const texts = [...new Set(mismatches.map(explain))];
   const more = texts.length - WARNINGS;
-  const shown = [...texts.slice(0, WARNINGS), ...(more > 0 ? [say("and {} more like these", more)] : [])];
+  const shown = [...texts.slice(0, WARNINGS), ...(more > 0 ? [say("and {} more", more)] : [])];
   if (shown.join() === [...element.children].map((child) => child.textContent).join()) return;
   element.replaceChildren(...shown.map((text) => create("p", "", text)));
 }

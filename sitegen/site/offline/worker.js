@@ -80,7 +80,7 @@ async function fetched(cache, name) {
   const content = await response.arrayBuffer();
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", content));
   const hash = Array.from(digest.subarray(0, 16), (byte) => byte.toString(16).padStart(2, "0")).join("");
-  if (hash !== BUILD.files[name]) throw new Error(`${name} is of another build of this site`);
+  if (hash !== BUILD.files[name]) throw new Error(`${name} belongs to another build of this site`);
   const headers = { [HASH]: hash, "content-type": response.headers.get("content-type") ?? "" };
   await cache.put(addressOf(name), new Response(content, { headers }));
   return new Response(content, { headers });

@@ -46,7 +46,7 @@ WRONG = {
     "header.stamp.sec.low = 1": "the message has no field 'header.stamp.sec.low'",
     "header = 1": "'header' is a message: name one of its fields",
     "position = 1": "'position' is an array",
-    "header[0].frame_id = ''": "'header[0].frame_id' is no array",
+    "header[0].frame_id = ''": "'header[0].frame_id' is not an array",
     "header.stamp.sec = '7'": "a number cannot be compared with a text",
     "header.stamp.sec = TRUE": "a number cannot be compared with a bool",
     "header.stamp.sec LIKE 7": "LIKE and MATCH are for texts, not for a number",

@@ -55,7 +55,7 @@ def test_it_is_read_by_lines_unseen_and_key_by_key(typist: Typist) -> None:
     typist.answer("name?", "Ada <b>L</b>")
     panel.wait_for("meanwhile")
     expect(keyboard).to_have_attribute(
-        "placeholder", f"Type for {panel.node}; Enter sends the line"
+        "placeholder", f"Input for {panel.node}; press Enter to send the line"
     )
     typist.answer("number?", "21")
     panel.wait_for("twice 42")
@@ -67,7 +67,7 @@ def test_it_is_read_by_lines_unseen_and_key_by_key(typist: Typist) -> None:
         typist.press(key)
     expect(keyboard).to_have_value("")
     expect(keyboard).to_have_attribute(
-        "placeholder", f"Type for {panel.node}; Enter sends the line"
+        "placeholder", f"Input for {panel.node}; press Enter to send the line"
     )
     typist.answer("key 113", "one")
     panel.wait_for("line one")

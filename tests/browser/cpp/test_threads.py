@@ -30,7 +30,7 @@ def test_the_standard_library_has_its_threads(
         "turns 012",
         "done",
         "threads: std::runtime_error: left a thread",
-        "    (sitegen build --debug tells where)",
+        "    (run 'sitegen build --debug' to see where)",
     ]
 
 

@@ -147,7 +147,7 @@ def test_services_are_promises(play: Any) -> None:
       const late = await call(9, 50);
       return { alone, answers: await Promise.all(answers), late };
     """) == {
-        "alone": "no server on /half now",
+        "alone": "no server for /half now",
         "answers": [{"half": 3.5}, {"half": 4}],
-        "late": "no answer from /half within 0.05 s",
+        "late": "no response from /half within 0.05 s",
     }

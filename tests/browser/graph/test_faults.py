@@ -24,7 +24,7 @@ ENDS = {
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
     "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
-    "recursion": (["recursion: stack overflow: functions call each other too deep"], "failed"),
+    "recursion": (["recursion: stack overflow: too many nested calls"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (
         [
@@ -49,7 +49,7 @@ ENDS = {
     ),
 }
 # The last line of what failed by itself.
-ADVICE = "    (sitegen build --debug tells where)"
+ADVICE = "    (run 'sitegen build --debug' to see where)"
 
 
 def plain(lines: list[str]) -> list[str]:

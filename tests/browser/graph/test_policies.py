@@ -64,8 +64,10 @@ def test_what_does_not_suit_is_told_in_the_words_of_ros(page: Page) -> None:
     )
     page.locator(".ros-topics").scroll_into_view_if_needed()
     warnings = page.locator(".ros-topics tbody p")
-    expect(warnings.get_by_text("/strict does not hear /offers. Durability: ")).to_be_visible()
-    expect(warnings.get_by_text("/strict does not hear /offers. Type: ")).to_be_visible()
+    expect(
+        warnings.get_by_text("/strict does not receive from /offers. Durability: ")
+    ).to_be_visible()
+    expect(warnings.get_by_text("/strict does not receive from /offers. Type: ")).to_be_visible()
 
 
 def test_nothing_is_lost_where_all_is_kept(page: Page) -> None:

@@ -173,7 +173,7 @@ def test_demo05_looks_inside(page: Page, url: str) -> None:
     services = panel("Services")
     expect(services.get_by_text("no server now")).to_be_visible()
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_role("status")).to_have_text("no server on /add_two_ints now")
+    expect(services.get_by_role("status")).to_have_text("no server for /add_two_ints now")
     server.start()
     client.wait_for("Sum: 42")
     client.expect_state("stopped")
@@ -184,10 +184,10 @@ def test_demo05_looks_inside(page: Page, url: str) -> None:
     services.get_by_label("a int64").fill("9007199254740993")
     services.get_by_label("b int64").fill("x")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_text("'x' is no whole number")).to_be_visible()
+    expect(services.get_by_text("'x' is not a whole number")).to_be_visible()
     services.get_by_label("b int64").fill("-1")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_label("answer")).to_have_text("sum: 9007199254740992")
+    expect(services.get_by_label("response")).to_have_text("sum: 9007199254740992")
 
     talker.start()
     listener.start()
@@ -216,7 +216,7 @@ def test_demo05_looks_inside(page: Page, url: str) -> None:
 
     for each in (talker, listener, server):
         each.stop()
-    expect(panel("Topics").get_by_text("nobody publishes")).to_be_hidden()
+    expect(panel("Topics").get_by_text("no publishers")).to_be_hidden()
     page.evaluate("scrollTo(0, 0)")
 
 
@@ -229,7 +229,7 @@ def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: st
     if engine != "jspi":
         talker.expect_state("failed")
         talker.wait_for(
-            "which Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer have it"
+            "which Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer support it"
         )
         listener.stop()
         return

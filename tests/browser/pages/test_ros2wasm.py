@@ -161,7 +161,7 @@ def test_services_reach_both_ways(page: Page, url: str) -> None:
     services.get_by_label("a int64").fill("9223372036854775000")
     services.get_by_label("b int64").fill("807")
     services.get_by_role("button", name="Call").click()
-    expect(services.get_by_label("answer")).to_have_text("sum: 9223372036854775807")
+    expect(services.get_by_label("response")).to_have_text("sum: 9223372036854775807")
 
 
 def test_answers_go_to_those_who_asked(page: Page, url: str) -> None:
@@ -282,38 +282,38 @@ def test_what_is_wrong_is_told_once_and_breaks_nothing(page: Page, url: str) -> 
     listener.wait_for("I heard: 'still, here'")
     image = '/<img src=x onerror="alert(1)">'
     assert words(rude) == [
-        "sent null, which is no command",
-        "sent 7, which is no command",
-        "sent register, which is no command",
-        "sent a list, which is no command",
-        "sent an object, which is no command",
-        "sent 'constructor', which is no command",
+        "sent null, which is not a command",
+        "sent 7, which is not a command",
+        "sent register, which is not a command",
+        "sent a list, which is not a command",
+        "sent an object, which is not a command",
+        "sent 'constructor', which is not a command",
         "sent 'publish' with undefined for 'message', which must be text",
         "sent 'publish' with a list for 'topic', which must be text",
         "sent 'console' with an object for 'message', which must be text",
         "sent 'register' with undefined for 'role', which must be text",
         "published on /unknown and is no publisher of it",
         "asked for messages of /unknown and is no subscriber of it",
-        "took back /unknown (publisher), which it had not registered",
-        "registered as publisher of /untyped, and site.yaml does not say of which type; "
+        "unregistered /unknown (publisher), which it had not registered",
+        "registered as publisher of /untyped, whose type is not in site.yaml; "
         "give 'rude' there types: {/untyped: package/msg/Name}",
-        "registered as service_server of /untyped/service, and site.yaml does not say of which "
-        "type; give 'rude' there types: {/untyped/service: package/srv/Name}",
-        "registered as service_client of /mixed, which site.yaml calls std_msgs/msg/String; "
+        "registered as service_server of /untyped/service, whose type is not in site.yaml; "
+        "give 'rude' there types: {/untyped/service: package/srv/Name}",
+        "registered as service_client of /mixed, whose type in site.yaml is std_msgs/msg/String; "
         "give 'rude' there types: {/mixed: package/srv/Name}",
-        "registered as subscriber of /add_two_ints, which site.yaml calls "
+        "registered as subscriber of /add_two_ints, whose type in site.yaml is "
         "tutorial_interfaces/srv/AddTwoInts; "
         "give 'rude' there types: {/add_two_ints: package/msg/Name}",
-        "registered as 'constructor' of /chatter, which is no role",
-        "registered as action_server of /fibonacci; ROS2WASM does not say how the parts of an "
-        "action travel, so nobody can reach it",
-        "registered as action_client of /fibonacci; ROS2WASM does not say how the parts of an "
-        "action travel, so nobody can reach it",
-        f"registered as publisher of {image}, and site.yaml does not say of which type; "
+        "registered as 'constructor' of /chatter, which is not a role",
+        "registered as action_server of /fibonacci; ROS2WASM does not define how the parts of an "
+        "action travel, so it cannot be reached",
+        "registered as action_client of /fibonacci; ROS2WASM does not define how the parts of an "
+        "action travel, so it cannot be reached",
+        f"registered as publisher of {image}, whose type is not in site.yaml; "
         f"give 'rude' there types: {{{image}: package/msg/Name}}",
-        "sent on /number what is no std_msgs/msg/Int32: data: 'seven' is no whole number; "
+        "sent an invalid std_msgs/msg/Int32 on /number: data: 'seven' is not a whole number; "
         "check the type that site.yaml gives /number",
-        "answered on /add_two_ints, where nobody had asked",
+        "answered on /add_two_ints without a request",
         "printed <b>as it is</b>",
         "printed <b>as it is</b>",
     ]
@@ -358,7 +358,7 @@ def test_a_flood_and_an_endless_program_can_be_stopped(page: Page, url: str) -> 
     flood.stop()
     warnings = page.evaluate("warnings.map(({ text }) => text)")
     assert len(warnings) == 51
-    assert warnings[-1].endswith("more is wrong with this script than is told here")
+    assert warnings[-1].endswith("further errors of this script are not shown")
 
 
 def test_a_compiled_program_runs_as_it_is(page: Page, url: str) -> None:

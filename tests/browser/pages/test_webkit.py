@@ -97,7 +97,7 @@ def test_demo04_dances_and_says_why_there_is_no_real_robot(page: Window) -> None
     dance.wait_for("The way is free")
     page.wait_for(f"{robot} dl", "Motor A35 %")
     dance.stop()
-    page.wait_for(f"{robot} [role=status]", "Stopped: nobody publishes on /cmd_vel any more")
+    page.wait_for(f"{robot} [role=status]", "Stopped: no publishers on /cmd_vel any more")
 
 
 def test_demo05_looks_inside(page: Window) -> None:
@@ -112,7 +112,7 @@ def test_demo05_looks_inside(page: Window) -> None:
     client.start()
     client.wait_for("No service yet, waiting")
     page.click(f"{services} .ros-send")
-    page.wait_for(f"{services} [role=status]", "no server on /add_two_ints now")
+    page.wait_for(f"{services} [role=status]", "no server for /add_two_ints now")
     server.start()
     client.wait_for("Sum: 42")
     client.expect_state("stopped")
@@ -171,7 +171,7 @@ def test_nodes_of_ros2wasm_run_and_compiled_ones_say_what_is_missing(
     compiled = WindowPanel(window, "talker")
     compiled.start()
     compiled.expect_state("failed")
-    compiled.wait_for("this browser lacks JavaScript Promise Integration, which the node needs")
+    compiled.wait_for("does not support JavaScript Promise Integration, which the node needs")
 
 
 def test_callers_get_their_own_answers(window: Window, serve: Serve, built: Built) -> None:

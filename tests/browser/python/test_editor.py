@@ -47,7 +47,7 @@ def editor(tab: Page, serve: Serve, built: Built) -> Editor:
 
 @pytest.mark.firefox
 def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> None:
-    expect(editor.state).to_have_text("as it was")
+    expect(editor.state).to_have_text("unchanged")
     editor.replace("STEP = 1", "STEP = 100")
     expect(editor.state).to_have_text("changed")
     editor.run()
@@ -63,7 +63,7 @@ def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> Non
     editor.node.start()
     editor.node.wait_for("Now it is 200")
     editor.page.get_by_role("button", name="Reset").click()
-    expect(editor.state).to_have_text("as it was")
+    expect(editor.state).to_have_text("unchanged")
     expect(editor.code).to_be_focused()
     editor.node.button("Clear").click()
     editor.run()

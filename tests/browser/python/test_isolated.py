@@ -89,10 +89,7 @@ def test_the_first_visit_loads_a_page_twice_and_says_so(
     url = serve(isolated, "/robot/")
     tab.add_init_script(LISTEN)
     visit(tab, url)
-    assert (
-        noted(tab, "said")
-        == "This page loads once more, so that it may share memory with its nodes."
-    )
+    assert noted(tab, "said") == "This page reloads once to enable shared memory."
     assert run(tab, "greeter")[0] == "stopped"
     assert noted(tab, "loads") == "2"
     tab.reload()
@@ -131,7 +128,7 @@ def test_an_isolated_page_without_shared_memory_says_so(
     visit(tab, serve(hidden))
     state, [(_, text)] = run(tab, "greeter")
     assert state == "failed"
-    assert text.endswith("; it shares no memory with isolated pages either")
+    assert text.endswith("; it does not support shared memory either")
 
 
 @pytest.mark.chromium

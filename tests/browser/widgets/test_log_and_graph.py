@@ -48,7 +48,7 @@ def test_the_log_is_filtered(stage: Tab) -> None:
     panel.get_by_label("text").fill("broken")
     assert logged(panel) == ["ERROR arm: <b>Broken</b>"]
     panel.get_by_label("text").fill("nowhere")
-    expect(panel.get_by_text("Nothing matches the filters")).to_be_visible()
+    expect(panel.get_by_text("No lines match the filters")).to_be_visible()
 
 
 def test_what_nodes_keep_is_shown_once(stage: Tab) -> None:
@@ -80,7 +80,7 @@ def test_the_graph_is_drawn_and_follows(stage: Tab) -> None:
     picture = panel.get_by_role("img")
     expect(picture).to_have_attribute(
         "aria-label",
-        "/talker publishes /chatter; /listener subscribes to /chatter; /alone stands alone",
+        "/talker publishes /chatter; /listener subscribes to /chatter; /alone has no connections",
     )
     assert sorted(drawn(panel)) == ["/alone", "/chatter", "/listener", "/talker"]
     # From left to right, as messages go, and each name inside its box.

@@ -68,7 +68,7 @@ def halted(got: list[str]) -> bool:
 
 def test_the_hub_is_sent_colors_and_power(hub: MoveHub, stage: Tab) -> None:
     panel = show_robot(stage, kind="vernie")
-    expect(reading(panel, "Robot")).to_have_text("simulated here")
+    expect(reading(panel, "Robot")).to_have_text("simulated")
     connect(panel, hub)
     expect(reading(panel, "Robot")).to_have_text("Move Hub")
     stop_clock(stage)
@@ -169,7 +169,7 @@ def test_what_the_hub_senses_is_shown_and_published(hub: MoveHub, stage: Tab) ->
         }"""
     )
     panel = show_robot(stage, kind="vernie")
-    hand = panel.get_by_label("Hand before it")
+    hand = panel.get_by_label("Hand in front of it")
     expect(hand).to_be_visible()
     connect(panel, hub)
     expect(hand).to_be_hidden()
@@ -210,9 +210,9 @@ def test_a_connection_that_is_lost(hub: MoveHub, stage: Tab) -> None:
     expect(panel.get_by_role("button", name="Connect", exact=True)).to_be_enabled()
     stage.clock.run_for(150)
     expect(panel.get_by_role("status")).to_have_text(
-        "The connection was lost: the hub is off, or too far away. Connect again."
+        "The connection was lost: the hub is off or too far away. Connect again."
     )
-    expect(reading(panel, "Robot")).to_have_text("simulated here")
+    expect(reading(panel, "Robot")).to_have_text("simulated")
     command(stage, 0.4, 0)
     stage.clock.run_for(150)
     expect_power(panel, 40, 40)

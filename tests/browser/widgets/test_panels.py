@@ -51,9 +51,9 @@ def test_topics_tell_who_does_not_hear_whom_and_what_was_missed(stage: Tab) -> N
         )
         texts.append(warnings.inner_text())
     assert [text.split(":")[0] for text in texts] == [
-        f"/listener does not hear /talker. {policy.capitalize()}" for policy in policies
+        f"/listener does not receive from /talker. {policy.capitalize()}" for policy in policies
     ]
-    assert texts[0].endswith("the subscription asks for reliable, the publisher offers best effort")
+    assert texts[0].endswith("the subscription requests reliable, the publisher offers best effort")
     assert len({text.split(":")[1] for text in texts}) == len(policies)
     stage.evaluate(
         """() => {
@@ -64,9 +64,9 @@ def test_topics_tell_who_does_not_hear_whom_and_what_was_missed(stage: Tab) -> N
         }"""
     )
     assert warnings.count() == 4
-    expect(warnings.last).to_have_text("and 2 more like these")
-    expect(warnings.first).to_contain_text("/<b>1 does not hear /talker")
-    expect(panel.get_by_text("12K missed")).to_have_attribute("title", re.compile("faster"))
+    expect(warnings.last).to_have_text("and 2 more")
+    expect(warnings.first).to_contain_text("/<b>1 does not receive from /talker")
+    expect(panel.get_by_text("12K missed")).to_have_attribute("title", re.compile("replaced by newer"))
     stage.evaluate("ros.graph.mismatches = {}; ros.graph.missed = {}; ros.graph.changed()")
     assert cells(panel) == [f"/chatter std_msgs/msg/String 1 1 {NONE}"]
 
@@ -185,35 +185,35 @@ def test_a_service_is_called_with_a_form(stage: Tab) -> None:
     panel.get_by_label("a int64").fill("9007199254740993")
     panel.get_by_label("b int64").fill("one")
     panel.get_by_role("button", name="Call").click()
-    expect(panel.get_by_text("'one' is no whole number")).to_be_visible()
+    expect(panel.get_by_text("'one' is not a whole number")).to_be_visible()
     expect(panel.get_by_label("b int64")).to_be_focused()
     assert stage.evaluate("ros.calls.length") == 0
     panel.get_by_label("b int64").fill("1")
     panel.get_by_label("b int64").press("Enter")
-    expect(panel.get_by_label("answer")).to_have_text("sum: 9007199254740994")
-    expect(panel.get_by_role("status")).to_contain_text("/add answered in")
+    expect(panel.get_by_label("response")).to_have_text("sum: 9007199254740994")
+    expect(panel.get_by_role("status")).to_contain_text("/add responded in")
     assert stage.evaluate("ros.calls[0].timeout") == 5000
 
 
 def test_a_call_without_an_answer_is_said_plainly(stage: Tab) -> None:
     panel = show(stage, "services", {"show": ["/add"]})
     expect(
-        panel.get_by_text("No server on /add now. Start the node that serves it.")
+        panel.get_by_text("No server for /add now. Start the node that provides it.")
     ).to_be_visible()
     serve_sums(stage)
     panel.get_by_label("a int64").fill("5")
     stage.evaluate(
-        "void (ros.answer = async () => { throw new Error('no answer from /add within 5 s'); })"
+        "void (ros.answer = async () => { throw new Error('no response from /add within 5 s'); })"
     )
     panel.get_by_role("button", name="Call").click()
-    expect(panel.get_by_role("status")).to_have_text("no answer from /add within 5 s")
+    expect(panel.get_by_role("status")).to_have_text("no response from /add within 5 s")
     # The server goes: the form stays as it is, and the call tells what the page's ROS says.
     stage.evaluate("ros.graph.remove('/adder')")
-    stage.evaluate("void (ros.answer = async () => { throw new Error('no server on /add now'); })")
+    stage.evaluate("void (ros.answer = async () => { throw new Error('no server for /add now'); })")
     expect(panel.get_by_text("no server now")).to_be_visible()
     expect(panel.get_by_label("a int64")).to_have_value("5")
     panel.get_by_role("button", name="Call").click()
-    expect(panel.get_by_role("status")).to_have_text("no server on /add now")
+    expect(panel.get_by_role("status")).to_have_text("no server for /add now")
 
 
 def test_a_service_of_an_unknown_type_is_named(stage: Tab) -> None:
@@ -230,12 +230,12 @@ def test_a_request_may_have_no_fields(stage: Tab) -> None:
     add(stage, "service", "/adder", "/reset", "std_srvs/srv/Empty")
     panel = show(stage, "services", {"show": ["/reset"]})
     panel.get_by_role("button", name="Call").click()
-    expect(panel.get_by_label("answer")).to_have_text("{}")
+    expect(panel.get_by_label("response")).to_have_text("{}")
 
 
 def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
     panel = show(stage, "publish", {"topic": "/cmd_vel"})
-    expect(panel.get_by_text("Nobody uses /cmd_vel now")).to_be_visible()
+    expect(panel.get_by_text("No node uses /cmd_vel now")).to_be_visible()
     add(stage, "subscription", "/robot", "/cmd_vel", "geometry_msgs/msg/Twist")
     panel.get_by_label("x float64").first.fill("0.25")
     panel.get_by_role("button", name="Publish once").click()
@@ -245,7 +245,7 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
         {"topic": "/cmd_vel", "type": "geometry_msgs/msg/Twist",
          "message": {"linear": {**zero, "x": 0.25}, "angular": zero}}
     ]  # fmt: skip
-    rate = panel.get_by_label("messages a second (Hz)")
+    rate = panel.get_by_label("messages per second (Hz)")
     rate.fill("1000")
     panel.get_by_role("button", name="Repeat").click()
     expect(panel.get_by_role("status")).to_have_text("The rate is a number from 0.1 to 100 Hz")
@@ -261,7 +261,7 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
     assert stage.evaluate("ros.published.length") == count
     panel.get_by_role("button", name="Repeat").click()
     panel.get_by_label("x float64").first.fill("fast")
-    expect(panel.get_by_text("'fast' is no number")).to_be_visible()
+    expect(panel.get_by_text("'fast' is not a number")).to_be_visible()
     expect(panel.get_by_role("button", name="Repeat")).to_be_visible()
     stage.evaluate("unmount()")
     assert stage.evaluate("ros.closed") == 1

@@ -189,11 +189,9 @@ def test_it_stops_when_nobody_publishes(stage: Tab) -> None:
     expect_power(panel, 50, 50)
     stage.evaluate("ros.graph.remove('/dancer')")
     stage.clock.run_for(20)
-    expect(panel.get_by_role("status")).to_have_text(
-        "Stopped: nobody publishes on /cmd_vel any more"
-    )
+    expect(panel.get_by_role("status")).to_have_text("Stopped: no publishers on /cmd_vel any more")
     expect_power(panel, 0, 0)
-    expect(panel).to_contain_text("/cmd_vel: nobody publishes")
+    expect(panel).to_contain_text("/cmd_vel: no publishers")
     # A command that was still on its way.
     command(stage, 0.5, 0)
     stage.clock.run_for(100)
@@ -233,7 +231,7 @@ def test_a_page_without_the_types_says_so(stage: Tab) -> None:
     stage.evaluate("delete ros.types['geometry_msgs/msg/Twist']")
     panel = show_robot(stage, kind="diffdrive")
     expect(panel).to_contain_text(
-        "/cmd_vel: no node of this page uses geometry_msgs/msg/Twist, so it cannot be read"
+        "/cmd_vel: no node on this page uses geometry_msgs/msg/Twist, so it cannot be read"
     )
 
 
@@ -251,7 +249,7 @@ def test_nothing_is_left_after_unmount(stage: Tab) -> None:
     [
         (
             "delete Navigator.prototype.bluetooth",
-            "This browser has no Web Bluetooth. Chrome and Edge have it",
+            "This browser does not support Web Bluetooth. Chrome and Edge do",
         ),
         (
             "Object.defineProperty(window, 'isSecureContext', { value: false })",
@@ -279,7 +277,7 @@ def test_demo04_dances(tab: Tab, built: Built, serve: Serve) -> None:
     tab.goto(f"{serve(built(ROOT))}demo04/")
     robot = tab.get_by_role("region", name="Robot")
     colors, dance = Panel(tab, "colors"), Panel(tab, "dance")
-    expect(robot).to_contain_text("/cmd_vel: nobody publishes")
+    expect(robot).to_contain_text("/cmd_vel: no publishers")
 
     colors.start()
     expect(reading(robot, "Light")).to_have_text("red")
@@ -290,16 +288,14 @@ def test_demo04_dances(tab: Tab, built: Built, serve: Serve) -> None:
     expect_power(robot, 35, 85)
 
     # It waits for a hand, and goes on.
-    robot.get_by_label("Hand before it").check()
+    robot.get_by_label("Hand in front of it").check()
     dance.wait_for("Something is 0.05 m before me")
     expect_power(robot, 0, 0)
-    robot.get_by_label("Hand before it").uncheck()
+    robot.get_by_label("Hand in front of it").uncheck()
     dance.wait_for("The way is free")
     expect_power(robot, 35, 85)
 
     dance.stop()
     expect_power(robot, 0, 0)
-    expect(robot.get_by_role("status")).to_have_text(
-        "Stopped: nobody publishes on /cmd_vel any more"
-    )
+    expect(robot.get_by_role("status")).to_have_text("Stopped: no publishers on /cmd_vel any more")
     assert pose(robot)[:2] != (0, 0)

@@ -74,7 +74,7 @@ def test_turtlesim_does_what_a_visitor_tries(tab: Page, url: str) -> None:
 def test_the_window_shows_turtles_and_keys_drive_them(tab: Page, url: str) -> None:
     tab.goto(f"{url}one/")
     window = tab.locator(".ros-robot")
-    expect(window).to_contain_text("nobody publishes")
+    expect(window).to_contain_text("no publishers")
     turtlesim = Panel(tab, "turtlesim")
     turtlesim.start()
     expect(window.locator(".ros-turtle")).to_have_count(1)

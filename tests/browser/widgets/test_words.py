@@ -82,4 +82,4 @@ def test_other_languages_fall_back_to_english(stage: Tab, tmp_path: Path) -> Non
     page.write_text(page.read_text().replace('lang="en"', 'lang="fr"'))
     stage.reload()
     stage.wait_for_selector("body[data-ready]")
-    expect(show(stage, "topics")).to_contain_text("No topics now. They come when nodes start.")
+    expect(show(stage, "topics")).to_contain_text("No topics now. They appear when nodes start.")

@@ -121,7 +121,7 @@ class Parser {
       if (parameter === undefined) throw new Error(`there is no parameter ${token}`);
       const [only, ...more] = tokens(parameter);
       const value = more.length || only === undefined ? undefined : literal(only);
-      if (!value) throw new Error(`parameter ${token} is no value: ${parameter} (texts stand in '…')`);
+      if (!value) throw new Error(`parameter ${token} is not a value: ${parameter} (quote texts: '…')`);
       return value;
     }
     const value = literal(token);

@@ -70,7 +70,7 @@ export class Fields {
       const field = this.#types.get(type)?.find((one) => one.name === name);
       if (!field) throw new Error(`the message has no field '${path}'`);
       if ((field.kind >= SCALARS) !== (index !== undefined)) {
-        throw new Error(index === undefined ? `'${path}' is an array` : `'${path}' is no array`);
+        throw new Error(index === undefined ? `'${path}' is an array` : `'${path}' is not an array`);
       }
       way = way ? `${way}.${name}` : `${name}`;
       this.#ways.add(way);

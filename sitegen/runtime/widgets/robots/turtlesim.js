@@ -43,7 +43,7 @@ export function create(ros, { window: topic }, changed) {
   const drawing = make("div", "ros-turtles", paper.canvas, view);
   drawing.tabIndex = 0;
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", say("The window of turtlesim. Arrow keys drive a turtle."));
+  drawing.setAttribute("aria-label", say("The turtlesim window. Arrow keys drive a turtle."));
 
   const { drive, close: endDriving } = createDriving(ros, () => current()?.look.cmd_vel);
   const current = () =>

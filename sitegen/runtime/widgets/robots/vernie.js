@@ -89,7 +89,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
   });
 
   const senses = createSenses(ros, sensors, changed);
-  const hand = toggle(say("Hand before it"), (held) => senses.hold(held));
+  const hand = toggle(say("Hand in front of it"), (held) => senses.hold(held));
 
   let trouble = "";
   let connecting = false;
@@ -117,7 +117,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
     try {
       const found = await connect({
         ...senses.listener,
-        lost: () => leave(say("The connection was lost: the hub is off, or too far away. Connect again.")),
+        lost: () => leave(say("The connection was lost: the hub is off or too far away. Connect again.")),
       });
       if (closed) {
         found.disconnect();
@@ -147,7 +147,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
       return moving;
     },
     readings: () => [
-      { name: say("Robot"), text: hub?.name ?? say("simulated here") },
+      { name: say("Robot"), text: hub?.name ?? say("simulated") },
       ...(hub ? senses.readings() : []),
       { name: say("Light"), text: color, color: COLORS.get(color)?.look ?? "" },
       { name: say("Motor {}", "A"), text: `${a} %`, level: a / 100 },
@@ -158,7 +158,7 @@ export function create(ros, { color: colors, twist, sensors }, changed) {
       if (trouble) return { text: trouble, wrong: true };
       if (unknown) {
         const known = [...COLORS.keys()].join(", ");
-        return { text: say("Its light has no colour '{}'; it knows {}", unknown, known), wrong: true };
+        return { text: say("The light has no colour '{}'; choose one of {}", unknown, known), wrong: true };
       }
       return { text: reason ? say("Stopped: {}", reason) : obstacle(), wrong: false };
     },

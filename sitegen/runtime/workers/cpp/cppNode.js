@@ -12,7 +12,7 @@ import { Printer } from "../printer.js";
 // So many frames of a stack are kept; browsers keep ten.
 const DEPTH = 100;
 // What a program that was built without its lines cannot tell.
-const ADVICE = "    (sitegen build --debug tells where)";
+const ADVICE = "    (run 'sitegen build --debug' to see where)";
 
 /** @param {FromWorker} message */
 const post = (message) => postMessage(message);
@@ -126,7 +126,7 @@ async function where(stack, address) {
     const { traceOf } = await import(place("workers/cpp/stackTrace.js"));
     return traceOf(stack, await (await fetch(address)).json());
   } catch {
-    return `    (${address} could not be loaded, which tells where)`;
+    return `    (${address}, which maps it to source lines, could not be loaded)`;
   }
 }
 
@@ -134,7 +134,7 @@ async function where(stack, address) {
 function describe(error) {
   if (!(error instanceof Error)) return String(error);
   // Each browser has words of its own for it.
-  if (/call stack|recursion/.test(error.message)) return "stack overflow: functions call each other too deep";
+  if (/call stack|recursion/.test(error.message)) return "stack overflow: too many nested calls";
   // Emscripten adds advice for those who built the program.
   if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
   return `${error.name}: ${error.message}`;

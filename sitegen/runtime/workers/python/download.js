@@ -57,8 +57,8 @@ export class Download {
     const name = pathname.slice(pathname.lastIndexOf("/") + 1);
     const error = new Error(
       status
-        ? `${name} could not be loaded, the server answers ${status}; load the page again, the site may have changed`
-        : `${name} could not be loaded; start again when there is a connection to the site`,
+        ? `${name} could not be loaded: the server answered ${status}; reload the page, the site may have changed`
+        : `${name} could not be loaded; check the connection to the site, then start again`,
     );
     this.#fail(error);
     throw error;

@@ -18,7 +18,7 @@ export class Complaints {
   add(what, text) {
     if (this.#told.has(what) || this.#told.size > MOST) return;
     this.#told.add(what);
-    this.#tell(this.#told.size > MOST ? "more is wrong with this script than is told here" : text);
+    this.#tell(this.#told.size > MOST ? "further errors of this script are not shown" : text);
   }
 }
 

@@ -97,7 +97,7 @@ export class Endpoints {
       },
       send: (yaml) => {
         if (!asked) {
-          this.#complaints.add(`answer ${name}`, `answered on ${name}, where nobody had asked`);
+          this.#complaints.add(`answer ${name}`, `answered on ${name} without a request`);
           return;
         }
         const { writer, sequence } = asked;
@@ -147,7 +147,7 @@ export class Endpoints {
       const what = error instanceof Error ? error.message : error;
       this.#complaints.add(
         `yaml ${type} ${name}`,
-        `sent on ${name} what is no ${type}: ${what}; check the type that site.yaml gives ${name}`,
+        `sent an invalid ${type} on ${name}: ${what}; check the type that site.yaml gives ${name}`,
       );
       return undefined;
     }

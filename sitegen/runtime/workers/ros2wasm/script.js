@@ -99,7 +99,7 @@ export class Script {
     const needs = COMMANDS.get(command);
     if (!needs) {
       const what = typeof command === "string" ? `'${shown(command)}'` : shown(data);
-      this.#complaints.add(`command ${what}`, `sent ${what}, which is no command`);
+      this.#complaints.add(`command ${what}`, `sent ${what}, which is not a command`);
       return;
     }
     const lacks = needs.find((key) => typeof texts[key] !== "string");
@@ -162,9 +162,9 @@ export class Script {
     }
     if (!kind) {
       const what = ACTIONS.includes(role)
-        ? `registered as ${role} of ${shown(name)}; ROS2WASM does not say how the parts of an action ` +
-          "travel, so nobody can reach it"
-        : `registered as '${shown(role)}' of ${shown(name)}, which is no role`;
+        ? `registered as ${role} of ${shown(name)}; ROS2WASM does not define how the parts of an action ` +
+          "travel, so it cannot be reached"
+        : `registered as '${shown(role)}' of ${shown(name)}, which is not a role`;
       this.#complaints.add(`role ${role} ${name}`, what);
       return none;
     }
@@ -177,7 +177,7 @@ export class Script {
     const type = topics[name] ?? "";
     if (type.includes(isTopic ? "/msg/" : "/srv/")) return { kind, of: name, type };
     const wanted = isTopic ? "package/msg/Name" : "package/srv/Name";
-    const given = type ? `, which site.yaml calls ${type}` : ", and site.yaml does not say of which type";
+    const given = type ? `, whose type in site.yaml is ${type}` : ", whose type is not in site.yaml";
     this.#complaints.add(
       `type ${name}`,
       `registered as ${role} of ${shown(name)}${given}; ` +
@@ -194,7 +194,7 @@ export class Script {
     const same = this.#registered.filter((one) => one.gid === gid && one.role === role);
     const gone = same.find((one) => one.name === name) ?? same[0];
     if (!gone) {
-      const what = `took back ${shown(name)} (${shown(role)}), which it had not registered`;
+      const what = `unregistered ${shown(name)} (${shown(role)}), which it had not registered`;
       this.#complaints.add(`deregister ${name}`, what);
       return;
     }

@@ -47,7 +47,7 @@ export function obey(ros, topic, drive, halt) {
   const ending = new AbortController();
   const { signal } = ending;
   ros.graph.addEventListener("change", () => {
-    if (moving && !commanded()) stop(say("nobody publishes on {} any more", topic));
+    if (moving && !commanded()) stop(say("no publishers on {} any more", topic));
   }, { signal });
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") stop(say("the page was hidden"));

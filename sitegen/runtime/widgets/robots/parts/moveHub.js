@@ -45,12 +45,12 @@ const FAREWELL = 500;
 /** Why this page cannot reach a hub, or "". */
 export function obstacle() {
   if (!window.isSecureContext) {
-    return say("Browsers allow Bluetooth on pages from https:// and from this computer only. " +
-      "Open this page from such an address to reach a robot.");
+    return say("Browsers allow Bluetooth only on https:// pages and on this computer. " +
+      "Open this page at such an address to connect a robot.");
   }
   if (!navigator.bluetooth) {
-    return say("This browser has no Web Bluetooth. " +
-      "Chrome and Edge have it, on computers and on Android. The robot on this page needs none.");
+    return say("This browser does not support Web Bluetooth. " +
+      "Chrome and Edge do, on computers and on Android. The simulated robot works without it.");
   }
   return "";
 }
@@ -63,7 +63,7 @@ export function obstacle() {
 export async function connect(listener) {
   const device = await step(
     navigator.bluetooth?.requestDevice({ filters: [{ services: [SERVICE] }] }),
-    say("No hub was chosen. Press the green button of the hub, so that its light blinks, and connect again."),
+    say("No hub was chosen. Press the green button on the hub so that its light blinks, then connect again."),
   );
   // Before anything can fail: what fails later must not leave a connection behind.
   const closing = new AbortController();
@@ -73,10 +73,10 @@ export async function connect(listener) {
   };
   try {
     const server = await step(device.gatt.connect(),
-      say("The hub does not answer. Is it on, near, and not connected to something else? Then connect again."));
-    const service = await step(server.getPrimaryService(SERVICE), say("What was chosen is no LEGO hub. Choose another."));
+      say("The hub does not respond. Check that it is on, nearby and not connected to another device, then connect again."));
+    const service = await step(server.getPrimaryService(SERVICE), say("The chosen device is not a LEGO hub. Choose another one."));
     const characteristic = await step(service.getCharacteristic(CHARACTERISTIC),
-      say("What was chosen is no LEGO hub. Choose another."));
+      say("The chosen device is not a LEGO hub. Choose another one."));
     const out = createOutbox(characteristic, device);
     device.addEventListener("gattserverdisconnected", () => {
       out.close(true);
@@ -86,7 +86,7 @@ export async function connect(listener) {
       const { value } = characteristic;
       if (value) read(value, listener, out);
     }, { signal: closing.signal });
-    await step(characteristic.startNotifications(), say("The hub let nobody listen. Switch it off and on, and connect again."));
+    await step(characteristic.startNotifications(), say("The hub refused notifications. Switch it off and on, then connect again."));
     out.put(`property ${BATTERY}`, [PROPERTY, BATTERY, REPORT]);
     out.put(`property ${BUTTON}`, [PROPERTY, BUTTON, REPORT]);
     out.put(`mode ${LIGHT}`, inputFormat(LIGHT, 0, false));
@@ -250,7 +250,7 @@ async function step(promise, text) {
     if (promise) return await promise;
   } catch (error) {
     if (error instanceof DOMException && error.name === "SecurityError") {
-      text = say("The browser does not allow Bluetooth here. Open this page by itself, not inside of another.");
+      text = say("The browser does not allow Bluetooth here. Open this page in its own tab, not embedded in another page.");
     }
     throw new Error(text, { cause: error });
   }
