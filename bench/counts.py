@@ -26,6 +26,8 @@ class Counts:
     folders: int = 20
     pages: int = 50
     cold: bool = True
+    # The quality of compression: 11 is the best, which servers use for static files.
+    brotli: int = 11
 
 
 FULL = Counts()
@@ -42,4 +44,5 @@ SMALLEST = Counts(
     folders=2,
     pages=10,
     cold=False,
+    brotli=1,
 )

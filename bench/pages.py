@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
 from statistics import median
 
@@ -97,7 +98,7 @@ def size(counts: Counts) -> list[Figure]:
             asked: set[str] = set()
             with serving(dist, asked=asked) as url:
                 _run(browser, page, url)
-            figures += _sizes(page, dist, asked)
+            figures += _sizes(page, dist, asked, counts.brotli)
     return figures
 
 
@@ -113,15 +114,21 @@ def _run(browser: Browser, page: Page, url: str) -> None:
         context.close()
 
 
-def _sizes(page: Page, dist: Path, asked: Iterable[str]) -> list[Figure]:
+def _sizes(page: Page, dist: Path, asked: Iterable[str], quality: int) -> list[Figure]:
     files = {path: dist / path[1:] for path in sorted(asked)}
     files = {path: f / "index.html" if path.endswith("/") else f for path, f in files.items()}
     raw = {path: f.stat().st_size for path, f in files.items()}
-    packed = {path: len(brotli.compress(f.read_bytes(), quality=11)) for path, f in files.items()}
+    packed = {path: _packed(f, quality) for path, f in files.items()}
     name = f"loaded by /{page.path}"
     # The promise is about a page with one talker.
     target = SIZE_TARGET if page.path == "demo01/" else None
     return [_sum(f"{name}, as it is", raw), _sum(f"{name}, brotli", packed, target)]
+
+
+@cache
+def _packed(file: Path, quality: int) -> int:
+    """Return the size of a compressed file; most files are loaded by several pages."""
+    return len(brotli.compress(file.read_bytes(), quality=quality))
 
 
 def _sum(name: str, sizes: Mapping[str, int], target: Target | None = None) -> Figure:

@@ -1,4 +1,4 @@
-"""Collect what is wrong with a site, and say it in one line each."""
+"""Turn what is wrong with a site into one line for each problem."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Location:
-    """Where the author wrote something: a file and a line, counted from 1."""
+    """A file and a line in it, counted from 1."""
 
     file: Path
     line: int
 
 
 class SiteError(Exception):
-    """The site is wrong: `lines` says how, one finished line (or quoted tool output) each."""
+    """The author made a mistake; each of `lines` is a complete message or quoted tool output."""
 
     def __init__(self, lines: list[str]) -> None:
         super().__init__("\n".join(lines))
@@ -53,12 +53,12 @@ class Problems:
 
 
 def relative(file: Path, root: Path) -> str:
-    """Return `file` as the author would type it from `root`."""
+    """Return the path of `file` relative to `root` if it is below it, else the whole path."""
     return file.relative_to(root).as_posix() if file.is_relative_to(root) else str(file)
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """Return the hint that ends a message about an unknown name: the nearest one, else all."""
+    """Return the end of a message about an unknown name: the nearest known one, or all of them."""
     names = sorted(known)
     close = difflib.get_close_matches(name, names, n=1)
     if close:

@@ -1,8 +1,8 @@
-"""Tell the folders that tools fill from those of the author."""
+"""The folders that tools write to, which are not part of a workspace or a site."""
 
 from __future__ import annotations
 
-# Wherever they are.
+# At any depth.
 TOOLS = frozenset(
     {".git", ".mypy_cache", ".pytest_cache", ".ruff_cache", "__pycache__", "node_modules"}
 )

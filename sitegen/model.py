@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
+from sitegen import pagepath
 from sitegen.errors import Location
 
 
@@ -228,7 +229,7 @@ class Page:
     @property
     def html(self) -> str:
         """The file of the page in `dist/`."""
-        return self.path if self.path != self.folder else f"{self.path}index.html"
+        return pagepath.file_of(self.path)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Say what a site is built for."""
+"""The options of a build."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tell the author what happens during a build."""
+"""Turn the progress of a build into lines for its author."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TextIO
 
 
 class Report:
-    """Writes lines; on a terminal, it keeps one live line for each thing under way."""
+    """Writes lines; on a terminal, one live line for each task in progress."""
 
     def __init__(self, out: TextIO = sys.stdout) -> None:
         self._out = out
@@ -19,7 +19,7 @@ class Report:
         self._lock = threading.Lock()
 
     def say(self, line: str) -> None:
-        """Write a line that stays."""
+        """Write a permanent line."""
         with self._lock:
             self.said.append(line)
             self._erase()
@@ -27,7 +27,7 @@ class Report:
             self._draw()
 
     def doing(self, name: str, what: str) -> None:
-        """Show that `name` is at `what` now; replaces what was shown for it."""
+        """Show that `name` is now doing `what`, in place of its last live line."""
         with self._lock:
             self._live[name] = what
             if self._out.isatty():
@@ -37,7 +37,7 @@ class Report:
                 print(f"{name}: {what}", file=self._out, flush=True)
 
     def done(self, name: str) -> None:
-        """Take away the live line of `name`."""
+        """Remove the live line of `name`."""
         with self._lock:
             self._erase()
             self._live.pop(name, None)
@@ -57,17 +57,17 @@ class Report:
 
 
 def size(count: int) -> str:
-    """Write a number of bytes as a person would."""
+    """Return a number of bytes for people: "12 kB" or "3.4 MB"."""
     return f"{count / 1000:.0f} kB" if count < 1_000_000 else f"{count / 1_000_000:.1f} MB"
 
 
 def count(number: int, noun: str) -> str:
-    """Write `number` of `noun`."""
+    """Return a number and its noun, in the plural unless it is one: "2 pages"."""
     return f"{number} {noun}{'s'[: number != 1]}"
 
 
 def shown(folder: Path) -> str:
-    """Write a path as one would type it in the current folder."""
+    """Return a path relative to the current folder if it is below it, else the whole path."""
     here = Path.cwd()
     path = folder.resolve()
     return f"{path.relative_to(here)}" if path.is_relative_to(here) and path != here else str(path)

@@ -1,4 +1,4 @@
-"""Know where the files are that come with sitegen."""
+"""The locations of the files that come with sitegen."""
 
 from __future__ import annotations
 

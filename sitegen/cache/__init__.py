@@ -1,1 +1,1 @@
-"""Keep what need not be made, downloaded or checked again."""
+"""Keep the results of earlier builds and downloads."""

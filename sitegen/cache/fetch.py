@@ -1,4 +1,4 @@
-"""Fetch a file of which the hash is known."""
+"""Turn an address and a hash into a downloaded file."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlsplit
 
-# What a server may get over by itself.
+# Status codes of errors that may pass.
 PASSING = {408, 425, 429, 500, 502, 503, 504}
 REDIRECTS = 5
 
 
 class FetchError(Exception):
-    """The file could not be had: the message says why, and what to do."""
+    """The download failed; the message says why and what to do."""
 
 
 @dataclass(frozen=True)
 class Patience:
-    """How long to wait: seconds for a connection, for each next bytes, and for all together.
+    """Time limits in seconds: for connecting, for each read, and in total.
 
-    After a failure that may pass there are more `tries`, with a `pause` that doubles each time.
+    A temporary failure is retried, up to `tries` attempts, after a `pause` that doubles each time.
     """
 
     connection: float = 10
@@ -33,11 +33,11 @@ class Patience:
 
 
 class _PassingError(Exception):
-    """What may be over at the next try."""
+    """A failure that may not happen at the next attempt."""
 
 
 def allowed(url: str) -> bool:
-    """Return whether `url` may be fetched: https, or http of this computer."""
+    """Return whether `url` is https, or http on this computer."""
     try:
         parts = urlsplit(url)
         host = parts.hostname or ""
@@ -51,9 +51,9 @@ def allowed(url: str) -> bool:
 def fetch(
     url: str, sha256: str, to: Path, *, largest: int, patience: Patience | None = None
 ) -> None:
-    """Write the file at `url` to `to`; raise a FetchError unless it has the hash `sha256`.
+    """Download the file at `url` to `to`, following only redirections that are `allowed`.
 
-    It has no more than `largest` bytes. Redirections lead only to where `allowed`.
+    Raises: FetchError if the download fails, is larger than `largest` bytes, or has another hash.
     """
     patience = patience or Patience()
     end = time.monotonic() + patience.total
@@ -72,7 +72,7 @@ def fetch(
 
 
 def mismatch(name: str, found: str) -> str:
-    """Say that the file `name` has another hash, `found`, than the author expects."""
+    """Return the message about a file whose hash `found` is not the expected one."""
     return f"{name} does not have the expected hash; if you trust it, write 'sha256: {found}'"
 
 

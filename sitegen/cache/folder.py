@@ -1,4 +1,4 @@
-"""Know where sitegen keeps what it need not make again, and for how long."""
+"""The cache folder of sitegen, and how long its entries stay."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-# What is made from the workspace, and can be made again. What was fetched stays.
+# Entries that can be built again from the workspace. Downloads are never removed.
 MADE = ("descriptions", "nodes", "work")
-# So long (s) after it was last used, something that was made is forgotten.
+# Seconds after its last use until an entry is removed.
 KEPT = 60 * 24 * 3600
 
 
 def cache_folder() -> Path:
-    """Return where compiled nodes are kept for the next build."""
+    """Return the cache folder: SITEGEN_CACHE, or the default of the platform."""
     own = os.environ.get("SITEGEN_CACHE")
     return Path(own).resolve() if own else user_cache_path("sitegen", appauthor=False).resolve()
 
 
 def use(kept: Path) -> None:
-    """Remember that a folder of the cache was used now."""
-    with contextlib.suppress(OSError):  # it is somebody else's, or another build forgot it
+    """Mark an entry of the cache as used now."""
+    with contextlib.suppress(OSError):  # another user owns it, or another build removed it
         os.utime(kept)
 
 
 def forget_old(cache: Path) -> None:
-    """Remove what was made and not used for so long that nobody will want it again."""
+    """Remove the entries that were not used for a long time."""
     limit = time.time() - KEPT
     for kept in (each for name in MADE for each in (cache / name).glob("*")):
         with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Know that a build would only repeat the one before: by the files that it read and wrote."""
+"""Detect that nothing has changed since the last build, from the files it read and wrote."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GENERATOR = (PACKAGE, THEMES)
 
 
 def recall(folder: Path, output: Path, cache: Path, *, debug: bool) -> list[str] | None:
-    """Return what the last build of `folder` to `output` said, if nothing has changed since."""
+    """Return the report of the last build of `folder` to `output` if nothing has changed since."""
     try:
         record = json.loads(_file(output, cache).read_text(encoding="utf-8"))
         roots = [Path(root) for root in record["roots"]]
@@ -37,7 +37,7 @@ def note(
     *,
     debug: bool,
 ) -> None:
-    """Keep for the next time that `output` was built, of `folder` and the other folders `roots`."""
+    """Record that `output` was built from `folder` and the other folders `roots`."""
     roots = sorted(set(roots))
     record = {
         "debug": debug,
@@ -59,7 +59,7 @@ def _file(output: Path, cache: Path) -> Path:
 
 
 def _read(folder: Path, roots: Sequence[Path], output: Path) -> str:
-    """Return a digest of all that a build reads: the site, sitegen, the compiler, the history."""
+    """Return a digest of everything a build reads: site, sitegen, compiler and Git history."""
     tools = [Path(tool) for tool in (shutil.which("em++"), shutil.which("git")) if tool]
     folder = folder.resolve()
     above = next((at for at in (folder, *folder.parents) if (at / ".git").exists()), folder)

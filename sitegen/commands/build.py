@@ -1,4 +1,4 @@
-"""Build a site, and say what it consists of."""
+"""Turn a site into the folder `dist/` and a summary of it."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def read_folders(site: Site) -> list[Path]:
 
 
 def summarize(made: Made, report: Report) -> None:
-    """Say what the site consists of."""
+    """Report the pages and programs of the site."""
     site = made.site
     for note in site.notes:
         report.say(note)

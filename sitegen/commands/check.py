@@ -1,4 +1,4 @@
-"""Say what is wrong with a site, and what could be better, without compiling anything."""
+"""Turn a site into its errors and warnings, without compiling anything."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from sitegen.site.prose import without_text
 
 
 def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, list[str]]:
-    """Return the site of `folder` with its warnings, a finished line each.
+    """Return the site of `folder` and its warnings, each a complete line.
 
-    What a build would refuse is a SiteError here too; so are warnings where `strict`.
+    Raises: SiteError if a build would fail, or if `strict` and there are warnings.
     """
     site = make(folder, report, options=Options(compile=False)).site
     warnings = [*site.notes, *_definitions(site), *_images(site), *wiring.warnings(site)]
@@ -30,9 +30,9 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
 
 
 def _definitions(site: Site) -> list[str]:
-    """Say what is wrong with the interfaces that C++ nodes may use: CMake, which would, is not run.
+    """Return the errors in interfaces that C++ nodes may use, which a build learns from CMake.
 
-    It may be that no program needs them, so this stops no build.
+    They are warnings, because a build succeeds if no program needs these interfaces.
     """
     jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     names = [job.package.name for job in jobs if job.package.name in site.packages]

@@ -1,4 +1,4 @@
-"""Compile nodes into an archive, for those who make a site and have no compiler."""
+"""Turn nodes into an archive for sites that are built without a compiler."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from sitegen.report import Report, count, size
 def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report) -> None:
     """Compile the packages `names` (or package/executable) of a workspace into one archive.
 
-    Raises a SiteError with all names that cannot be compiled, or with what the compiler says.
+    Raises: SiteError if names cannot be compiled, or with the output of a failed compiler.
     """
     root = folder.resolve()
     problems = Problems(root)

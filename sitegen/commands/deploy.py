@@ -1,4 +1,4 @@
-"""Publish a site: build it, and put what was built on a branch that GitHub Pages serves."""
+"""Turn a site into a commit on the branch that GitHub Pages serves."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from sitegen.errors import SiteError
 from sitegen.model import Site
 from sitegen.report import Report, count, shown, size
 
-# Of each kind of changes, a dry run lists so many files.
+# A dry run lists this many files of each kind.
 LISTED = 20
 
 

@@ -1,4 +1,4 @@
-"""What publishing needs of a repository of git: the files of a branch, and a new state of it."""
+"""Read and replace the files of a branch of a Git repository."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from sitegen.errors import SiteError, nearest
 
-# Where a new state grows until all of it is there. Nobody else's branches are touched.
+# The local branch for an unfinished commit. No other local branch is changed.
 DRAFT = "sitegen-deploy"
 
 
@@ -28,7 +28,10 @@ class Repository:
 
     @classmethod
     def of(cls, folder: Path, remote: str, branch: str) -> Repository:
-        """Return the repository; a SiteError says what is missing to publish from it."""
+        """Return the repository that contains `folder`.
+
+        Raises: SiteError if it is not ready to publish from.
+        """
         if not shutil.which("git"):
             raise SiteError(["git not found; install it (git-scm.com)"])
         repository = cls(folder, remote, branch)

@@ -1,4 +1,4 @@
-"""Write workflows of GitHub: one that publishes the site, one that compiles nodes for others."""
+"""Turn a site into GitHub workflows: one publishes it, one compiles its nodes for other sites."""
 
 from __future__ import annotations
 
@@ -17,7 +17,9 @@ SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: sitegen\n", "branches: [main]"
 def workflows(folder: Path) -> dict[Path, str]:
     """Return the workflows for the site of `folder`, by their files.
 
-    They belong into the repository that holds it. Raises a SiteError where they are there already.
+    They belong to the repository that contains it.
+
+    Raises: SiteError if a workflow already exists.
     """
     root = next((up for up in (folder, *folder.parents) if (up / ".git").exists()), folder)
     files = {root / FOLDER / each.name: each.read_text() for each in sorted(TEMPLATES.iterdir())}

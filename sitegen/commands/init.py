@@ -1,4 +1,4 @@
-"""Begin a site: write a site.yaml for a ROS 2 workspace that is there already."""
+"""Turn a ROS 2 workspace into a site.yaml with a page for each package and launch file."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from sitegen.report import Report
 from sitegen.workspace.unsupported import unsupported_libraries
 
 FILE = "site.yaml"
-# Both ways in which ROS names them: robot.launch.py and robot_launch.py.
+# Both naming conventions of ROS: robot.launch.py and robot_launch.py.
 LAUNCH = ("launch/**/*launch.py", "launch/**/*launch.xml", "launch/**/*launch.yaml")
 ENDING = re.compile(r"[._]?launch\.(py|xml|yaml)$")
 ROBOTS = ("urdf/**/*.urdf", "urdf/**/*.xacro")
-# Of each kind, no more are listed.
+# At most this many of each kind are listed.
 LISTED = 12
 
 

@@ -1,4 +1,4 @@
-"""Begin from nothing: make a small workspace, two nodes that talk, and a site that runs them."""
+"""Turn a name into a small workspace: two nodes, and a site that runs them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PACKAGE = re.compile(r"[a-z](_?[a-z0-9])+")
 def new(folder: Path) -> list[str]:
     """Make the workspace `folder`, whose packages are called after it; return its files.
 
-    Raises a SiteError where its name is none for packages, or where something is there already.
+    Raises: SiteError if its name is not a valid package name, or if the folder is not empty.
     """
     name = folder.name
     if not PACKAGE.fullmatch(name):

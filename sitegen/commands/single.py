@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-from sitegen import config
+from sitegen import config, pagepath
 from sitegen.build import make
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Node, Page, Python, Ros2wasm, Site
@@ -50,7 +50,7 @@ def check_single(site: Site, path: str) -> Page:
 
     Raises: SiteError if there is none, or if it cannot be a single file.
     """
-    wanted = f"{path.strip('/')}/".removeprefix("/")
+    wanted = pagepath.normalized(path)
     known = {page.path: page for page in site.pages}
     if wanted not in known:
         names = [page.path or "/" for page in site.pages]

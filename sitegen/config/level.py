@@ -1,4 +1,4 @@
-"""Say what a page lets its visitors do: its level of interaction."""
+"""Turn the widgets of a page into its level of interaction."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def offered(widgets: Iterable[Widget]) -> str:
 
 
 def fault(declared: str, offers: str) -> str:
-    """Return why a page that offers one level may not declare another, or nothing."""
+    """Return the message about a declared level that differs from the one offered, else ""."""
     if declared == offers:
         return ""
     if not offers:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from sitegen import pagepath
 from sitegen.config.document import Value
 from sitegen.errors import Problems, nearest
 from sitegen.model import NavItem, Page
@@ -43,7 +44,7 @@ class NavReader:
 
     def _target(self, title: str, value: Value) -> Iterator[NavItem]:
         text = value.text
-        path = f"{text.strip('/')}/".removeprefix("/")
+        path = pagepath.normalized(text)
         if text.startswith(("https://", "http://")) and title:
             yield NavItem(title, url=text)
         elif path in self.pages:

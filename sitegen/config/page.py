@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import workspace
+from sitegen import pagepath, workspace
 from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Part, Reader
@@ -229,7 +229,7 @@ class PageReader:
             return ""
         text = given.text
         fault = path_fault(text)
-        path = f"{text.strip('/')}/".removeprefix("/")
+        path = pagepath.normalized(text)
         if registered and not fault and (first := self.paths.get(path)):
             where = self.problems.where(first.location)
             fault = f"'{text}' is already used by {first.key} ({where}); choose another"

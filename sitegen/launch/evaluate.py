@@ -1,4 +1,4 @@
-"""Go through a launch file as `ros2 launch` does, and note the nodes that it starts."""
+"""Turn a launch file into the nodes that it starts, as `ros2 launch` does."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""What of launch files a page does without, and what its author gets to know of that."""
+"""Unsupported launch features, and the notes about them."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 
-# Of no consequence for what runs on a page.
+# Actions without an effect in the browser.
 IGNORED = {"append_env", "log", "set_env", "unset_env"}
 STATES = "launch files cannot change node states in the browser"
 LEFT_OUT = {
@@ -16,14 +16,14 @@ LEFT_OUT = {
 ON_EXIT = "'on_exit' is ignored: nodes in the browser do not stop each other"
 AUTOSTART = f"'autostart' is ignored: {STATES}"
 OF_SYSTEM = "skipped: system programs cannot run in the browser"
-# Packages of programs that draw on a screen of their own.
+# Prefixes of packages whose programs open desktop windows.
 SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
-# Programs that read the keys of a terminal.
+# Programs that read keys from a terminal.
 KEYS = {("turtlesim", "turtle_teleop_key"): "use the arrow keys in the turtlesim window"}
 
 
 def program(package: str, executable: str, packages: Collection[str]) -> str:
-    """Return why a page does without a program, or nothing; `packages` are in the workspace."""
+    """Return the note about an unsupported program, else ""; `packages` are in the workspace."""
     if package.startswith(SCREENS) and package not in packages:
         return f"'{package}' is skipped: it needs a desktop window"
     if instead := KEYS.get((package, executable)):

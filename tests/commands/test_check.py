@@ -127,8 +127,8 @@ def test_sites_of_ours_are_right(name: str) -> None:
 
 def test_who_calls_nobody_is_told() -> None:
     assert warnings(ROOT / "tests/sites/services") == [
-        "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, where nobody "
-        "serves it; add a node that provides it, or remap the name"
+        "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, which "
+        "has no server; add a node that provides it, or remap the name"
     ]
 
 

@@ -149,7 +149,7 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
         "src/eyes: 'seer' needs 'OpenCV', which is not available in the browser",
         "src/eyes: 'camera' needs 'cv_bridge', which is not available in the browser",
         "src/eyes/launch/see.launch.xml: src/eyes: 'seer' needs 'OpenCV', "
-        "which has no build for the page",
+        "which is not available in the browser",
     ):
         assert f"  skipped: {fault}\n" in said
     pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
@@ -203,5 +203,5 @@ def test_packages_that_cannot_run_are_left_out(
         package.read_text().replace("ament_cmake</build_type>", "cmake</build_type>")
     )
     assert main(["init", str(workspace)]) == 0
-    assert "left out: src/cpp_chatter" in capsys.readouterr().out
+    assert "skipped: src/cpp_chatter" in capsys.readouterr().out
     assert [page.path for page in config.load(workspace / "site.yaml").pages] == ["", "cpp_pubsub/"]

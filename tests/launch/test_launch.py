@@ -176,24 +176,27 @@ def root(tmp_path: Path) -> Path:
             "<launch><nod pkg='a'/></launch>",
             "nod: this action is not supported in the browser; did you mean",
         ),
-        ("<launch><let name='x' value='$(eval 1/0)'/></launch>", "let: '1/0' is no expression"),
-        ("<launch><let name='x' value='$(eval open)'/></launch>", "let: 'open' is no expression"),
+        ("<launch><let name='x' value='$(eval 1/0)'/></launch>", "let: '1/0' is not a valid"),
+        ("<launch><let name='x' value='$(eval open)'/></launch>", "let: 'open' is not a valid"),
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
         ("<launch><let name='x' value='$(var y)'/></launch>", "let: argument 'y' is not set"),
-        ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' opens a parenth"),
+        ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' has an unclosed"),
         (
             "<launch><let name='x' value='$(command ls)'/></launch>",
             "let: $(command …) runs",
         ),
-        ("<launch><node pkg='a' exec='b' if='perhaps'/></launch>", "node: 'perhaps' is neither"),
+        (
+            "<launch><node pkg='a' exec='b' if='perhaps'/></launch>",
+            "node: 'perhaps' is not a boolean",
+        ),
         (
             "<launch><include file='$(find-pkg-share other)/x.xml'/></launch>",
             "include: no package 'other' in the workspace; ",
         ),
-        ("<launch><include file='/etc/x.xml'/></launch>", "include: '/etc/x.xml' is not below"),
+        ("<launch><include file='/etc/x.xml'/></launch>", "include: '/etc/x.xml' is outside"),
         ("<launch><include file='$(dirname)/no.xml'/></launch>", "include: 'no.xml': No such"),
         ("<launch><include file='$(filename)'/></launch>", "include: launch files include each"),
-        ("<launch><include file='$(dirname)/x.sh'/></launch>", "include: 'x.sh' cannot be read"),
+        ("<launch><include file='$(dirname)/x.sh'/></launch>", "include: 'x.sh' is not a"),
         (
             "<launch><node pkg='a' exec='b'><param from='$(dirname)/no.yaml'/></node></launch>",
             "node: no file '",
@@ -426,7 +429,7 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
     managed = {"lifecycle_node", "lifecycle_transition"}
     assert kinds == {"executable", "timer", *managed, *events}
     for name in ("autostart", "on_exit"):
-        assert [line for line in notes.lines if f"'{name}' is left out" in line]
+        assert [line for line in notes.lines if f"'{name}' is ignored" in line]
 
 
 INSTALLED = """

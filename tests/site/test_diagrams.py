@@ -98,7 +98,7 @@ def test_texts_are_escaped() -> None:
         ("graph LR\n a[b", "a[b", "'[' is not closed; close it with ']'"),
         ("graph LR\n subgraph x", "subgraph x", "'subgraph' is not supported"),
         ("graph LR", "graph LR", "this flowchart has no boxes"),
-        ("sequenceDiagram\n hello", "hello", "'hello' is not understood"),
+        ("sequenceDiagram\n hello", "hello", "'hello' is not a valid statement"),
         (
             "sequenceDiagram\n loop x\n a->>b: c",
             "loop",

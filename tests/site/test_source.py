@@ -131,7 +131,7 @@ def test_a_source_runs_nothing(folder: Path) -> None:
         ("source: other", "source: the source of 'other' is unknown; give the"),
         (
             "source: {node: talker, lines: 1-2, region: a}",
-            "ros.source.lines: given beside 'region'",
+            "ros.source.lines: cannot be combined with 'region'",
         ),
     ],
 )

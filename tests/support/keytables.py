@@ -47,7 +47,7 @@ LINKS = {
     "nav": "writing.md#navigation",
     "content": "widgets.md#content",
 }
-HEAD = ("| key | type | default | meaning |", "|---|---|---|---|")
+HEAD = ("| key | type, default | meaning |", "|---|---|---|")
 
 
 def table(keys: Sequence[Key]) -> str:
@@ -58,8 +58,11 @@ def table(keys: Sequence[Key]) -> str:
 def row(key: Key) -> str:
     """Return the row of `key`."""
     kind = f"[{key.type}]({LINKS[key.type]})" if key.type in LINKS else key.type
-    value = f"`{str(key.default).lower()}`" if key.default is not None else "none"
-    return f"| `{key.name}` | {kind} | {'required' if key.required else value} | {key.help} |"
+    if key.required:
+        kind += ", required"
+    elif key.default is not None:
+        kind += f", `{str(key.default).lower()}`"
+    return f"| `{key.name}` | {kind} | {key.help} |"
 
 
 def with_tables(page: str, text: str) -> str:

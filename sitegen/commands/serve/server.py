@@ -1,4 +1,4 @@
-"""A web server for one author: the files of a LiveSite, and the news of it."""
+"""Turn a LiveSite into a local web server with live reload."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Self
 from urllib.parse import quote, unquote, urlsplit
 
+from sitegen import pagepath
 from sitegen.commands.serve.live import LiveSite
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
@@ -22,7 +23,7 @@ HERE = Path(__file__).parent
 NEWS = f"{PREFIX}news"
 FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
-# How many ports are tried after the one that was wanted.
+# The number of ports to try, starting at the requested one.
 TRIES = 20
 TYPES = {
     ".css": "text/css; charset=utf-8",
@@ -98,15 +99,14 @@ class _Handler(BaseHTTPRequestHandler):
             self._send_file(path)
 
     def _send_file(self, path: str) -> None:
-        if path.endswith("/") or not path:
-            path += "index.html"
+        path = pagepath.file_of(path)
         file = self._live.file(path)
         if file:
             self._send(path, _bytes(file))
         elif path == WORKER:
             # Of a site that this port showed before: it would go on showing that.
             self._send(path, offline.RETIRED)
-        elif self._live.file(f"{path}/index.html"):
+        elif self._live.file(pagepath.file_of(f"{path}/")):
             self._redirect(f"/{path}/")
         else:
             missing = self._live.file("404.html")

@@ -1,4 +1,4 @@
-"""Tell when files of a site change, those that change together at once."""
+"""Turn file system events into sets of files that changed together."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Take in programs that were compiled elsewhere."""
+"""Use programs that were compiled elsewhere."""

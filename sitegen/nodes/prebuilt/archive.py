@@ -1,6 +1,6 @@
-"""Pack compiled nodes into an archive for others, and unpack such an archive without trusting it.
+"""Turn compiled nodes into an archive for other sites, and unpack untrusted archives.
 
-`manifest.json` in it says which nodes it has; all other names follow from theirs.
+`manifest.json` in an archive lists its nodes; all other file names follow from their names.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Any
 from sitegen import __version__
 from sitegen.model import Build
 
-# Raised when nodes need another page than this one: host.h, the worker and the graph go with it.
+# Increased when nodes need a different page: host.h, the worker and the graph depend on it.
 FORMAT = 1
 MANIFEST = "manifest.json"
 ENGINES = ("jspi", "asyncify")
@@ -32,7 +32,7 @@ EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 class ArchiveError(Exception):
-    """An archive is not as it should be: the message says how."""
+    """The archive is invalid; the message says why."""
 
 
 @dataclass(frozen=True)
@@ -66,9 +66,9 @@ def pack(builds: Mapping[tuple[str, str], Sequence[Build]], to: Path) -> None:
 
 
 def unpack(archive: Path, to: Path) -> None:
-    """Unpack an archive to the new folder `to`, or raise an ArchiveError and write nothing there.
+    """Unpack an archive to the new folder `to`: exactly the files that its manifest implies.
 
-    Only the files that the manifest leads to are written, and all have to be there.
+    Raises: ArchiveError if the archive is invalid; then nothing is written.
     """
     if archive.stat().st_size > LARGEST:
         raise ArchiveError(f"it is larger than {LARGEST:,} bytes")

@@ -1,4 +1,4 @@
-"""Fetch the archives of prebuilt programs, and choose the builds that nodes name."""
+"""Turn the archives of prebuilt programs into the builds that nodes name."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Builds = Mapping[tuple[str, str], Sequence[Build]]
 def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
     """Return the site with what archives say about its nodes, and the builds of those.
 
-    Raises one SiteError with all archives that cannot be had or are not as they should be.
+    Raises: SiteError if archives cannot be read, or do not contain the nodes that the site names.
     """
     problems = Problems(site.root)
     nodes = [node for page in site.pages for node in page.nodes.values()]

@@ -1,4 +1,4 @@
-"""Collect what Python programs need beside ROS: wheels of PyPI, and of the Pyodide distribution."""
+"""Turn the imports of Python programs into wheels from PyPI and the Pyodide distribution."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from sitegen.nodes.python.imports import Import
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.shipped import VENDOR
 
-# What the Pyodide distribution has, with its hashes: of the release that pages run.
+# The packages of the Pyodide distribution, with their hashes.
 DISTRIBUTION = VENDOR / "pyodide-packages.json"
 PURE = "-none-any.whl"
 LARGEST = 100_000_000
-# Of what comes to each page with rclpy.
+# Packages that every page has, because rclpy needs them.
 THERE = {"pyyaml", "typing-extensions"}
-# How PyPI names the packages of ROS: those come with rclpy and the messages.
+# The prefix of ROS packages on PyPI, which come with rclpy and the messages.
 OF_ROS = "ros-"
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
 POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
@@ -45,8 +45,10 @@ def collect(
 ) -> dict[Program, list[Wheel]]:
     """Return the wheels that each program needs.
 
-    `wanted` has the modules that each imports from elsewhere, and where. Raises a SiteError with
-    all modules that are nowhere, each with its line; says those that not every run imports.
+    `wanted` maps each program to the modules that it imports from elsewhere. Modules that are
+    imported only conditionally and cannot be found are reported by `say`.
+
+    Raises: SiteError if modules or wheels cannot be found, with the line of each import.
     """
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     origins = {module: name for name, each in lock.items() for module in each["imports"]}
@@ -79,7 +81,7 @@ def collect(
 
 
 def unavailable(module: str) -> str:
-    """Return why a module is not on pages by itself, and what to do."""
+    """Return the message about a module that no page has without configuration."""
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     return _unavailable(
         module, {name: each for each, of in lock.items() for name in of["imports"]}, lock
@@ -139,7 +141,10 @@ def _with_needs(names: Iterable[str], lock: Mapping[str, Any]) -> list[str]:
 
 
 def _of_distribution(site: Site, entry: Mapping[str, Any], cache: Path) -> Wheel:
-    """Return a package of the Pyodide distribution; raises a FetchError if it cannot be had."""
+    """Return a package of the Pyodide distribution.
+
+    Raises: FetchError if it cannot be downloaded or read, or if its hash is wrong.
+    """
     name, sha256, origin = entry["file_name"], entry["sha256"], site.pyodide.packages
     kept = cache / sha256
     if not kept.exists():

@@ -1,4 +1,4 @@
-"""Fetch the wheels that an author pinned, by pip: of pure Python, or compiled for the page."""
+"""Turn a requirements file into wheels, downloaded by pip."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ NONE = re.compile(r"No matching distribution found for (\S+)")
 
 
 def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
-    """Return the wheels that `file` names; raises a SiteError with pip's words."""
+    """Return the wheels that `file` lists: pure Python, or compiled for Pyodide.
+
+    Raises: SiteError with the message of pip if it fails.
+    """
     version, platform = pyodide.python_version(), pyodide.platform()
     python = f"cp{version.replace('.', '')}"
     words = [f"--python-version={version}", f"--platform={platform}"]

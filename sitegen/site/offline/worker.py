@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from urllib.parse import unquote, urljoin, urlsplit
 
+from sitegen import pagepath
 from sitegen.model import Artifact, Site
 
 PATH = "sw.js"
@@ -39,7 +40,7 @@ def artifacts(site: Site, made: Iterable[Artifact]) -> list[Artifact]:
 
 
 def _worker(site: Site, contents: Mapping[str, bytes]) -> bytes:
-    files = {_name(path): _hash(content) for path, content in sorted(contents.items())}
+    files = {pagepath.path_of(path): _hash(content) for path, content in sorted(contents.items())}
     total = sum(len(content) for content in contents.values())
     later = [name for name in files if name.startswith(LATER)] if total > WHOLE else []
     pages = {page.path: _needs(page.path, contents, set(later)) for page in site.pages}
@@ -63,7 +64,7 @@ def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequenc
     """Return those files that come later which the page at `path` needs."""
     if not later:
         return []
-    addresses = SOURCE.findall(contents[f"{path}index.html"].decode())
+    addresses = SOURCE.findall(contents[pagepath.file_of(path)].decode())
     found = set()
     for node in json.loads(contents.get(f"{path}page.json", b'{"nodes": {}}'))["nodes"].values():
         for build in node.get("builds", {}).values():
@@ -83,10 +84,6 @@ def _inside(path: str, address: str) -> str:
     """Return the path inside `dist/` that an address of the page at `path` means."""
     base = "http://site/"
     return unquote(urlsplit(urljoin(f"{base}{path}", address)).path).removeprefix("/")
-
-
-def _name(path: str) -> str:
-    return path.removesuffix("index.html") if re.search(r"(^|/)index\.html$", path) else path
 
 
 def _hash(content: bytes) -> str:

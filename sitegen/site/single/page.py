@@ -15,6 +15,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urljoin, urlsplit
 
+from sitegen import pagepath
 from sitegen.model import Artifact, Page, Site
 from sitegen.site.single.bundle import bundle
 
@@ -157,7 +158,7 @@ class _Writer(HTMLParser):
         if not address or not absolute.startswith(HERE):
             return None
         path = unquote(urlsplit(absolute.removeprefix(HERE)).path)
-        return f"{path}index.html" if not path or path.endswith("/") else path
+        return pagepath.file_of(path)
 
     def _read(self, path: str) -> bytes:
         source = self.artifacts[path].source

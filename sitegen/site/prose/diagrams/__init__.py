@@ -13,7 +13,10 @@ __all__ = ["DiagramError", "drawn"]
 
 @functools.cache
 def drawn(source: str) -> str:
-    """Return the SVG of a diagram, or raise a DiagramError."""
+    """Return the SVG of a diagram.
+
+    Raises: DiagramError if the diagram is invalid or unsupported.
+    """
     lines = [line.strip().rstrip(";").strip() for line in source.split("\n")]
     lines = [line for line in lines if line and not line.startswith("%%")]
     kind = lines[0].split()[0] if lines else ""
