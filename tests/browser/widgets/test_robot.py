@@ -68,7 +68,7 @@ def test_a_differential_drive_goes_where_it_is_told(stage: Tab) -> None:
     assert pose(panel)[2] == pytest.approx(28.6, abs=1)
     panel.get_by_role("button", name="Reset").click()
     stage.clock.run_for(100)
-    expect(reading(panel, "Location")).to_have_text("0.00, 0.00 m")
+    expect(reading(panel, "Position")).to_have_text("0.00, 0.00 m")
     expect(reading(panel, "Heading")).to_have_text("0°")
 
 
@@ -87,7 +87,7 @@ def test_a_differential_drive_stands_where_odometry_says(stage: Tab) -> None:
           twist: { twist: { linear: { x: 0.25, y: 0, z: 0 }, angular: { x: 0, y: 0, z: -0.5 } } },
         })"""
     )
-    expect(reading(panel, "Location")).to_have_text("3.00, -2.00 m")
+    expect(reading(panel, "Position")).to_have_text("3.00, -2.00 m")
     expect(reading(panel, "Heading")).to_have_text("90°")
     expect(reading(panel, "Speed")).to_have_text("0.25 m/s")
     expect(reading(panel, "Turn")).to_have_text("-0.50 rad/s")

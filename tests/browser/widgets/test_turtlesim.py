@@ -78,7 +78,7 @@ def test_the_window_shows_turtles_and_keys_drive_them(tab: Page, url: str) -> No
     turtlesim = Panel(tab, "turtlesim")
     turtlesim.start()
     expect(window.locator(".ros-turtle")).to_have_count(1)
-    expect(reading(window, "Location")).to_have_text("5.54, 5.54")
+    expect(reading(window, "Position")).to_have_text("5.54, 5.54")
     assert drawn(window, 6, 5.54)[3] == 0
     window.get_by_role("img").focus()
     tab.keyboard.press("ArrowUp")
@@ -88,7 +88,7 @@ def test_the_window_shows_turtles_and_keys_drive_them(tab: Page, url: str) -> No
     window.get_by_role("button", name="Turn left").click()
     expect(reading(window, "Turn")).to_have_text("2.00")
     window.get_by_role("button", name="Reset").click()
-    expect(reading(window, "Location")).to_have_text("5.54, 5.54")
+    expect(reading(window, "Position")).to_have_text("5.54, 5.54")
     assert drawn(window, 6, 5.54)[3] == 0
     turtlesim.stop()
     expect(window.locator(".ros-turtle")).to_have_count(0)
@@ -99,7 +99,7 @@ def test_a_launch_file_brings_the_windows_of_its_turtles(tab: Page, url: str) ->
     first, second = tab.locator(".ros-robot").all()
     expect(first).to_contain_text("/first/sim/window from /first/sim")
     expect(second).to_contain_text("/second/sim/window from /second/sim")
-    expect(reading(second, "Location")).to_have_text("5.54, 5.54")
+    expect(reading(second, "Position")).to_have_text("5.54, 5.54")
     expect(tab.get_by_role("region", name="mimic", exact=True)).to_contain_text("running")
     first.get_by_role("button", name="Forward").click()
     expect(reading(second, "Speed")).to_have_text("2.00")
@@ -113,7 +113,7 @@ def test_the_program_of_the_demo_draws_a_star(tab: Page, built: Built, serve: Se
     tab.get_by_role("button", name="Run").click()
     Panel(tab, "star").wait_for("There is a star")
     window = tab.locator(".ros-robot")
-    expect(reading(window, "Location")).to_have_text("2.50, 6.50")
+    expect(reading(window, "Position")).to_have_text("2.50, 6.50")
     assert drawn(window, 4, 6.5) == [255, 221, 51, 255]
     assert drawn(window, 4, 6)[3] == 0
 

@@ -179,7 +179,7 @@ export const words = {
   "Distance": "Abstand",
   "free": "frei",
   "Tilt": "Neigung",
-  "Place": "Ort",
+  "Position": "Position",
   "Heading": "Richtung",
   "Speed": "Tempo",
   "Turn": "Drehung",

@@ -126,7 +126,7 @@ export function create(ros, { window: topic }, changed) {
       const pose = current()?.pose;
       const text = (/** @type {string} */ some) => (pose ? some : "–");
       return [
-        { name: say("Place"), text: text(`${plain(pose?.x ?? 0, 2)}, ${plain(pose?.y ?? 0, 2)}`) },
+        { name: say("Position"), text: text(`${plain(pose?.x ?? 0, 2)}, ${plain(pose?.y ?? 0, 2)}`) },
         { name: say("Heading"), text: text(`${plain(((pose?.theta ?? 0) * 180) / Math.PI, 0)}°`) },
         { name: say("Speed"), text: text(plain(pose?.linear_velocity ?? 0, 2)) },
         { name: say("Turn"), text: text(plain(pose?.angular_velocity ?? 0, 2)) },

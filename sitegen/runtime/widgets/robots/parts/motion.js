@@ -25,7 +25,7 @@ export function drive({ x, y, heading }, speed, turn, seconds) {
 export function describe({ x, y, heading }) {
   const turn = Math.atan2(Math.sin(heading), Math.cos(heading));
   return [
-    { name: say("Place"), text: `${plain(x, 2)}, ${plain(y, 2)} m` },
+    { name: say("Position"), text: `${plain(x, 2)}, ${plain(y, 2)} m` },
     { name: say("Heading"), text: `${plain((turn * 180) / Math.PI, 0)}°` },
   ];
 }
