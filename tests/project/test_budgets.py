@@ -38,7 +38,7 @@ BUDGETS = [
     Budget("demo01/", 153 * KB, 340 * KB),
     Budget("demo02/", 153 * KB, 340 * KB),
     Budget("demo03/", 153 * KB, 340 * KB),
-    Budget("demo04/", 255 * KB, 490 * KB),
+    Budget("demo04/", 260 * KB, 490 * KB),
     Budget("demo05/", 340 * KB, 570 * KB),
     Budget("demo06/", 1650 * KB, 17500 * KB),
     Budget("demo07/", 1650 * KB, 17500 * KB),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import io
 import json
 import re
 import shutil
@@ -15,24 +14,16 @@ from browser import Serve
 from paths import ROOT
 from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
+from rendered import render_site
 
 from sitegen.errors import Location, SiteError
 from sitegen.model import Artifact, Build, Markdown, Node, Page, Site, Widget
 from sitegen.nodes.cpp.program import CppProgram
-from sitegen.nodes.programs import programs_of
-from sitegen.options import Options
-from sitegen.report import Report
 from sitegen.shipped import RUNTIME
 from sitegen.site.pages import render
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="40" height="30"/>'
 THEME = ROOT / "themes/default"
-
-
-def render_site(site: Site) -> list[Artifact]:
-    """Render a site whose programs were not compiled."""
-    options, report = Options(compile=False), Report(io.StringIO())
-    return render(site, programs_of(site, {}, options=options, cache=site.root, report=report))
 
 
 class Author:

@@ -12,6 +12,7 @@ from browser import Built, Serve
 from paths import ROOT
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
+from rendered import render_site
 
 from sitegen.__main__ import main
 from sitegen.commands.build import build
@@ -53,7 +54,8 @@ def test_the_documentation_names_all_that_a_template_is_given(
         return ""
 
     monkeypatch.setattr(Theme, "html", note)
-    render(load(EVERYTHING / "site.yaml"))
+    render_site(load(EVERYTHING / "site.yaml"))
+    assert given
     assert all(names == NAMES for names in given)
 
 

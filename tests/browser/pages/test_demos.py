@@ -18,14 +18,9 @@ from sitegen.report import Report
 pytestmark = [pytest.mark.firefox, pytest.mark.asyncify(always=True)]
 
 
-# Where a site is has nothing to do with what runs in it, so two of the four pairs show both.
-@pytest.fixture(params=["jspi", "asyncify"], ids=["jspi-root", "asyncify-sub-path"])
-def engine(request: pytest.FixtureRequest) -> str:
-    return str(request.param)
-
-
 @pytest.fixture
 def url(built: Built, serve: Serve, engine: str) -> str:
+    """The address of the site: at the root of a server for one engine, below it for the other."""
     return serve(built(ROOT), "/" if engine == "jspi" else "/my-robot/")
 
 

@@ -22,7 +22,7 @@ const SHELLS = ["#6ec25b", "#e8a33d", "#d76fb0", "#5fc4c4", "#c9c14a", "#b78be0"
 
 /**
  * A turtle of the window: where it was last, in pixels, and how it goes.
- * @typedef {{look: any, body: Element, label: Element, pose?: any, close(): void}} Turtle
+ * @typedef {{look: any, body: Element, label: Element, pose?: any, last?: any, close(): void}} Turtle
  */
 
 /**
@@ -62,8 +62,8 @@ export function create(ros, { window: topic }, changed) {
     const turtle = { look, body: body(look.number), label, close: () => {} };
     turtles.set(look.number, turtle);
     turtle.close = followPoses(ros, look.pose, (pose) => {
-      const last = turtle.pose;
-      turtle.pose = pose;
+      const { last } = turtle;
+      turtle.pose = turtle.last = pose;
       if (last && turtle.look.width) paper.line(turtle.look, last, pose);
       changed();
     });
@@ -75,7 +75,11 @@ export function create(ros, { window: topic }, changed) {
     turtles.delete(turtle.look.number);
   };
   const show = (/** @type {any} */ window) => {
-    if (window.cleared !== shown?.cleared) paper.clear();
+    if (window.cleared !== shown?.cleared) {
+      paper.clear();
+      // A way that began before belongs to the old paper.
+      for (const turtle of turtles.values()) turtle.last = undefined;
+    }
     shown = window;
     drawing.style.setProperty("--paper", color(window.background_r, window.background_g, window.background_b));
     const numbers = new Set(window.turtles.map((/** @type {any} */ { number }) => number));
