@@ -48,6 +48,11 @@ class Panel:
     def expect_state(self, state: str) -> None:
         expect(self.panel.locator(".ros-state").first).to_have_text(state)
 
+    def expect_started(self) -> None:
+        """Wait until the program runs; one that ends by itself may have ended already."""
+        started = re.compile("running|stopped|failed")
+        expect(self.panel.locator(".ros-state").first).to_have_text(started)
+
     def lines(self) -> list[str]:
         self._page.evaluate(DRAWN)
         return [line for line in self.console.inner_text().split("\n") if line]

@@ -42,7 +42,7 @@ def test_goals_are_executed_refused_aborted_and_canceled(
     both = (server, client) if first == "server" else (client, server)
     for panel in both:
         panel.start()
-        panel.expect_state("running")
+        panel.expect_started()
     client.expect_state("stopped")
     assert client.messages() == CLIENT
     server.wait_for("canceled")

@@ -25,7 +25,7 @@ def start(page: Page, *names: str) -> list[Panel]:
     for panel in panels:
         panel.start()
     for panel in panels:
-        panel.expect_state("running")
+        panel.expect_started()
     return panels
 
 
