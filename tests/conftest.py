@@ -70,9 +70,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave Firefox without JSPI to `--firefox`: Chromium without it runs the same programs.
 
-    A test in Firefox or WebKitGTK that fails is run once more, and named at the end: they are driven
-    over WebDriver, where a few runs of a thousand fail on a busy machine. All others have one run;
-    a test that needs a second one gets its own mark, with the reason.
+    A test in Firefox or WebKitGTK that fails is run once more, and named at the end: they are
+    driven over WebDriver, where a few runs of a thousand fail on a busy machine. All others have
+    one run; a test that needs a second one gets its own mark, with the reason.
     """
     if not config.getoption("firefox"):
         items[:] = [item for item in items if not _is_firefox_without_jspi(item)]
