@@ -208,7 +208,7 @@ def test_a_frame_runs_in_a_page_of_another_site(
     tab.goto(f"{url}demo02/")
     Panel(tab, "talker").start()
     Panel(tab, "talker").wait_for("Hello")
-    html = shared(tab).get_by_label("Frame").input_value()
+    html = shared(tab).get_by_label("Embed code").input_value()
     head = '<meta charset="utf-8"><title>Blog</title><link rel="icon" href="data:,">'
     (tmp_path / "index.html").write_text(f'<!doctype html><html lang="en">{head}\n{html}')
     other = serve(tmp_path)

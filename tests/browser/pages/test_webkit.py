@@ -119,7 +119,7 @@ def test_demo05_looks_inside(page: Window) -> None:
     page.fill(f"{services} .ros-field:nth-of-type(1) input", "9007199254740993")
     page.fill(f"{services} .ros-field:nth-of-type(2) input", "-1")
     page.click(f"{services} .ros-send")
-    page.wait_for(f"{services} [aria-label=answer]", "sum: 9007199254740992")
+    page.wait_for(f"{services} [aria-label=response]", "sum: 9007199254740992")
 
     talker.start()
     listener.start()
