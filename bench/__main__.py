@@ -11,6 +11,7 @@ import sys
 import time
 import traceback
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 from bench import building, crowd, messages, pages, prose, python
@@ -39,7 +40,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser("bench", description="Measure the speed of sitegen.")
     parser.add_argument("part", nargs="*", choices=[[], *PARTS], help=", ".join(PARTS))
     parser.add_argument(
-        "--smallest", action="store_true", help="see that everything runs; the figures mean nothing"
+        "--smallest", action="store_true", help="check that parts run; the figures mean nothing"
     )
     arguments = parser.parse_args(argv)
     counts = SMALLEST if arguments.smallest else FULL
@@ -63,7 +64,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"{part}: {time.monotonic() - begun:.0f} s", file=sys.stderr)
         print(table(found), flush=True)
         figures += found
-        save(figures, load, file)
+        save(figures, counts, load, file)
     if figures:
         print(f"\n{table(figures)}\n→ {file.relative_to(RESULTS.parents[1])}")
     if failed:
@@ -71,12 +72,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     return len(failed)
 
 
-def save(figures: Sequence[Figure], load: float, file: Path) -> None:
-    """Write the figures so far, and where they were measured, to `file`."""
+def save(figures: Sequence[Figure], counts: Counts, load: float, file: Path) -> None:
+    """Write the figures so far to `file`, with their counts and the machine."""
     machine = {"processor": platform.processor() or platform.machine(), "cores": os.cpu_count()}
     result = {
         "date": datetime.datetime.now().isoformat(timespec="seconds"),
         "machine": machine | {"load": load},
+        "counts": asdict(counts),
         "figures": [figure.entry() for figure in figures],
     }
     file.parent.mkdir(exist_ok=True)

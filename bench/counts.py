@@ -22,6 +22,8 @@ class Counts:
     # Nodes of a large page, and topics that each publishes.
     nodes: int = 50
     topics: int = 10
+    # Pages of this site whose size is measured; all if empty.
+    loads: tuple[str, ...] = ()
     # Folders of Markdown, and pages in each.
     folders: int = 20
     pages: int = 50
@@ -41,6 +43,8 @@ SMALLEST = Counts(
     idle=1,
     nodes=5,
     topics=2,
+    # A console, and a prompt without one.
+    loads=("demo01/", "demo07/"),
     folders=2,
     pages=10,
     cold=False,

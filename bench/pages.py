@@ -88,13 +88,14 @@ def first_line(browser: Browser, url: str) -> tuple[float, str]:
 
 
 def size(counts: Counts) -> list[Figure]:
-    """All that a page loads until every node on it has printed a line; bare: its programs alone."""
+    """All that a page loads until its nodes run and its consoles have lines; bare: its programs."""
     site = config.load(ROOT / "site.yaml")
     figures = []
     with tempfile.TemporaryDirectory() as temporary, chromium() as browser:
         dist = Path(temporary) / "dist"
         build(ROOT, output=dist, report=Progress())
-        for page in site.pages:
+        pages = {page.path: page for page in site.pages}
+        for page in [pages[path] for path in counts.loads or pages]:
             asked: set[str] = set()
             with serving(dist, asked=asked) as url:
                 _run(browser, page, url)

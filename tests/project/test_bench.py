@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from bench import __main__ as bench
+from bench import crowd
+from bench.browser import chromium, serving_site
 from bench.counts import SMALLEST
 from bench.figure import Figure
 
@@ -20,6 +22,15 @@ def test_a_part_runs(part: str) -> None:
     assert all(figure.ours > 0 for figure in figures)
     ratios = [figure for figure in figures if figure.target and figure.target.of == "ratio"]
     assert all(figure.bare for figure in ratios)
+
+
+def test_a_node_that_runs_already_is_not_waited_for() -> None:
+    with serving_site(crowd.SITE, isolated=True) as url, chromium() as browser:
+        page = browser.new_page()
+        page.goto(url)
+        page.evaluate("async () => { window.drive = await import('/bench/drive.js'); }")
+        for act in ("start", "start", "stop", "stop"):
+            page.evaluate(f"drive.{act}(['sink'])")
 
 
 def test_a_part_that_fails_costs_no_other(
