@@ -24,7 +24,7 @@ test: $(TOOLS) lint
 	$(BIN)/python tests/support/programs.py
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile
 
-# All of it in all browsers and engines, with the full counts. It takes hours.
+# All of it in all browsers and engines, which takes much longer.
 test-all: $(TOOLS) lint
 	$(BIN)/python tests/support/programs.py --all
 	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --all
