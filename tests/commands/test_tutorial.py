@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from browser import Serve
+from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Page, expect
 
@@ -38,10 +39,10 @@ def test_who_follows_the_tutorial_has_a_site(
     assert commands == ["new", "serve", "check", "build"]
 
     tab.goto(f"{serve(Path('dist'))}look/")
-    for start in tab.get_by_role("button", name="Start", exact=True).all():
-        start.click()
-    counter = tab.get_by_role("region", name="counter", exact=True).get_by_role("log")
-    expect(counter).to_contain_text("so far, the last was 'Hello, world!", timeout=60_000)
+    Panel(tab, "talker").start()
+    counter = Panel(tab, "counter")
+    counter.start()
+    counter.wait_for("so far, the last was 'Hello, world!")
     topics = tab.get_by_role("region", name="Topics")
     topics.scroll_into_view_if_needed()
     expect(topics).to_contain_text("data:")
