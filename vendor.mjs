@@ -19,6 +19,7 @@ const BUNDLES = {
     export { EditorState, StateEffect, StateField } from "@codemirror/state";
     export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
     export { tags } from "@lezer/highlight";`,
+  idiomorph: 'export { Idiomorph } from "idiomorph";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
 

@@ -9,7 +9,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import Built, Scripted, Serve, opened, running, serving
+from browser import Built, Scripted, Serve, opened, own_serving, running, serving
 from panel import Panel, Played
 from paths import ROOT
 from playwright.sync_api import Browser, BrowserContext, Page, expect
@@ -140,12 +140,13 @@ def any_tab(browser_name: str, request: pytest.FixtureRequest) -> Scripted:
 
 
 @pytest.fixture
-def serve() -> Iterator[Serve]:
+def serve(request: pytest.FixtureRequest) -> Iterator[Serve]:
     """A function that serves a folder, below a prefix if given, until the test is over."""
+    server = own_serving if request.node.get_closest_marker("own_server") else serving
     with ExitStack() as servers:
 
         def start(folder: Path, prefix: str = "/") -> str:
-            return servers.enter_context(serving(folder, prefix))
+            return servers.enter_context(server(folder, prefix))
 
         yield start
 

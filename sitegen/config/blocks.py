@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-ROS = re.compile(r"^ {0,3}(`{3,}|~{3,})[ \t]*ros(\s|$)", re.MULTILINE)
+ROS = re.compile(r"(```|~~~)[`~ \t{.]*ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
+NEARLY_ROS = re.compile(r"[{.]*\s*ros[12]?[\s}]*(?!\S)", re.I)
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 
@@ -81,7 +82,8 @@ def _prose(lines: list[str], end: int) -> Iterator[Block]:
 
 
 def _is_ros(info: str) -> bool:
-    return info.split(maxsplit=1)[:1] == ["ros"]
+    """Return whether a fence is for widgets, or nearly: its reader says what to correct."""
+    return bool(NEARLY_ROS.match(info))
 
 
 def _lines(text: str) -> Iterator[_Line]:

@@ -59,6 +59,14 @@ class Reader:
         if not block.closed:
             self.problems.add(fence, "ros", "this block is not closed; close it with ```")
             return
+        info = block.info or ""
+        if info.split()[:1] != ["ros"]:
+            message = (
+                f"a block of widgets begins with ```ros, found '{info}'; "
+                "write ```ros, or choose another language for code"
+            )
+            self.problems.add(fence, "ros", message)
+            return
         if block.info != "ros":
             message = (
                 f"a block must begin with 'ros' alone, found '{block.info}'; "

@@ -10,7 +10,7 @@ import { Widgets } from "./page/widgets.js";
 import { WorkerGroups } from "./page/workerGroup.js";
 import { place } from "./place.js";
 
-/** @import { PageEntry } from "./protocol.js" */
+/** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
 // Before a theme writes there what is being read.
 const fragment = location.hash;
@@ -36,8 +36,7 @@ const widgets = new Widgets();
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {
-  const node = new NodeProcess(name, entry, link.href, graph, mounted, groups);
-  nodes.set(name, node);
+  const node = add(name, entry);
   if (sharing.starts(name)) node.start();
 }
 
@@ -58,7 +57,22 @@ export const ros = {
   unmount: widgets.unmount.bind(widgets),
 };
 
+/** For a page that is edited while it is open: see sitegen/commands/serve/update.js. */
+export const editing = {
+  add,
+  mount: (/** @type {WidgetEntry} */ widget) => widgets.mount(widget, ros),
+  /** Take another page.json for what links carry. */
+  rename: sharing.rename.bind(sharing),
+};
+
 await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
 
 showTime();
 sharing.tell();
+
+/** Make a node of the page, which does not run yet. @param {string} name @param {NodeEntry} entry */
+function add(name, entry) {
+  const node = new NodeProcess(name, entry, link.href, graph, mounted, groups);
+  nodes.set(name, node);
+  return node;
+}

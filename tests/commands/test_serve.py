@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import os
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import threading
+import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from browser import Built
 from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Browser, Page, expect
 
 from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.media import media_type
 from sitegen.commands.serve.server import Server
 from sitegen.commands.serve.watcher import changes
 from sitegen.report import Report
@@ -47,6 +52,16 @@ nodes:
 - console: listener
 ```
 """
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 20
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
 
 class Serving:
@@ -177,6 +192,212 @@ def test_only_the_node_that_changed_starts_again(
     expect(listener.console).to_contain_text("Good evening!", timeout=90_000)
     assert listener.lines()[0] == before
     listener.expect_state("running")
+
+
+TEXT = """\
+---
+title: Two nodes
+nodes:
+  talker: {package: cpp_pubsub, executable: talker}
+  listener: {package: cpp_pubsub, executable: listener}
+---
+# Two nodes
+
+The first text.
+
+```cpp
+int first;
+```
+
+```ros
+- buttons: talker
+- console: talker
+- topics: {echo: /chatter}
+- publish: {topic: /chatter}
+```
+
+## Later
+
+### Details
+
+## Last
+
+The end.
+"""
+
+
+def edited_site(tmp_path: Path) -> Path:
+    site = tmp_path / "demo"
+    shutil.copytree(ROOT / "demos/demo03", site, ignore=shutil.ignore_patterns("dist"))
+    (site / "page.md").write_text(TEXT)
+    return site
+
+
+def test_an_edit_of_text_leaves_nodes_and_panels_alone(
+    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(edited_site(tmp_path))
+    tab.goto(served.url)
+    talker = Panel(tab, "talker")
+    talker.start()
+    talker.wait_for("Hello, world! 1'")
+    before = talker.lines()[0]
+    field = tab.get_by_role("region", name="Publish").get_by_role("textbox").last
+    field.fill("half written")
+    tab.evaluate("window.still = true; scrollTo(0, 40)")
+
+    served.write(
+        "page.md",
+        TEXT.replace("The first text.", "The second text.\n\n```cpp\nint second;\n```\n")
+        .replace("## Later", "## Much later")
+        .replace("title: Two nodes", "title: Three words now"),
+    )
+    expect(tab.locator("main")).to_contain_text("The second text.", timeout=20_000)
+    expect(tab.locator("nav.toc")).to_contain_text("Much later")
+    expect(tab).to_have_title("Three words now · Demo 03")
+    # Also what a script added: every block of code can be copied.
+    expect(tab.locator("div.code > .copy")).to_have_count(2)
+    assert tab.evaluate("window.still && scrollY") == 40
+    expect(field).to_have_value("half written")
+    talker.expect_state("running")
+    assert talker.lines()[0] == before
+    seen = len(talker.lines())
+    wait_until(lambda: len(talker.lines()) > seen)
+
+
+def test_widgets_and_nodes_come_and_go_beside_those_that_run(
+    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(edited_site(tmp_path))
+    tab.goto(served.url)
+    talker = Panel(tab, "talker")
+    talker.start()
+    talker.wait_for("Hello, world! 1'")
+    before = talker.lines()[0]
+    tab.evaluate("window.still = true")
+    more = "```ros\n- buttons: listener\n- console: listener\n- graph:\n```\n\n"
+    served.write(
+        "page.md", TEXT.replace("```ros\n- buttons: talker", more + "```ros\n- buttons: talker")
+    )
+    listener = Panel(tab, "listener")
+    listener.start()
+    listener.wait_for("I heard: 'Hello, world!")
+    graph = tab.get_by_role("region", name="Graph")
+    graph.scroll_into_view_if_needed()
+    expect(graph).to_contain_text("/minimal_subscriber")
+    assert talker.lines()[0] == before
+    served.write("page.md", TEXT.replace("- publish: {topic: /chatter}\n", ""))
+    expect(tab.get_by_role("region", name="Publish")).to_have_count(0, timeout=20_000)
+    assert talker.lines()[0] == before
+    assert tab.evaluate("window.still")
+
+
+def test_a_page_that_is_loaded_anew_keeps_what_runs(
+    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    site = edited_site(tmp_path)
+    shutil.copytree(ROOT / "themes/default", site / "themes/own")
+    config = (site / "site.yaml").read_text()
+    (site / "site.yaml").write_text(config.replace("site:\n", "site:\n  theme: own\n"))
+    served = serving(site)
+    tab.goto(served.url)
+    Panel(tab, "talker").start()
+    script = site / "themes/own/page.js"
+    with tab.expect_navigation():
+        script.write_text(script.read_text() + "\n// Changed.\n")
+    talker = Panel(tab, "talker")
+    talker.wait_for("Hello, world! 1'")
+    assert tab.url == served.url
+
+
+def test_a_problem_can_be_closed_and_opened_in_the_editor(
+    tab: Page,
+    site: Path,
+    serving: Callable[[Path], Serving],
+    tmp_path_factory: pytest.TempPathFactory,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    opened = tmp_path_factory.mktemp("editor") / "opened"
+    monkeypatch.setenv("SITEGEN_EDITOR", f"sh -c 'echo {{file}} {{line}} > {opened}'")
+    served = serving(site)
+    tab.goto(served.url)
+    served.write("site.yaml", SITE.replace("title: Other", "titel: Other"))
+    problems = tab.get_by_role("alert")
+    with tab.expect_response("**/_sitegen/open") as response:
+        problems.get_by_role("button", name="site.yaml:4").first.click(timeout=20_000)
+    assert response.value.ok
+    wait_until(opened.is_file)
+    assert opened.read_text() == f"{site / 'site.yaml'} 4\n"
+    problems.get_by_role("button", name="Close").click()
+    expect(problems).to_be_hidden()
+
+
+def test_nobody_else_can_open_an_editor_or_read_the_site(
+    site: Path, serving: Callable[[Path], Serving], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SITEGEN_EDITOR", "false")
+    (site / "site.yaml").write_text("site: {}\n")
+    served = serving(site)
+    place = b"site.yaml:1"
+    here = served.url.rstrip("/")
+    for origin, body, status in (
+        ("http://example.org", place, 403),
+        (here, b"index.md:1", 404),
+        (here, b"/etc/passwd:1", 404),
+        (here, place * 1000, 403),
+    ):
+        headers = {"Origin": origin}
+        request = urllib.request.Request(f"{served.url}_sitegen/open", body, headers)
+        with pytest.raises(urllib.error.HTTPError, match=str(status)):
+            urllib.request.urlopen(request)
+    # Another name for this computer is one that another site has given it.
+    request = urllib.request.Request(served.url, headers={"Host": "example.org"})
+    with pytest.raises(urllib.error.HTTPError, match="421"):
+        urllib.request.urlopen(request)
+
+
+def test_a_browser_without_jspi_gets_programs_of_its_own(
+    browser: Browser, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(edited_site(tmp_path))
+
+    def engines() -> list[str]:
+        entry = served.live.file("page.json")
+        assert entry and isinstance(entry.source, bytes)
+        return sorted(json.loads(entry.source)["nodes"]["talker"]["builds"])
+
+    assert engines() == ["jspi"]
+    with contextlib.closing(browser.new_context()) as context:
+        context.add_init_script(WITHOUT_JSPI)
+        page = context.new_page()
+        page.goto(served.url)
+        talker = Panel(page, "talker")
+        # It fails until its program is there, then it starts by itself.
+        talker.start()
+        talker.wait_for("Hello, world! 1'")
+    assert engines() == ["asyncify", "jspi"]
+
+
+def test_a_closed_tab_prints_nothing(
+    site: Path, serving: Callable[[Path], Serving], capfd: pytest.CaptureFixture[str]
+) -> None:
+    served = serving(site)
+    for _ in range(20):
+        with socket.create_connection(("127.0.0.1", served.server.port)) as connection:
+            connection.sendall(b"GET /index.html HTTP/1.1\r\nHost: localhost\r\n\r\nGET / HT")
+            # Closing with this option resets the connection, as a browser that quits does.
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    with urllib.request.urlopen(served.url) as page:
+        page.read()
+    assert capfd.readouterr().err == ""
+
+
+def test_every_file_is_sent_as_what_it_is(built: Built) -> None:
+    suffixes = {file.suffix for file in built(ROOT).rglob("*") if file.is_file()} - {""}
+    types = {suffix: media_type(f"file{suffix}") for suffix in suffixes}
+    assert "application/octet-stream" not in types.values()
+    assert {types[suffix] for suffix in (".js", ".mjs")} == {"text/javascript; charset=utf-8"}
+    assert types[".wasm"] == "application/wasm"
 
 
 def test_a_port_in_use_is_left_to_who_has_it(site: Path) -> None:

@@ -148,9 +148,19 @@ def test_page_json_says_what_the_page_runs(author: Author) -> None:
         },
     }
     assert entry["widgets"] == [
-        {"kind": "buttons", "element": "widget-1", "target": "talker", "options": {}},
-        {"kind": "console", "element": "widget-2", "target": "talker", "options": {"lines": 50}},
-        {"kind": "console", "element": "widget-3", "target": "listener", "options": {}},
+        {"kind": "buttons", "element": "widget-buttons-talker", "target": "talker", "options": {}},
+        {
+            "kind": "console",
+            "element": "widget-console-talker",
+            "target": "talker",
+            "options": {"lines": 50},
+        },
+        {
+            "kind": "console",
+            "element": "widget-console-listener",
+            "target": "listener",
+            "options": {},
+        },
     ]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -13,6 +14,9 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from playwright.sync_api import Browser, ConsoleMessage, Page, sync_playwright
+
+from sitegen.commands.serve.server import Server
+from sitegen.model import Artifact
 
 # What the fixture `serve` is: it takes a folder and a prefix, and gives the URL.
 Serve = Callable[..., str]
@@ -89,6 +93,36 @@ def serving(folder: Path, prefix: str = "/", port: int = 0) -> Iterator[str]:
         server.shutdown()
         thread.join()
         server.server_close()
+
+
+@contextmanager
+def own_serving(folder: Path, prefix: str = "/") -> Iterator[str]:
+    """Serve `folder` with the server of `sitegen serve`."""
+    with Server(_Folder(folder), 0) as server:
+        yield f"http://127.0.0.1:{server.port}{prefix}"
+
+
+class _Folder:
+    """A built site, which does not change."""
+
+    base = "/"
+    isolated = False
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+
+    def file(self, path: str) -> Artifact | None:
+        file = self._folder / path
+        return Artifact(path, file) if file.is_file() else None
+
+    def place(self, text: str) -> tuple[Path, int] | None:
+        return None
+
+    def news(self, engine: str) -> Iterator[str]:
+        # There is none, which is waited for as long as the page is open.
+        while True:
+            yield ":\n\n"
+            time.sleep(1)
 
 
 class _Server(ThreadingHTTPServer):

@@ -1,13 +1,23 @@
 // What a page offers beside its text: the switch of colours, buttons to copy code, the search.
 // Without it the page is complete, so the buttons it serves are hidden until it runs.
 
+import { takesKeys } from "./keys.js";
 import { loadSheet } from "./sheet.js";
+
+/** @type {AbortController | undefined} */
+let reading;
 
 offerColours();
 offerCopies();
 offerSearch();
 leaveFrame();
 followHeadings();
+// `sitegen serve` changes the text of an open page.
+document.addEventListener("sitegen:edited", () => {
+  offerCopies();
+  leaveFrame();
+  followHeadings();
+});
 
 /** Let the button go through: as the device, light, dark; the choice is kept for the site. */
 function offerColours() {
@@ -40,7 +50,7 @@ function offerColours() {
 function offerCopies() {
   if (!navigator.clipboard) return;
   const { copy = "", copied = "" } = document.body.dataset;
-  for (const block of document.querySelectorAll("div.code")) {
+  for (const block of document.querySelectorAll("div.code:not(:has(> .copy))")) {
     const button = document.createElement("button");
     button.type = "button";
     button.className = "copy";
@@ -68,10 +78,9 @@ function offerSearch() {
   };
   button.addEventListener("click", open);
   document.addEventListener("keydown", (event) => {
-    const typing = event.target instanceof Element && event.target.closest("input, textarea, select");
-    const slash = event.key === "/" && !typing && !event.ctrlKey && !event.metaKey && !event.altKey;
+    const slash = event.key === "/" && !takesKeys(event) && !event.ctrlKey && !event.metaKey && !event.altKey;
     const letter = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
-    if (!slash && !letter) return;
+    if (event.defaultPrevented || (!slash && !letter)) return;
     event.preventDefault();
     open();
   });
@@ -88,6 +97,9 @@ function leaveFrame() {
 
 /** Mark in the table of contents what is being read. */
 function followHeadings() {
+  reading?.abort();
+  reading = new AbortController();
+  const { signal } = reading;
   const links = new Map();
   for (const link of document.querySelectorAll(".toc a")) {
     const id = decodeURIComponent(link.getAttribute("href")?.slice(1) ?? "");
@@ -102,6 +114,6 @@ function followHeadings() {
     }
     for (const link of links.values()) link.toggleAttribute("data-current", link === current);
   };
-  addEventListener("scroll", mark, { passive: true });
+  addEventListener("scroll", mark, { passive: true, signal });
   mark();
 }

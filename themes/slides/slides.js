@@ -1,10 +1,12 @@
 // Turn a page into slides: a new one begins at every line `---` and at every heading of the first
 // and second level. The number of the slide is in the address, so a link leads to it.
 
+import { takesKeys } from "./keys.js";
+
 const NEXT = ["ArrowRight", "ArrowDown", "PageDown", "Enter", " "];
 const BEFORE = ["ArrowLeft", "ArrowUp", "PageUp", "Backspace"];
 // What takes these keys itself, and what takes Enter and space.
-const OWN_KEYS = "input, textarea, select, pre, dialog, [tabindex='0'], [contenteditable]";
+const OWN_KEYS = "pre, dialog, [tabindex='0']";
 const PRESSED = "button, summary, a";
 
 const main = /** @type {HTMLElement} */ (document.querySelector("main"));
@@ -77,10 +79,9 @@ function present() {
     slides[current]?.scrollIntoView();
   });
   document.addEventListener("keydown", (event) => {
-    const target = event.target;
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const own = ["Enter", " "].includes(event.key) ? `${OWN_KEYS}, ${PRESSED}` : OWN_KEYS;
-    if (target instanceof Element && target.closest(own)) return;
+    if (takesKeys(event, own)) return;
     const step = NEXT.includes(event.key) ? 1 : BEFORE.includes(event.key) ? -1 : 0;
     const end = { Home: 0, End: slides.length - 1 }[event.key];
     if (!step && end === undefined) return;

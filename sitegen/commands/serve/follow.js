@@ -1,9 +1,17 @@
 // @ts-check
 // Beside each page that `sitegen serve` shows: follows the site as its author edits it.
 //
-// Looks are exchanged, nodes that changed start again, and only what is neither loads the page anew.
+// Text, widgets and nodes change in the open page, and style sheets are exchanged; only what is none of these loads
+// the page anew, in the state that it has.
+
+import { entryOf, rosMain, served, updateNodes, updateText } from "./update.js";
+
+// A build that takes longer than this (ms) is announced.
+const SOON = 400;
+const KEPT = "sitegen:kept";
 
 const folder = decodeURI(location.pathname).replace(/^\//, "").replace(/[^/]*$/, "");
+const file = /\/$/.test(location.pathname) ? `${folder}index.html` : decodeURI(location.pathname.slice(1));
 const style = document.createElement("link");
 style.rel = "stylesheet";
 style.href = "/_sitegen/follow.css";
@@ -13,56 +21,89 @@ const box = document.createElement("section");
 box.className = "sitegen-problems";
 box.setAttribute("role", "alert");
 box.hidden = true;
-document.body.append(box);
+const status = document.createElement("p");
+status.className = "sitegen-building";
+status.setAttribute("role", "status");
+status.hidden = true;
+document.body.append(box, status);
 
-/** What page.json said the last time. @type {any} */
-let entry = await read();
+let page = await served();
+let entry = await entryOf();
+forgetKept();
 
-const news = new EventSource("/_sitegen/news");
+/** Edits are taken one after another. @type {Promise<unknown>} */
+let work = Promise.resolve();
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let soon;
+
+// As nodeProcess.js chooses; only this build of C++ nodes is made.
+const engine = "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
+const news = new EventSource(`/_sitegen/news?${engine}`);
 let lost = false;
 news.onerror = () => {
   lost = true;
 };
 news.onopen = () => {
   // The server was away, and the site may be another now.
-  if (lost) location.reload();
+  if (lost) reload();
 };
-news.addEventListener("wrong", ({ data }) => show(JSON.parse(data)));
-news.addEventListener("built", async ({ data }) => {
+news.addEventListener("building", () => {
+  clearTimeout(soon);
+  soon = setTimeout(() => tell("Building…"), SOON);
+});
+news.addEventListener("wrong", ({ data }) => {
+  tell("");
+  show(JSON.parse(data));
+});
+news.addEventListener("built", ({ data }) => {
+  tell("");
   box.hidden = true;
-  /** @type {string[]} */
-  const changed = JSON.parse(data);
+  work = work.then(() => follow(JSON.parse(data))).catch((error) => {
+    console.warn("sitegen serve: the page is loaded anew:", error);
+    return reload();
+  });
+});
+
+/** @param {string[]} changed paths of files of the site */
+async function follow(changed) {
   const nothing = "nothingYet" in document.documentElement.dataset;
-  const page = nothing || changed.includes(`${folder}index.html`);
   const modules = changed.some((path) => path.endsWith(".js") && !path.startsWith("nodes/"));
-  if (page || modules || !(await exchange())) {
-    location.reload();
+  if (nothing || modules || !(await update(changed.includes(file)))) {
+    await reload();
     return;
   }
   if (changed.some((path) => path.endsWith(".css"))) restyle();
-});
+}
 
-/** Start those nodes again that are other programs now; false if more than programs changed. */
-async function exchange() {
-  const now = await read();
-  const [old, fresh] = [entry, now].map((all) => ({ ...all, nodes: Object.keys(all?.nodes ?? {}) }));
-  delete old.types;
-  delete fresh.types;
-  if (JSON.stringify(old) !== JSON.stringify(fresh)) return false;
-  const others = Object.keys(now?.nodes ?? {}).filter(
-    (name) => JSON.stringify(now.nodes[name]) !== JSON.stringify(entry.nodes[name]));
+/** Change the page; false if it has to be loaded anew. @param {boolean} text whether its HTML is another */
+async function update(text) {
+  const [now, fresh, main] = await Promise.all([entryOf(), text ? served() : page, rosMain()]);
+  if (Boolean(now) !== Boolean(entry) || Boolean(now) !== Boolean(main)) return false;
+  const finish = now && entry && main && updateNodes(entry, now, main);
+  if (main && !finish) return false;
+  if (text && !updateText(page, fresh)) return false;
+  await finish?.();
+  page = fresh;
   entry = now;
-  if (others.length === 0) return true;
-  const script = /** @type {HTMLScriptElement} */ (document.querySelector('script[src$="rosMain.js"]'));
-  const { ros } = await import(script.src);
-  for (const name of others) ros.nodes.get(name).replace(now.nodes[name]);
   return true;
 }
 
-/** page.json, if the page has one. */
-async function read() {
-  const link = /** @type {HTMLLinkElement | null} */ (document.getElementById("ros-page"));
-  return link && (await fetch(link.href)).json();
+/** Load the page anew, with the nodes that run and what panels show. */
+async function reload() {
+  const main = await rosMain();
+  if (main) {
+    sessionStorage.setItem(KEPT, location.hash);
+    history.replaceState(null, "", main.ros.link());
+  }
+  location.reload();
+}
+
+/** Give the page its own address again: that of a link would go on starting its nodes. */
+function forgetKept() {
+  const hash = sessionStorage.getItem(KEPT);
+  if (hash === null) return;
+  sessionStorage.removeItem(KEPT);
+  if (location.hash.startsWith("#share=")) history.replaceState(null, "", location.pathname + location.search + hash);
 }
 
 function restyle() {
@@ -79,14 +120,48 @@ function restyle() {
   }
 }
 
+/** Say what is going on, or nothing. @param {string} text */
+function tell(text) {
+  clearTimeout(soon);
+  status.textContent = text;
+  status.hidden = !text;
+}
+
 /** @param {string[]} lines */
 function show(lines) {
   const title = document.createElement("h2");
   title.textContent = lines.length === 1 ? "1 problem" : `${lines.length} problems`;
-  const list = document.createElement("pre");
-  list.textContent = lines.join("\n");
-  box.replaceChildren(title, list);
+  const close = document.createElement("button");
+  close.type = "button";
+  close.textContent = "×";
+  close.setAttribute("aria-label", "Close");
+  close.addEventListener("click", () => {
+    box.hidden = true;
+  });
+  const list = document.createElement("ul");
+  list.append(...lines.map(problem));
+  box.replaceChildren(title, close, list);
   box.hidden = false;
 }
 
-export {};
+/** A problem, with a button that opens its line in the author's editor. @param {string} line */
+function problem(line) {
+  const item = document.createElement("li");
+  const place = /^(?<file>[^:]+):(?<line>\d+)(?=:)/.exec(line);
+  if (!place?.groups) {
+    item.textContent = line;
+    return item;
+  }
+  const open = document.createElement("button");
+  open.type = "button";
+  open.className = "place";
+  open.title = "Open in the editor";
+  open.textContent = `${place.groups.file}:${place.groups.line}`;
+  open.addEventListener("click", async () => {
+    const answer = await fetch("/_sitegen/open", { method: "POST", body: open.textContent });
+    if (!answer.ok) open.title = await answer.text();
+    open.dataset.done = String(answer.ok);
+  });
+  item.append(open, line.slice(place[0].length));
+  return item;
+}

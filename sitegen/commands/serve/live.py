@@ -8,6 +8,7 @@ import json
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fnmatch import fnmatch
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -16,6 +17,7 @@ from sitegen.build import Made, make
 from sitegen.commands.serve.edited import edited
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
+from sitegen.nodes.prebuilt.archive import ENGINES
 from sitegen.options import Options
 from sitegen.report import Report, count
 from sitegen.site.pages import search
@@ -30,7 +32,10 @@ class LiveSite:
     def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
         self._folder = folder
         self._report = report
-        self._options = Options(live=True, draft=True, debug=debug)
+        # Programs are built for the browsers that are open; most have JSPI.
+        self._options = Options(live=True, draft=True, debug=debug, engines=("jspi",))
+        # Held while the site is built.
+        self._building = threading.Lock()
         self._made: Made | None = None
         # Where its 404.html takes it to live.
         self.base = "/"
@@ -39,11 +44,16 @@ class LiveSite:
         self._files: Mapping[str, Artifact] = {}
         self._index: Callable[[], Sequence[Artifact]] = list
         self._digests: Mapping[str, str] = {}
-        self._news: list[tuple[str, object]] = []
+        self._news: list[tuple[str, Sequence[str]]] = []
         self._changed = threading.Condition()
 
     def rebuild(self, changed: Sequence[Path] = ()) -> None:
         """Build the site; if anything is wrong it stays as it is, and its pages say so."""
+        with self._building:
+            self._rebuild(changed)
+
+    def _rebuild(self, changed: Sequence[Path]) -> None:
+        self._tell("building", ())
         begun = time.monotonic()
         try:
             made = edited(self._made, changed) if self._made else None
@@ -59,6 +69,9 @@ class LiveSite:
         files = {artifact.path: artifact for artifact in made.artifacts}
         digests = {path: _digest(artifact) for path, artifact in files.items()}
         different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
+        # No open page has loaded a file that is new, or needs one that is no more.
+        old = self._digests
+        known = [p for p in different if (p in old and p in digests) or p.endswith(".html")]
         self._files, self._digests = files, digests
         # It takes all pages, and a search is rare while one writes.
         self._index = functools.cache(lambda: made.renderer.index(made.rendered))
@@ -68,7 +81,7 @@ class LiveSite:
         cause = f"{names}: " if names else ""
         seconds = time.monotonic() - begun
         self._report.say(f"{cause}built in {seconds:.1f} s, {count(len(different), 'file')} new")
-        self._tell("built", sorted(different))
+        self._tell("built", sorted(known))
 
     def _make(self) -> Made:
         return make(self._folder, self._report, options=self._options)
@@ -79,10 +92,25 @@ class LiveSite:
             return next((index for index in self._index() if index.path == path), None)
         return self._files.get(path)
 
-    def news(self) -> Iterator[str]:
-        """Yield what happens from now on, as server-sent events; first what is wrong, if it is."""
+    def place(self, text: str) -> tuple[Path, int] | None:
+        """Return the file and the line of a problem that begins with `text`, if there is one."""
+        with self._changed:
+            kind, lines = self._news[-1] if self._news else ("", ())
+        file, _, line = text.rpartition(":")
+        shown = kind == "wrong" and any(each.startswith(f"{text}:") for each in lines)
+        path = self._folder / file
+        return (path, int(line)) if shown and line.isdecimal() and path.is_file() else None
+
+    def news(self, engine: str) -> Iterator[str]:
+        """Yield what happens from now on, as server-sent events; first what is wrong, if it is.
+
+        The C++ nodes are built for `engine`, too, if that is another one.
+        """
         with self._changed:
             seen = len(self._news)
+        if engine in ENGINES and engine not in self._options.engines:
+            threading.Thread(target=self._add, args=(engine,), daemon=True).start()
+        with self._changed:
             if self._news and self._news[-1][0] == "wrong":
                 seen -= 1
         yield "retry: 500\n\n"
@@ -95,7 +123,17 @@ class LiveSite:
                 or ":\n\n"
             )
 
-    def _tell(self, kind: str, what: object) -> None:
+    def _add(self, engine: str) -> None:
+        with self._building:
+            engines = self._options.engines
+            if engine in engines:
+                return
+            self._options = replace(self._options, engines=(*engines, engine))
+            self._report.say("building for a browser without JavaScript Promise Integration")
+            self._made = None
+            self._rebuild(())
+
+    def _tell(self, kind: str, what: Sequence[str]) -> None:
         with self._changed:
             self._news.append((kind, what))
             self._changed.notify_all()

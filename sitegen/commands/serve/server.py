@@ -3,48 +3,64 @@
 from __future__ import annotations
 
 import errno
+import sys
 import threading
+from collections.abc import Iterator
 from functools import partial
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Self
+from typing import Protocol, Self
 from urllib.parse import quote, unquote, urlsplit
 
 from sitegen import pagepath
-from sitegen.commands.serve.live import LiveSite
+from sitegen.commands.serve.editor import NoEditorError, open_editor
+from sitegen.commands.serve.media import media_type
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
+from sitegen.shipped import RUNTIME
 from sitegen.site import offline
 
 # The path of the files that the server adds to the site.
 PREFIX = "_sitegen/"
 HERE = Path(__file__).parent
 NEWS = f"{PREFIX}news"
+OPEN = f"{PREFIX}open"
+OWN = {f"{PREFIX}{name}": HERE / name for name in ("follow.js", "follow.css", "update.js")}
+OWN[f"{PREFIX}idiomorph.js"] = RUNTIME / "vendor" / "idiomorph.js"
+# The longest request for an editor (bytes).
+LONGEST = 4096
 FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
 # The number of ports to try, starting at the requested one.
 TRIES = 20
-TYPES = {
-    ".css": "text/css; charset=utf-8",
-    ".html": "text/html; charset=utf-8",
-    ".js": "text/javascript; charset=utf-8",
-    ".json": "application/json",
-    ".png": "image/png",
-    ".svg": "image/svg+xml",
-    ".wasm": "application/wasm",
-    ".woff2": "font/woff2",
-    ".xml": "application/xml",
-}
 # Shown before the first good build, with what is wrong; the site takes its place.
 NOTHING_YET = '<!doctype html><html lang="en" data-nothing-yet><head><title>sitegen</title></head>'
 NOTHING_YET += "<body></body></html>"
 
 
+class Served(Protocol):
+    """What a server shows; a LiveSite, for `sitegen serve`."""
+
+    # Where its 404.html takes it to live.
+    base: str
+    # Whether its pages are to be isolated.
+    isolated: bool
+
+    def file(self, path: str) -> Artifact | None:
+        """Return the file at `path` of the site."""
+
+    def place(self, text: str) -> tuple[Path, int] | None:
+        """Return the file and the line of a problem that begins with `text`, if there is one."""
+
+    def news(self, engine: str) -> Iterator[str]:
+        """Yield what happens from now on, as server-sent events, for a browser with `engine`."""
+
+
 class Server:
     """Runs in threads of its own, on this computer only, from entering it to leaving it."""
 
-    def __init__(self, live: LiveSite, port: int) -> None:
+    def __init__(self, live: Served, port: int) -> None:
         self._http = _listen(partial(_Handler, live), port)
         self.port = self._http.server_port
         self.url = f"http://localhost:{self.port}/"
@@ -66,6 +82,11 @@ class _Http(ThreadingHTTPServer):
     # A second server on the same port would hide this one, or be hidden.
     allow_reuse_port = False
 
+    def handle_error(self, request: object, client_address: object) -> None:
+        """Print the traceback of an error, unless a browser merely closed its connection."""
+        if not isinstance(sys.exception(), (ConnectionError, TimeoutError)):
+            super().handle_error(request, client_address)  # type: ignore[arg-type]
+
 
 def _listen(handler: partial[_Handler], wanted: int) -> _Http:
     for port in range(wanted, wanted + TRIES):
@@ -80,23 +101,48 @@ def _listen(handler: partial[_Handler], wanted: int) -> _Http:
 
 class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
+    # A connection on which nothing arrives is closed after this time (s).
+    timeout = 30
 
-    def __init__(self, live: LiveSite, *args: object) -> None:
+    def __init__(self, live: Served, *args: object) -> None:
         self._live = live
         super().__init__(*args)  # type: ignore[arg-type]
 
     def do_GET(self) -> None:
+        if not _is_this_computer(self.headers.get("Host", "")):
+            self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
+            return
         path = unquote(urlsplit(self.path).path)
         if self._live.base != "/" and path.startswith(self._live.base):
             self._redirect("/" + path.removeprefix(self._live.base))
             return
         path = path.removeprefix("/")
         if path == NEWS:
-            self._send_news()
-        elif path.startswith(PREFIX) and path.removeprefix(PREFIX) in ("follow.js", "follow.css"):
-            self._send(path, (HERE / path.removeprefix(PREFIX)).read_bytes())
+            self._send_news(urlsplit(self.path).query)
+        elif path in OWN:
+            self._send(path, OWN[path].read_bytes())
         else:
             self._send_file(path)
+
+    def do_POST(self) -> None:
+        """Open the author's editor at a problem that the page shows, and at nothing else."""
+        host = self.headers.get("Host", "")
+        ours = _is_this_computer(host) and self.headers.get("Origin") == f"http://{host}"
+        length = self.headers.get("Content-Length", "")
+        if not ours or self.path != f"/{OPEN}" or not length.isdecimal() or int(length) > LONGEST:
+            self.close_connection = True
+            self.send_error(HTTPStatus.FORBIDDEN)
+            return
+        asked = self.rfile.read(int(length)).decode(errors="replace")
+        place = self._live.place(asked)
+        try:
+            if place is None:
+                raise NoEditorError(f"{asked} is not a problem of this site")
+            open_editor(*place)
+        except NoEditorError as error:
+            self._send("error.txt", str(error).encode(), HTTPStatus.NOT_FOUND)
+        else:
+            self._send("opened.txt", b"")
 
     def _send_file(self, path: str) -> None:
         path = pagepath.file_of(path)
@@ -124,7 +170,7 @@ class _Handler(BaseHTTPRequestHandler):
         if suffix == ".html":
             content = content.replace(b"</head>", FOLLOW.encode(), 1)
         self.send_response(status)
-        self.send_header("Content-Type", TYPES.get(suffix, "application/octet-stream"))
+        self.send_header("Content-Type", media_type(path))
         self.send_header("Content-Length", str(len(content)))
         self.send_header("Cache-Control", "no-store")
         if self._live.isolated:
@@ -133,7 +179,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(content)
 
-    def _send_news(self) -> None:
+    def _send_news(self, engine: str) -> None:
         self.send_response(HTTPStatus.OK)
         self.send_header("Content-Type", "text/event-stream")
         self.send_header("Cache-Control", "no-store")
@@ -141,13 +187,24 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.close_connection = True
         try:
-            for event in self._live.news():
+            for event in self._live.news(engine):
                 self.wfile.write(event.encode())
         except OSError:
             pass  # the page was closed
 
     def log_message(self, format: str, *args: object) -> None:
         pass
+
+
+def _is_this_computer(host: str) -> bool:
+    """Return whether a request named this computer.
+
+    A page of another site could otherwise read drafts by pointing its own name at 127.0.0.1.
+    """
+    try:
+        return urlsplit(f"//{host}").hostname in ("localhost", "127.0.0.1", "::1")
+    except ValueError:
+        return False
 
 
 def _bytes(artifact: Artifact) -> bytes:

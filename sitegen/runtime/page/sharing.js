@@ -16,7 +16,7 @@ export class Sharing {
   #page;
   /** The widgets by their places in the page, as links name them: "topics-1". @type {Map<string, string>} */
   #names = new Map();
-  /** @type {Map<string, () => Shared>} */
+  /** What widgets show, by the ids of their elements. @type {Map<string, () => Shared>} */
   #readers = new Map();
   /** @type {{run?: string[], show: Record<string, Shared>, tabs: string[], at: string}} */
   #given = { show: {}, tabs: [], at: "" };
@@ -25,12 +25,7 @@ export class Sharing {
   /** @param {PageEntry} page @param {string} fragment of the page's address */
   constructor(page, fragment) {
     this.#page = page;
-    /** @type {Record<string, number>} */
-    const counts = {};
-    for (const { kind, element } of page.widgets) {
-      counts[kind] = (counts[kind] ?? 0) + 1;
-      this.#names.set(element, `${kind}-${counts[kind]}`);
-    }
+    this.rename(page);
     if (fragment.startsWith(SIGN)) this.#read(fragment.slice(SIGN.length));
     for (const id of this.#given.tabs) {
       const tab = document.getElementById(id);
@@ -42,6 +37,21 @@ export class Sharing {
     addEventListener("hashchange", () => {
       if (location.hash.startsWith(SIGN)) location.reload();
     });
+  }
+
+  /** Name the widgets as links do, which are those of `page` now. @param {PageEntry} page */
+  rename(page) {
+    this.#page = page;
+    this.#names.clear();
+    /** @type {Record<string, number>} */
+    const counts = {};
+    for (const { kind, element } of page.widgets) {
+      counts[kind] = (counts[kind] ?? 0) + 1;
+      this.#names.set(element, `${kind}-${counts[kind]}`);
+    }
+    for (const element of this.#readers.keys()) {
+      if (!this.#names.has(element)) this.#readers.delete(element);
+    }
   }
 
   /** Whether a node runs when the page opens: as the link says, where a visitor could have chosen. @param {string} name */
@@ -59,7 +69,7 @@ export class Sharing {
    */
   keep(element, shape, read, restore) {
     const name = this.#names.get(element.id) ?? "";
-    this.#readers.set(name, read);
+    this.#readers.set(element.id, read);
     const given = this.#given.show[name];
     if (!given) return;
     delete this.#given.show[name];
@@ -77,9 +87,9 @@ export class Sharing {
     const run = [...nodes].filter(({ state }) => state === "starting" || state === "running");
     /** @type {Record<string, Shared>} */
     const show = {};
-    for (const [name, read] of this.#readers) {
+    for (const [element, read] of this.#readers) {
       const told = Object.entries(read()).filter(([, value]) => value);
-      if (told.length) show[name] = Object.fromEntries(told);
+      if (told.length) show[this.#names.get(element) ?? ""] = Object.fromEntries(told);
     }
     const tabs = [...document.querySelectorAll("main input[type=radio][id]")].filter(
       (tab) => tab instanceof HTMLInputElement && tab.checked && !tab.defaultChecked);

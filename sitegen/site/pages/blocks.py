@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
@@ -58,10 +59,17 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> Iterator
 
 
 def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
-    """Yield the widgets of a page with their places."""
-    widgets = (part for part in page.content if isinstance(part, Widget))
-    for number, widget in enumerate(widgets, start=1):
-        yield widget, Slot(f"widget-{number}", widget.kind)
+    """Yield the widgets of a page with their places.
+
+    The id of a place says what is there, so that it stays the same when others come and go.
+    """
+    counts: Counter[str] = Counter()
+    for widget in page.content:
+        if isinstance(widget, Widget):
+            name = "-".join(filter(None, ("widget", widget.kind, widget.target)))
+            counts[name] += 1
+            number = f":{counts[name]}" if counts[name] > 1 else ""
+            yield widget, Slot(name + number, widget.kind)
 
 
 def _is_text(part: Markdown | Widget | Source) -> bool:

@@ -15,6 +15,7 @@ from sitegen.commands.build import build
 from sitegen.errors import SiteError
 from sitegen.report import Report
 
+pytestmark = pytest.mark.own_server
 DEMO = ROOT / "demos" / "demo08"
 
 
@@ -136,3 +137,9 @@ def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: st
     with pytest.raises(SiteError) as caught:
         build(folder, output=tmp_path / "dist", report=Report())
     assert caught.value.lines == [f"site.yaml:5: editor: {expected}"]
+
+
+def test_a_slash_is_typed_and_searches_nowhere(editor: Editor) -> None:
+    editor.replace("STEP = 1", "STEP = 10 / 2")
+    expect(editor.code).to_contain_text("STEP = 10 / 2")
+    expect(editor.page.locator("dialog.search")).to_be_hidden()

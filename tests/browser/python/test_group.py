@@ -8,6 +8,7 @@ from panel import Panel
 from paths import SITES
 from playwright.sync_api import Browser, Page, expect
 
+pytestmark = pytest.mark.own_server
 SITE = SITES / "group"
 
 

@@ -7,6 +7,7 @@ from browser import Built, Serve
 from paths import SITES
 from playwright.sync_api import Browser, Page, expect
 
+pytestmark = pytest.mark.own_server
 SITE = SITES / "prompt"
 
 

@@ -53,15 +53,28 @@ export class Download {
   };
 
   /** @param {URL} url @param {number} [status] of the server's answer, if one came @returns {never} */
-  lack({ pathname }, status) {
-    const name = pathname.slice(pathname.lastIndexOf("/") + 1);
-    const error = new Error(
+  lack(url, status) {
+    this.#giveUp(
       status
-        ? `${name} could not be loaded: the server answered ${status}; reload the page, the site may have changed`
-        : `${name} could not be loaded; check the connection to the site, then start again`,
+        ? `${nameOf(url)} could not be loaded: the server answered ${status}; reload the page, the site may have changed`
+        : `${nameOf(url)} could not be loaded; check the connection to the site, then start again`,
     );
+  }
+
+  /** @param {string} reason @returns {never} */
+  #giveUp(reason) {
+    const error = new Error(reason);
     this.#fail(error);
     throw error;
+  }
+
+  /** Say why a module could not be imported, which the browser tells nobody. @param {URL} url @returns {Promise<never>} */
+  async lackModule(url) {
+    const response = await browsers(url, { method: "HEAD" }).catch(() => undefined);
+    const type = response?.headers.get("content-type") ?? "no media type";
+    if (!response?.ok || /^(text|application)\/(x-)?javascript\b/.test(type)) this.lack(url, response?.ok ? 0 : response?.status);
+    const how = `the server sends it with ${type} instead of text/javascript`;
+    this.#giveUp(`${nameOf(url)} could not be loaded: ${how}; correct the server's media types`);
   }
 
   /** @param {Response} response */
@@ -80,4 +93,9 @@ export class Download {
     const loaded = Math.min(this.#loaded, this.#total);
     for (const post of this.#posts) post({ op: "progress", loaded, total: this.#total });
   }
+}
+
+/** The name of a file. @param {URL} url */
+function nameOf({ pathname }) {
+  return pathname.slice(pathname.lastIndexOf("/") + 1);
 }

@@ -70,7 +70,7 @@ export class Python {
     globalThis.fetch = this.#download.fetch;
     try {
       const loader = new URL("pyodide.mjs", folder);
-      const { loadPyodide } = await import(loader.href).catch(() => this.#download.lack(loader));
+      const { loadPyodide } = await import(loader.href).catch(() => this.#download.lackModule(loader));
       const python = await Promise.race([loadPyodide({ indexURL: folder.href }), this.#download.failed]);
       const sys = python.pyimport("sys");
       sys.path.insert(0, `${PREFIX}/python`);
