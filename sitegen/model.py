@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
@@ -196,6 +196,45 @@ class Source:
 
 
 @dataclass(frozen=True)
+class Cell:
+    """A place of a layout, and what is there; `title` is that of a tab, or the part of a stage.
+
+    `size` is its share of the width, beside that of the others.
+    """
+
+    content: tuple[Part, ...]
+    title: str = ""
+    size: int = 1
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Parts of a page that stand beside each other: `columns`, a `grid`, `tabs` or a `stage`.
+
+    The cells of a stage are `nodes`, `show`, and `below` or `beside` for the consoles.
+    """
+
+    kind: str
+    cells: tuple[Cell, ...]
+    location: Location
+
+
+# What the content of a page is made of.
+Leaf = Markdown | Widget | Source
+Part = Leaf | Layout
+
+
+def leaves(content: Iterable[Part]) -> Iterator[Leaf]:
+    """Yield the parts of `content` in their order, those of layouts too."""
+    for part in content:
+        if isinstance(part, Layout):
+            for cell in part.cells:
+                yield from leaves(cell.content)
+        else:
+            yield part
+
+
+@dataclass(frozen=True)
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
@@ -209,7 +248,7 @@ class Page:
     title: str
     description: str
     nodes: Mapping[str, Node]
-    content: tuple[Markdown | Widget | Source, ...]
+    content: tuple[Part, ...]
     level: str
     location: Location
     file: Path | None = None
@@ -220,6 +259,11 @@ class Page:
     language: str = ""
     original: str | None = None
     base: str = ""
+
+    @property
+    def leaves(self) -> Iterator[Leaf]:
+        """The text, the widgets and the sources of the page, in their order."""
+        return leaves(self.content)
 
     @property
     def folder(self) -> str:
@@ -302,6 +346,7 @@ class Site:
     repository: str = ""
     branch: str = "main"
     feed: bool = False
+    levels: bool = True
     deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
     isolate: bool | None = None

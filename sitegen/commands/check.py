@@ -45,7 +45,7 @@ def _definitions(site: Site) -> list[str]:
 
 def _images(site: Site) -> list[str]:
     problems = Problems(site.root)
-    texts = [part for page in site.pages for part in page.content if isinstance(part, Markdown)]
+    texts = [part for page in site.pages for part in page.leaves if isinstance(part, Markdown)]
     texts += [site.look.footer] if site.look.footer else []
     for text in texts:
         for url, location in without_text(text):

@@ -7,11 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from sitegen.config.blocks import front_matter
-from sitegen.config.content import Part, Reader
+from sitegen.config.content import Reader
 from sitegen.config.document import read
 from sitegen.config.page import first_heading
 from sitegen.errors import Location, Problems
-from sitegen.model import Markdown, Page
+from sitegen.model import Layout, Markdown, Page, Part
 
 NOWHERE = Location(Path(), 0)
 
@@ -40,4 +40,11 @@ def read_again(page: Page, root: Path) -> Page | None:
 
 def _frame(content: Iterable[Part]) -> list[Part]:
     """Return what is between the text, without lines, which move when text is written."""
-    return [replace(part, location=NOWHERE) for part in content if not isinstance(part, Markdown)]
+    return [_nowhere(part) for part in content if not isinstance(part, Markdown)]
+
+
+def _nowhere(part: Part) -> Part:
+    if not isinstance(part, Layout):
+        return replace(part, location=NOWHERE)
+    cells = (replace(cell, content=tuple(_frame(cell.content))) for cell in part.cells)
+    return replace(part, cells=tuple(cells), location=NOWHERE)

@@ -9,12 +9,11 @@ from pathlib import Path
 from sitegen.config.blocks import Block, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
-from sitegen.config.schema import MARKDOWN, ROBOTS, WIDGETS
+from sitegen.config.layout import layout
+from sitegen.config.schema import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
 from sitegen.config.section import Section, check, conforms
 from sitegen.errors import Location, Problems, nearest
-from sitegen.model import Markdown, Node, Source, Widget
-
-Part = Markdown | Widget | Source
+from sitegen.model import Markdown, Node, Part, Source, Widget
 
 
 @dataclass(frozen=True)
@@ -26,13 +25,21 @@ class Reader:
     folder: Path
 
     def items(self, value: Value) -> Iterator[Part]:
-        """Yield what the items of `content` in site.yaml stand for."""
-        for item in value.items():
-            kind = self._kind(item, (MARKDOWN.name, *WIDGETS))
-            if kind and kind[0] == MARKDOWN.name:
-                yield from self._markdown_item(kind[1])
-            elif kind:
-                yield from self._widget(*kind)
+        """Yield what the items of `content` in site.yaml stand for, or one item alone."""
+        for item in value.items() if value.kind == "list" else [value]:
+            kind = self._kind(item, (MARKDOWN.name, *LAYOUTS, *WIDGETS))
+            if kind:
+                yield from self._part(*kind)
+
+    def _part(self, kind: str, value: Value) -> Iterator[Part]:
+        if kind == MARKDOWN.name:
+            yield from self._markdown_item(value)
+        elif kind in LAYOUTS:
+            found = layout(kind, value, self.items, self._known, self.problems)
+            if found:
+                yield found
+        else:
+            yield from self._widget(kind, value)
 
     def markdown(self, text: str, start: Location, folder: Path) -> Iterator[Part]:
         """Yield the prose and the widgets of Markdown text."""
@@ -54,7 +61,7 @@ class Reader:
         if file and text is not None:
             yield from self.markdown(text, Location(file, 1), file.parent)
 
-    def _block(self, block: Block, location: Location) -> Iterator[Widget | Source]:
+    def _block(self, block: Block, location: Location) -> Iterator[Part]:
         fence = replace(location, line=location.line - 1)
         if not block.closed:
             self.problems.add(fence, "ros", "this block is not closed; close it with ```")
@@ -78,9 +85,9 @@ class Reader:
         value = parse(block.text, location, self.problems, key="ros", empty=empty)
         widgets = value.items() if value and value.kind == "list" else [value]
         for item in filter(None, widgets):
-            kind = self._kind(item, tuple(WIDGETS))
+            kind = self._kind(item, (*WIDGETS, *LAYOUTS))
             if kind:
-                yield from self._widget(*kind)
+                yield from self._part(*kind)
 
     def _kind(self, item: Value, known: tuple[str, ...]) -> tuple[str, Value] | None:
         if item.kind != "mapping":

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from sitegen.config.layout import CONSOLES
 from sitegen.config.schema import (
+    COLUMN,
     COMPILED,
     DEPLOY,
     FILE,
@@ -16,6 +18,7 @@ from sitegen.config.schema import (
     ROBOTS,
     ROS2WASM,
     SITE,
+    STAGE,
     WIDGETS,
     Key,
 )
@@ -36,6 +39,9 @@ TYPES: dict[str, Json] = {
     "nodes": {"type": "object", "additionalProperties": {"$ref": "#/$defs/node"}},
     "pages": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/page"}},
     "content": {"type": "array", "items": {"$ref": "#/$defs/item"}},
+    "items": {
+        "anyOf": [{"type": "array", "items": {"$ref": "#/$defs/item"}}, {"$ref": "#/$defs/item"}]
+    },
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
     "deploy": {"$ref": "#/$defs/deploy"},
     "pyodide": {"$ref": "#/$defs/pyodide"},
@@ -98,6 +104,12 @@ def _key(key: Key) -> Json:
 def _item() -> Json:
     """Return what an item of `content` is: a mapping of one key, the kind."""
     kinds: Json = {MARKDOWN.name: _key(MARKDOWN)}
+    kinds |= {
+        "columns": {"type": "array", "items": {"anyOf": [TYPES["items"], _mapping(COLUMN)]}},
+        "grid": TYPES["content"],
+        "tabs": {"type": "object", "additionalProperties": TYPES["items"]},
+        "stage": _stage(),
+    }
     for kind, keys in WIDGETS.items():
         kinds[kind] = _widget(kind, keys)
     return {
@@ -107,6 +119,14 @@ def _item() -> Json:
         "maxProperties": 1,
         "properties": kinds,
     }
+
+
+def _stage() -> Json:
+    stage = _mapping(STAGE)
+    properties = stage["properties"]
+    assert isinstance(properties, dict)
+    properties["consoles"] |= {"enum": list(CONSOLES)}
+    return stage
 
 
 def _widget(kind: str, keys: tuple[Key, ...]) -> Json:

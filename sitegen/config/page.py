@@ -9,7 +9,7 @@ from pathlib import Path
 from sitegen import pagepath, workspace
 from sitegen.config import level
 from sitegen.config.blocks import front_matter, heading
-from sitegen.config.content import Part, Reader
+from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
@@ -20,7 +20,7 @@ from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems
 from sitegen.launch import launched
-from sitegen.model import Markdown, Package, Page, Widget
+from sitegen.model import Markdown, Package, Page, Part, Widget, leaves
 
 # What a page of a folder cannot have from site.yaml: each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
@@ -150,13 +150,13 @@ class PageReader:
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.location, body.folder)
-        if started and not any(isinstance(part, Widget) for part in parts):
+        if started and not any(isinstance(part, Widget) for part in leaves(parts)):
             parts += _panels(started)
         if len(self.problems.found) == before:
             # What is missing from half-read content is no news.
             self._check_title(page, front, parts, body)
             self._check_level(_giver("level", page, front), parts)
-        widgets = [part for part in parts if isinstance(part, Widget)]
+        widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
         return Page(
@@ -253,7 +253,7 @@ class PageReader:
 
     def _check_level(self, section: Section, parts: list[Part]) -> None:
         declared = section.get("level")
-        offers = level.offered(part for part in parts if isinstance(part, Widget))
+        offers = level.offered(part for part in leaves(parts) if isinstance(part, Widget))
         fault = level.fault(declared.text, offers) if declared else ""
         if fault:
             self.problems.add(section.location("level"), section.label("level"), fault)
@@ -265,7 +265,7 @@ def _title(page: Section, front: Section, parts: Sequence[Part]) -> str:
 
 def first_heading(parts: Iterable[Part]) -> str:
     """Return the first heading of the first level in the text of a page, or nothing."""
-    texts = (part.text for part in parts if isinstance(part, Markdown))
+    texts = (part.text for part in leaves(parts) if isinstance(part, Markdown))
     return next(filter(None, map(heading, texts)), "")
 
 

@@ -43,6 +43,7 @@ TYPES = {
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+    "items": ("mapping or list", "a list of text and widgets, or one of them"),
     "deploy": ("mapping", "keys and values"),
     "pyodide": ("mapping", "keys and values"),
 }
@@ -126,6 +127,13 @@ SITE = (
         "repository: https://github.com/me/my-robot",
     ),
     Key("branch", "text", "branch of the edit links", "branch: main", default="main"),
+    Key(
+        "levels",
+        "flag",
+        "say above each page what visitors can do on it",
+        "levels: false",
+        default=True,
+    ),
     Key("feed", "flag", "write an Atom feed of dated pages", "feed: true", default=False),
     Key(
         "offline",
@@ -267,6 +275,26 @@ IN_FILE = (
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
 MARKDOWN = Key("markdown", "text", "a `.md` file, or the text itself", "markdown: intro.md")
+
+# Layouts; the values of `columns`, `grid` and `tabs` are lists or mappings of content.
+COLUMN = (
+    Key("size", "number", "share of the width, beside that of the others", "size: 2", default=1),
+    Key("content", "items", "text and widgets", "content: [{console: talker}]", True),
+)
+STAGE = (
+    Key("show", "items", "what the nodes move, such as a robot", "show: [{graph: }]", True),
+    Key("nodes", "list of text", "nodes whose buttons are in the header", "nodes: [talker]", True),
+    Key("consoles", "text", "`below`, `beside` or `none`", "consoles: beside", default="below"),
+    Key(
+        "autostart", "flag", "start the nodes when the page opens", "autostart: true", default=False
+    ),
+)
+LAYOUTS: Mapping[str, str] = {
+    "columns": "columns: [[{console: talker}], [{console: listener}]]",
+    "grid": "grid: [{console: talker}, {console: listener}]",
+    "tabs": "tabs: {Talk: [{console: talker}], Listen: [{console: listener}]}",
+    "stage": "stage: {show: [{graph: }], nodes: [talker]}",
+}
 
 _NODE = Key("node", "text", "name of the node", "node: talker", True)
 _LINES = Key("lines", "number", "number of lines kept", "lines: 1000", default=1000)

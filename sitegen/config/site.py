@@ -80,6 +80,7 @@ def _site(file: Section, problems: Problems) -> Site:
         repository=_url("repository", site, problems).removesuffix("/"),
         branch=site.text("branch"),
         feed=_feed(site, problems),
+        levels=bool(site.option("levels")),
         pyodide=pyodide(file.get("pyodide"), problems),
         deploy=deploy(file.get("deploy"), problems),
         offline=bool(site.option("offline")) if site.get("offline") else None,

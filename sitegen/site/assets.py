@@ -99,4 +99,4 @@ def _with_imports(files: Iterable[Path]) -> list[Path]:
 
 
 def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:
-    return (part for page in shown for part in page.content if isinstance(part, Widget))
+    return (part for page in shown for part in page.leaves if isinstance(part, Widget))

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from paths import ROOT
 
 from sitegen.config.schema import (
+    COLUMN,
     COMPILED,
     DEPLOY,
     FILE,
@@ -19,6 +20,7 @@ from sitegen.config.schema import (
     PYODIDE,
     ROS2WASM,
     SITE,
+    STAGE,
     WIDGETS,
     Key,
 )
@@ -35,7 +37,11 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "A node of ROS2WASM": ROS2WASM,
         "A page": PAGE,
     },
-    "widgets.md": {kind: keys for kind, keys in WIDGETS.items() if keys},
+    "widgets.md": {
+        "stage": STAGE,
+        "columns": COLUMN,
+        **{kind: keys for kind, keys in WIDGETS.items() if keys},
+    },
 }
 LINKS = {
     "site": "#site",
@@ -46,6 +52,7 @@ LINKS = {
     "pages": "#a-page",
     "nav": "writing.md#navigation",
     "content": "widgets.md#content",
+    "items": "widgets.md#content",
 }
 HEAD = ("| key | type, default | meaning |", "|---|---|---|")
 

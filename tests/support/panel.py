@@ -33,7 +33,8 @@ class Panel:
         self._page = page
         self.node = node
         self.panel = page.get_by_role("region", name=node, exact=True)
-        self.console = self.panel.get_by_role("log")
+        # In a stage, it is apart from the buttons.
+        self.console = page.get_by_role("log", name=node, exact=True, include_hidden=True)
 
     def button(self, name: str) -> Locator:
         return self.panel.get_by_role("button", name=name)

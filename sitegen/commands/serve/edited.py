@@ -34,5 +34,4 @@ def edited(made: Made, changed: Sequence[Path]) -> Made | None:
 
 def _says(page: Page, file: Path) -> bool:
     """Return whether text of `page` stands in `file`, its own or one that its content names."""
-    parts = page.content
-    return any(part.location.file == file for part in parts if isinstance(part, Markdown))
+    return any(part.location.file == file for part in page.leaves if isinstance(part, Markdown))

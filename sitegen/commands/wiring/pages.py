@@ -51,7 +51,7 @@ def warnings(site: Site) -> list[str]:
 def _look_at(
     page: Page, site: Site, programs: dict[tuple[str, str], Program], problems: Problems
 ) -> None:
-    own, some_unknown = widgets.endpoints(w for w in page.content if isinstance(w, Widget))
+    own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
     for name, node in page.nodes.items():

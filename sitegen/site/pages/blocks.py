@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from markupsafe import Markup
 
 from sitegen.errors import Problems
-from sitegen.model import Markdown, Page, Site, Source, Widget
+from sitegen.model import Layout, Markdown, Page, Part, Site, Source, Widget
 from sitegen.site.pages.source import shown
 from sitegen.site.prose import Prose
 
@@ -36,26 +36,65 @@ class Panel:
 
 
 @dataclass(frozen=True)
+class Place:
+    """A cell of a layout, ready to be shown: `title` and `size` are those of the Cell.
+
+    `id` is that of its tab, if it has one.
+    """
+
+    blocks: tuple[Block, ...]
+    title: str
+    size: int
+    id: str
+
+
+@dataclass(frozen=True)
 class Block:
-    """A stretch of the page: text, or a row of panels."""
+    """A stretch of the page: text, a row of panels, or a layout of the kind `layout`."""
 
     html: str = ""
     panels: tuple[Panel, ...] = ()
+    layout: str = ""
+    cells: tuple[Place, ...] = ()
 
 
-def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> Iterator[Block]:
-    """Yield the content in its order; widgets in a row stand beside each other."""
+def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Block]:
+    """Return the content in its order; widgets in a row stand beside each other."""
     slots = {id(widget): slot for widget, slot in slots_of(page)}
-    for are_text, parts in itertools.groupby(page.content, _is_text):
-        if are_text:
-            for part in parts:
-                if isinstance(part, Markdown):
-                    yield Block(Markup(prose.html(part)))
-            continue
-        row = [part for part in parts if not isinstance(part, Markdown)]
-        groups = itertools.groupby(row, lambda part: part.target or id(part))
-        panels = (_panel(list(group), slots, site, problems) for _, group in groups)
-        yield Block(panels=tuple(panels))
+    numbers = itertools.count(1)
+
+    def made(content: Iterable[Part]) -> Iterator[Block]:
+        for kind, parts in itertools.groupby(content, _kind):
+            if kind is Layout:
+                yield from (laid_out(part) for part in parts if isinstance(part, Layout))
+            elif kind is Markdown:
+                texts = (part for part in parts if isinstance(part, Markdown))
+                yield from (Block(Markup(prose.html(part))) for part in texts)
+            else:
+                row = [part for part in parts if isinstance(part, Widget | Source)]
+                groups = itertools.groupby(row, lambda part: part.target or id(part))
+                panels = (_panel(list(group), slots, site, problems) for _, group in groups)
+                yield Block(panels=tuple(panels))
+
+    def laid_out(part: Layout) -> Block:
+        number = next(numbers)
+        cells = tuple(
+            Place(tuple(made(cell.content)), cell.title, cell.size, f"layout-{number}-{index}")
+            for index, cell in enumerate(part.cells, start=1)
+        )
+        return Block(layout=part.kind, cells=cells)
+
+    return list(made(page.content))
+
+
+def flat(blocks: Iterable[Block]) -> Iterator[Block]:
+    """Yield the text and the rows of panels of `blocks`, those in layouts too."""
+    for block in blocks:
+        if block.layout:
+            for cell in block.cells:
+                yield from flat(cell.blocks)
+        else:
+            yield block
 
 
 def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
@@ -64,7 +103,7 @@ def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
     The id of a place says what is there, so that it stays the same when others come and go.
     """
     counts: Counter[str] = Counter()
-    for widget in page.content:
+    for widget in page.leaves:
         if isinstance(widget, Widget):
             name = "-".join(filter(None, ("widget", widget.kind, widget.target)))
             counts[name] += 1
@@ -72,8 +111,8 @@ def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
             yield widget, Slot(name + number, widget.kind)
 
 
-def _is_text(part: Markdown | Widget | Source) -> bool:
-    return isinstance(part, Markdown)
+def _kind(part: Part) -> type[Part]:
+    return Widget if isinstance(part, Source) else type(part)
 
 
 def _panel(

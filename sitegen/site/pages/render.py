@@ -15,7 +15,8 @@ from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Page, Programs, Site
 from sitegen.site import assets
 from sitegen.site.pages import app, discovery, preview, search, tags
-from sitegen.site.pages.blocks import Block, blocks, slots_of
+from sitegen.site.pages.abilities import abilities
+from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
 from sitegen.site.pages.editor import edited
 from sitegen.site.pages.entry import page_json
 from sitegen.site.pages.history import changed_days, edit_link
@@ -106,10 +107,11 @@ class Renderer:
         theme = self._themes[page.theme or self.site.theme]
         language = page.language or self.site.language
         prose = Prose(library, page, problems, theme.texts(language).admonitions)
-        parts = list(blocks(self.site, page, prose, problems))
+        parts = blocks(self.site, page, prose, problems)
+        shown = list(flat(parts))
         html = self._html(page, parts, prose, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
-        if any(panel.slots for block in parts for panel in block.panels):
+        if any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
             # One that is opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
@@ -124,7 +126,7 @@ class Renderer:
             tuple(artifacts),
             frozenset(prose.ids | slots | ALWAYS),
             tuple(prose.links.anchors),
-            tuple(search.passages(page, (block.html for block in parts))),
+            tuple(search.passages(page, (block.html for block in shown))),
             tuple(problems.found),
         )
 
@@ -172,8 +174,9 @@ class Renderer:
             navigation = Navigation(replace(site, pages=(), nav=()))
         theme = self._themes[page.theme or site.theme]
         language = page.language or site.language
-        text = "".join(block.html for block in parts)
-        live = any(panel.slots for block in parts for panel in block.panels)
+        shown = list(flat(parts))
+        text = "".join(block.html for block in shown)
+        live = any(panel.slots for block in shown for panel in block.panels)
         toc, has_heading = _toc(prose.headings), any(h.level == 1 for h in prose.headings)
         footer = prose.html(site.look.footer) if site.look.footer else ""
         home = navigation.home(page)
@@ -192,6 +195,7 @@ class Renderer:
             has_heading=has_heading,
             toc=toc,
             live=live,
+            can=abilities(page) if site.levels else [],
             menu=navigation.menu(page),
             trail=navigation.trail(page),
             previous=previous,

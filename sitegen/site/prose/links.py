@@ -51,7 +51,7 @@ class Library:
         """Return the library of a site."""
         sources: dict[str, Page] = {}
         for page in site.pages:
-            for location in (page.location, *(part.location for part in page.content)):
+            for location in (page.location, *(part.location for part in page.leaves)):
                 if location.file.suffix == ".md":
                     sources.setdefault(os.path.realpath(location.file), page)
         return cls(site, {page.path: page for page in site.pages}, sources)
@@ -68,7 +68,7 @@ class Links:
     anchors: list[Anchor] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        files = {part.location.file for part in self.page.content}
+        files = {part.location.file for part in self.page.leaves}
         self._own = {os.path.realpath(file) for file in files if file.suffix == ".md"}
 
     def resolve(self, url: str, key: str, source: Markdown) -> tuple[str | None, Path | None]:

@@ -242,7 +242,10 @@ def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: st
 
 def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     page.goto(url)
-    page.get_by_role("table").get_by_role("link", name="Start and stop").click()
+    # A robot moves at once.
+    Panel(page, "dance").expect_state("running")
+    expect(page.locator(".ros-trace")).to_have_attribute("points", re.compile(r"\d \d|\d .*,.* "))
+    page.locator(".cards").get_by_role("link", name="Start and stop").click()
     expect(page).to_have_url(f"{url}demo02/")
     page.get_by_role("link", name="Next").click()
     expect(page).to_have_url(f"{url}demo03/")

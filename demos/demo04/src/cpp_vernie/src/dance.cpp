@@ -33,6 +33,7 @@ public:
   }
 
 private:
+  // #region steps
   void on_timer()
   {
     static const std::array<Step, 6> steps{{
@@ -58,6 +59,7 @@ private:
     }
     publisher_->publish(twist);
   }
+  // #endregion
 
   void on_distance(const std_msgs::msg::Float32 & distance)
   {

@@ -1,0 +1,78 @@
+"""Turn columns, grids, tabs and stages into Layouts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from sitegen.config.document import Value
+from sitegen.config.schema import COLUMN, LAYOUTS, STAGE
+from sitegen.config.section import check
+from sitegen.errors import Problems
+from sitegen.model import Cell, Layout, Part, Widget
+
+# How many tabs the themes have styles for.
+MOST_TABS = 8
+CONSOLES = ("below", "beside", "none")
+# Reads a list of content.
+Items = Callable[[Value], Iterator[Part]]
+
+
+def layout(
+    kind: str, value: Value, items: Items, known: Callable[[Value], bool], problems: Problems
+) -> Layout | None:
+    """Return the layout of `kind` that `value` describes, noting what is wrong with it.
+
+    `items` reads the content of its cells; `known` tells whether a node exists, and notes if not.
+    """
+    if kind == "stage":
+        return _stage(value, items, known, problems)
+    wanted, name = ("mapping", "titles") if kind == "tabs" else ("list", "a list")
+    if value.kind != wanted:
+        message = f"expected {name}, found {value.found}; write it like '{LAYOUTS[kind]}'"
+        problems.add(value.location, value.label, message)
+        return None
+    if kind == "tabs":
+        entries = value.entries(problems)
+        if not 1 <= len(entries) <= MOST_TABS:
+            message = f"expected 1 to {MOST_TABS} tabs, found {len(entries)}"
+            problems.add(value.location, value.label, message)
+        cells = [Cell(tuple(items(entry)), title) for title, entry in entries.items()]
+    elif kind == "columns":
+        cells = [_column(entry, items, problems) for entry in value.items()]
+    else:
+        cells = [Cell((part,)) for part in items(value)]
+    return Layout(kind, tuple(cells), value.location)
+
+
+def _column(value: Value, items: Items, problems: Problems) -> Cell:
+    names = {key.name for key in COLUMN}
+    if value.kind == "mapping" and names & set(value.entries(problems)):
+        section = check(value, COLUMN, problems)
+        content, size = section.get("content"), section.option("size")
+        parts = tuple(items(content)) if content else ()
+        return Cell(parts, size=size if isinstance(size, int) else 1)
+    return Cell(tuple(items(value)))
+
+
+def _stage(
+    value: Value, items: Items, known: Callable[[Value], bool], problems: Problems
+) -> Layout | None:
+    section = check(value, STAGE, problems)
+    show, nodes = section.get("show"), section.get("nodes")
+    consoles = section.text("consoles")
+    if consoles not in CONSOLES:
+        message = f"unknown place '{consoles}'; write one of {', '.join(CONSOLES)}"
+        problems.add(section.location("consoles"), section.label("consoles"), message)
+    if not show or not nodes:
+        return None
+    names = [node for node in nodes.items() if known(node)]
+    autostart = {"autostart": section.option("autostart")}
+    cells = [
+        Cell(tuple(Widget("buttons", n.text, autostart, n.location) for n in names), "nodes"),
+        Cell(tuple(items(show)), "show"),
+    ]
+    if consoles in ("below", "beside"):
+        lines = {"lines": 1000}
+        kept = tuple(Widget("console", n.text, lines, n.location) for n in names)
+        cells.append(Cell(kept, consoles))
+    return Layout("stage", tuple(cells), value.location)

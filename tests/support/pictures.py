@@ -1,0 +1,79 @@
+"""Take the pictures of the demos on the home page: `python pictures.py [DEMO ...]`."""
+
+from __future__ import annotations
+
+import base64
+import sys
+import tempfile
+from pathlib import Path
+
+from browser import running, serving
+from paths import DEMOS, ROOT
+from playwright.sync_api import Page, ViewportSize
+
+from sitegen.build import make, write
+from sitegen.report import Report
+
+PICTURES = ROOT / "docs" / "images"
+# Width to height.
+SHAPE = 1.6
+# What is pressed in each demo, the text that is waited for, and the part that the picture shows.
+SCENES: dict[str, tuple[list[str], str, str]] = {
+    "demo01": ([], "Hello, world! 6", ".ros-panel"),
+    "demo02": (["Start"], "Hello, world! 5", ".ros-panel"),
+    "demo03": (["Start", "Start"], "I heard: 'Hello, world! 5", ".ros-row"),
+    "demo04": (["Start", "Start"], "Now a pirouette", ".stage"),
+    "demo05": (["Start", "Start"], "data: Hello, world!", ".ros-topics"),
+    "demo06": (["Start", "Start"], "I heard: 'Hello, world! 2", ".ros-row"),
+    "demo07": (["Start"], "web_node", ".ros-row"),
+    "demo08": ([], "STEP", ".ros-row"),
+    "demo09": (["Start", "Run"], "", ".columns"),
+}
+PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
+
+
+def take(tab: Page, demo: str, url: str) -> None:
+    """Write the picture of `demo`, whose page is at `url`."""
+    buttons, text, part = SCENES[demo]
+    tab.goto(url)
+    starts = tab.get_by_role("button", name="Start", exact=True)
+    for index, name in enumerate(buttons):
+        (starts.nth(index) if name == "Start" else tab.get_by_role("button", name=name)).click()
+    if demo == "demo07":
+        tab.locator(".ros-state[data-state=running]").first.wait_for()
+        for line in PROMPT:
+            tab.get_by_role("textbox").first.fill(line)
+            tab.keyboard.press("Enter")
+    tab.locator(part).first.scroll_into_view_if_needed()
+    if text:
+        tab.locator("main").get_by_text(text).first.wait_for(state="attached")
+    else:
+        # The turtle has drawn its star when its program has ended.
+        tab.locator(".ros-state[data-state=stopped]").first.wait_for()
+        tab.wait_for_timeout(12_000)
+    top = tab.locator(part).first.bounding_box()
+    assert top
+    corner = {"x": top["x"], "y": top["y"] + tab.evaluate("scrollY")}
+    clip = {**corner, "width": top["width"], "height": top["width"] / SHAPE, "scale": 1}
+    session = tab.context.new_cdp_session(tab)
+    options = {"format": "webp", "quality": 80, "clip": clip, "captureBeyondViewport": True}
+    picture = session.send("Page.captureScreenshot", options)["data"]
+    (PICTURES / f"{demo}.webp").write_bytes(base64.b64decode(picture))
+
+
+def main(demos: list[str]) -> None:
+    """Write the pictures of `demos`."""
+    PICTURES.mkdir(exist_ok=True)
+    with running("chromium") as browser, tempfile.TemporaryDirectory() as temporary:
+        for demo in demos:
+            output = Path(temporary) / demo
+            write(make(DEMOS / demo, Report(sys.stderr)).artifacts, output)
+            size = ViewportSize(width=880, height=1400)
+            tab = browser.new_page(viewport=size, color_scheme="light")
+            with serving(output) as url:
+                take(tab, demo, url)
+                tab.close()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:] or list(SCENES))
