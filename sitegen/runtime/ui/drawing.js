@@ -1,5 +1,5 @@
 // @ts-check
-// Show a drawing that can be zoomed and moved: with wheel, fingers, keys or buttons.
+// A drawing that visitors zoom and move by wheel, touch, keyboard or buttons.
 
 import { button, create } from "./elements.js";
 import { say } from "./words.js";
@@ -8,7 +8,7 @@ const SVG = "http://www.w3.org/2000/svg";
 const STEP = 1.3;
 const SMALLEST = 0.1;
 const LARGEST = 4;
-// How far an arrow key moves, in pixels; and what stays free around a drawing that fits.
+// In pixels: how far an arrow key moves the drawing, and the margin around one that fits.
 const STRIDE = 48;
 const MARGIN = 16;
 
@@ -20,108 +20,114 @@ export function shape(tag, attributes = {}, ...content) {
   return element;
 }
 
-/**
- * An area for a drawing, and the buttons for it. What is drawn goes into `layer`; `resize` tells how
- * large that is, and fits it into the area unless the visitor looks at a part of it.
- * @returns {{element: HTMLElement, buttons: HTMLElement, svg: SVGElement, layer: SVGElement,
- *   resize(width: number, height: number): void, close(): void}}
- */
-export function createDrawing() {
-  const layer = shape("g");
-  const svg = shape("svg", { tabindex: 0, role: "img" });
-  svg.append(layer);
-  const element = create("div", "ros-drawing", svg);
+/** An area that shows a drawing, and the buttons to zoom it. What is drawn goes into `layer`. */
+export class Drawing {
+  layer = shape("g");
+  svg = shape("svg", { tabindex: 0, role: "img" }, this.layer);
+  element = create("div", "ros-drawing", this.svg);
+  buttons;
+  #width = 1;
+  #height = 1;
+  #view = { x: 0, y: 0, scale: 1 };
+  /** Whether the whole drawing is in view: it stays so when sizes change. */
+  #fitted = true;
+  #resized = new ResizeObserver(() => {
+    if (this.#fitted) this.#fit();
+  });
 
-  let [width, height] = [1, 1];
-  let view = { x: 0, y: 0, scale: 1 };
-  let fitted = true;
+  constructor() {
+    this.svg.addEventListener("wheel", (event) => {
+      // The wheel scrolls the page unless the visitor has selected the drawing.
+      if (!event.ctrlKey && document.activeElement !== this.svg) return;
+      event.preventDefault();
+      this.#zoom(Math.exp(-event.deltaY / (event.ctrlKey ? 100 : 500)), event.offsetX, event.offsetY);
+    }, { passive: false });
+    followPointers(this.svg, (x, y) => this.#move(x, y), (factor, x, y) => this.#zoom(factor, x, y));
+    this.svg.addEventListener("keydown", (event) => this.#press(event));
+    this.#resized.observe(this.element);
 
-  const apply = () => {
-    layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
-    // A finger scrolls the page across a drawing that is seen whole, and moves one that is not.
-    svg.style.touchAction = fitted ? "pan-x pan-y" : "none";
-  };
-  const fit = () => {
-    const { clientWidth, clientHeight } = element;
+    const larger = button("+", "", () => this.#zoom(STEP));
+    larger.setAttribute("aria-label", say("Zoom in"));
+    const smaller = button("−", "", () => this.#zoom(1 / STEP));
+    smaller.setAttribute("aria-label", say("Zoom out"));
+    const whole = button(say("Fit"), "", () => this.#fit());
+    this.buttons = create("div", "ros-controls", larger, smaller, whole);
+  }
+
+  /** Set the size of the drawing. @param {number} width @param {number} height */
+  resize(width, height) {
+    [this.#width, this.#height] = [width, height];
+    if (this.#fitted) this.#fit();
+  }
+
+  close() {
+    this.#resized.disconnect();
+  }
+
+  #fit() {
+    const { clientWidth, clientHeight } = this.element;
+    const [width, height] = [this.#width, this.#height];
     const scale = Math.min((clientWidth - 2 * MARGIN) / width, (clientHeight - 2 * MARGIN) / height, 1);
-    fitted = true;
-    view = {
+    this.#look({
       scale: Math.max(scale, SMALLEST),
       x: (clientWidth - width * scale) / 2,
       y: (clientHeight - height * scale) / 2,
-    };
-    apply();
-  };
-  const move = (/** @type {number} */ x, /** @type {number} */ y) => {
-    view = { ...view, x: view.x + x, y: view.y + y };
-    fitted = false;
-    apply();
-  };
-  /** Zoom; the point of the area at x, y stays where it is. @param {number} factor @param {number} [x] @param {number} [y] */
-  const zoom = (factor, x = element.clientWidth / 2, y = element.clientHeight / 2) => {
-    const scale = Math.min(Math.max(view.scale * factor, SMALLEST), LARGEST);
-    const by = scale / view.scale;
-    view = { scale, x: x - (x - view.x) * by, y: y - (y - view.y) * by };
-    fitted = false;
-    apply();
-  };
+    }, true);
+  }
 
-  svg.addEventListener("wheel", (event) => {
-    // The page scrolls across a drawing that nobody has chosen.
-    if (!event.ctrlKey && document.activeElement !== svg) return;
-    event.preventDefault();
-    zoom(Math.exp(-event.deltaY / (event.ctrlKey ? 100 : 500)), event.offsetX, event.offsetY);
-  }, { passive: false });
-  followPointers(svg, move, zoom);
-  svg.addEventListener("keydown", (event) => {
+  /** @param {number} x @param {number} y */
+  #move(x, y) {
+    this.#look({ ...this.#view, x: this.#view.x + x, y: this.#view.y + y }, false);
+  }
+
+  /**
+   * Zoom; the point x, y of the area stays where it is.
+   * @param {number} factor @param {number} [x] @param {number} [y]
+   */
+  #zoom(factor, x = this.element.clientWidth / 2, y = this.element.clientHeight / 2) {
+    const scale = Math.min(Math.max(this.#view.scale * factor, SMALLEST), LARGEST);
+    const by = scale / this.#view.scale;
+    this.#look({ scale, x: x - (x - this.#view.x) * by, y: y - (y - this.#view.y) * by }, false);
+  }
+
+  /** @param {{x: number, y: number, scale: number}} view @param {boolean} fitted */
+  #look(view, fitted) {
+    this.#view = view;
+    this.#fitted = fitted;
+    this.layer.setAttribute("transform", `translate(${view.x} ${view.y}) scale(${view.scale})`);
+    // A finger scrolls the page while the whole drawing is in view, and else moves the drawing.
+    this.svg.style.touchAction = fitted ? "pan-x pan-y" : "none";
+  }
+
+  /** @param {KeyboardEvent} event */
+  #press(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     /** @type {Record<string, () => void>} */
     const keys = {
-      "+": () => zoom(STEP),
-      "=": () => zoom(STEP),
-      "-": () => zoom(1 / STEP),
-      0: fit,
-      ArrowLeft: () => move(STRIDE, 0),
-      ArrowRight: () => move(-STRIDE, 0),
-      ArrowUp: () => move(0, STRIDE),
-      ArrowDown: () => move(0, -STRIDE),
+      "+": () => this.#zoom(STEP),
+      "=": () => this.#zoom(STEP),
+      "-": () => this.#zoom(1 / STEP),
+      0: () => this.#fit(),
+      ArrowLeft: () => this.#move(STRIDE, 0),
+      ArrowRight: () => this.#move(-STRIDE, 0),
+      ArrowUp: () => this.#move(0, STRIDE),
+      ArrowDown: () => this.#move(0, -STRIDE),
     };
     const act = keys[event.key];
     if (!act) return;
     event.preventDefault();
     act();
-  });
-  const resized = new ResizeObserver(() => {
-    if (fitted) fit();
-  });
-  resized.observe(element);
-
-  const larger = button("+", "", () => zoom(STEP));
-  larger.setAttribute("aria-label", say("Zoom in"));
-  const smaller = button("−", "", () => zoom(1 / STEP));
-  smaller.setAttribute("aria-label", say("Zoom out"));
-  const whole = button(say("Fit"), "", fit);
-  return {
-    element,
-    buttons: create("div", "ros-controls", larger, smaller, whole),
-    svg,
-    layer,
-    resize(w, h) {
-      [width, height] = [w, h];
-      if (fitted) fit();
-    },
-    close: () => resized.disconnect(),
-  };
+  }
 }
 
 /**
- * Move with one pointer; zoom with two.
+ * Move with one pointer, zoom with two.
  * @param {SVGElement} svg
  * @param {(x: number, y: number) => void} move
  * @param {(factor: number, x: number, y: number) => void} zoom
  */
 function followPointers(svg, move, zoom) {
-  /** Where each is. @type {Map<number, {x: number, y: number}>} */
+  /** Positions by pointer id. @type {Map<number, {x: number, y: number}>} */
   const pointers = new Map();
   svg.addEventListener("pointerdown", (event) => {
     svg.setPointerCapture(event.pointerId);

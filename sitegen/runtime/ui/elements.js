@@ -1,5 +1,5 @@
 // @ts-check
-// Make the elements that panels consist of. Text is set as text: it may come from a node.
+// Create and update the elements of panels. Text is never parsed as HTML, because it may come from a node.
 
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -31,14 +31,23 @@ export function toggle(text, change) {
   return create("label", "ros-toggle", box, text);
 }
 
-/** Set text only where it is another: what is selected in it, or read out, stays. @param {Element} element @param {string} text */
+/** Set text only if it differs, which would end a selection and be announced again. @param {Element} element @param {string} text */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
 /**
- * Let `list` hold these elements in this order; those that stay are not moved, so that one with the
- * keyboard keeps it.
+ * Set the text of a note, and mark it as an error if `wrong`.
+ * @param {Element} note @param {string} text @param {boolean} wrong
+ */
+export function setNote(note, text, wrong = false) {
+  note.classList.toggle("ros-wrong", wrong);
+  setText(note, text);
+}
+
+/**
+ * Let `list` contain the elements `wanted` in this order. Elements that stay are not moved, because moving an
+ * element takes the keyboard focus from it.
  * @param {Element} list @param {Element[]} wanted
  */
 export function arrange(list, wanted) {

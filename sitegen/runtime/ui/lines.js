@@ -1,112 +1,132 @@
 // @ts-check
-// The lines that a node prints, as a terminal shows them: the newest in sight, unless the reader scrolled up.
+// The output of a node, as in a terminal: the newest line stays in view unless the visitor scrolls up.
 
-import { create } from "./elements.js";
+import { button, create } from "./elements.js";
+import { Tail } from "./tail.js";
 import { say } from "./words.js";
 
 /** @import { Line, NodeHandle, NodeState } from "../protocol.js" */
 
-// A reader this near to the end, in pixels, is taken to read the newest line.
-const NEAR = 24;
+/** @typedef {Partial<Record<NodeState, string>>} Hints shown in each state while there is no output */
 
 /**
- * Show what a node prints in `element`, the last `limit` lines; while there is none, the hint for its state.
+ * Append the last `limit` lines of a node's output to `element`.
  * @param {HTMLElement} element
  * @param {NodeHandle} node
  * @param {number} limit
- * @param {Partial<Record<NodeState, string>>} hints
- * @returns {() => void} end it
+ * @param {Hints} hints
+ * @returns {() => void} remove them
  */
 export function showLines(element, node, limit, hints) {
-  const log = create("div", "ros-lines");
-  log.setAttribute("role", "log");
-  log.setAttribute("aria-label", node.name);
-  log.tabIndex = 0;
-  const hint = create("p", "ros-hint");
-  const newest = create("button", "ros-newest", `↓ ${say("Newest")}`);
-  newest.type = "button";
-  newest.hidden = true;
-  element.append(log, hint, newest);
+  const lines = new Lines(node, limit, hints);
+  element.append(...lines.elements);
+  return () => lines.close();
+}
 
-  /** @type {Line[]} */
-  let waiting = [];
-  let frame = 0;
-  let following = true;
+class Lines {
+  #node;
+  #limit;
+  #hints;
+  #log = create("div", "ros-lines");
+  #hint = create("p", "ros-hint");
+  #newest = button(`↓ ${say("Newest")}`, "ros-newest", () => {
+    this.#tail.jump();
+    // The button disappears, so move the keyboard focus to the log.
+    this.#log.focus({ preventScroll: true });
+  });
+  elements = [this.#log, this.#hint, this.#newest];
+  #tail = new Tail(this.#log, () => {
+    this.#newest.hidden = this.#tail.following;
+  });
+  #resized = new ResizeObserver(() => this.#tail.follow());
+  #listening = new AbortController();
+  /** Lines that are not drawn yet. @type {Line[]} */
+  #waiting = [];
+  #frame = 0;
 
-  const follow = () => {
-    log.scrollTop = log.scrollHeight;
-  };
-  const showHint = () => {
-    hint.textContent = hints[node.state] ?? "";
-    hint.hidden = log.hasChildNodes();
-  };
+  /** @param {NodeHandle} node @param {number} limit @param {Hints} hints */
+  constructor(node, limit, hints) {
+    this.#node = node;
+    this.#limit = limit;
+    this.#hints = hints;
+    this.#log.setAttribute("role", "log");
+    this.#log.setAttribute("aria-label", node.name);
+    this.#log.tabIndex = 0;
+    this.#newest.hidden = true;
+    this.#listen();
+    this.#showHint();
+  }
 
-  const draw = () => {
-    frame = 0;
+  close() {
+    this.#listening.abort();
+    this.#resized.disconnect();
+    cancelAnimationFrame(this.#frame);
+    for (const element of this.elements) element.remove();
+  }
+
+  #listen() {
+    const { signal } = this.#listening;
+    this.#node.addEventListener("lines", (event) => {
+      this.#add(/** @type {CustomEvent<Line[]>} */ (event).detail);
+    }, { signal });
+    this.#node.addEventListener("clear", () => this.#clear(), { signal });
+    this.#node.addEventListener("state", () => this.#showHint(), { signal });
+    this.#node.addEventListener("progress", (event) => {
+      this.#showProgress(/** @type {CustomEvent<{loaded: number, total: number}>} */ (event).detail);
+    }, { signal });
+    this.#resized.observe(this.#log);
+  }
+
+  /** @param {Line[]} lines */
+  #add(lines) {
+    this.#waiting = lines.length < this.#limit ? this.#waiting : [];
+    this.#waiting.push(...lines.slice(-this.#limit));
+    // Hidden tabs draw no frames: drop lines that would be dropped when drawn.
+    if (this.#waiting.length > 2 * this.#limit) this.#waiting = this.#waiting.slice(-this.#limit);
+    if (!this.#frame && this.#waiting.length) this.#frame = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw() {
+    this.#frame = 0;
     const fresh = document.createDocumentFragment();
-    for (const line of waiting.slice(-limit)) {
-      const row = create("div", "", line.text);
-      row.dataset.severity = line.severity;
+    for (const { severity, text } of this.#waiting.slice(-this.#limit)) {
+      const row = create("div", "", text);
+      row.dataset.severity = severity;
       fresh.append(row);
     }
-    waiting = [];
-    dropOldest(log, log.childElementCount + fresh.childElementCount - limit, !following);
-    log.append(fresh);
-    hint.hidden = true;
-    if (following) follow();
-  };
+    this.#waiting = [];
+    const surplus = this.#log.childElementCount + fresh.childElementCount - this.#limit;
+    dropOldest(this.#log, surplus, !this.#tail.following);
+    this.#log.append(fresh);
+    this.#hint.hidden = true;
+    this.#tail.follow();
+  }
 
-  const listening = new AbortController();
-  const { signal } = listening;
-  node.addEventListener("lines", (event) => {
-    const { detail } = /** @type {CustomEvent<Line[]>} */ (event);
-    waiting = detail.length < limit ? waiting : [];
-    waiting.push(...detail.slice(-limit));
-    // No frame comes while the tab is hidden: what would not stay need not wait either.
-    if (waiting.length > 2 * limit) waiting = waiting.slice(-limit);
-    if (!frame && waiting.length) frame = requestAnimationFrame(draw);
-  }, { signal });
-  node.addEventListener("clear", () => {
-    waiting = [];
-    log.replaceChildren();
-    following = true;
-    newest.hidden = true;
-    showHint();
-  }, { signal });
-  node.addEventListener("state", showHint, { signal });
-  node.addEventListener("progress", (event) => {
-    const { loaded, total } = /** @type {CustomEvent<{loaded: number, total: number}>} */ (event).detail;
+  #clear() {
+    this.#waiting = [];
+    this.#log.replaceChildren();
+    this.#tail.following = true;
+    this.#newest.hidden = true;
+    this.#showHint();
+  }
+
+  #showHint() {
+    this.#hint.textContent = this.#hints[this.#node.state] ?? "";
+    this.#hint.hidden = this.#log.hasChildNodes();
+  }
+
+  /** @param {{loaded: number, total: number}} progress in bytes */
+  #showProgress({ loaded, total }) {
     const [done, all] = [loaded, total].map((bytes) => (bytes / 1e6).toFixed(1));
-    hint.textContent = loaded < total ? say("Loading Python: {} of {} MB", done, all) : say("Starting Python…");
-    hint.hidden = false;
-    if (following) follow();
-  }, { signal });
-  log.addEventListener("scroll", () => {
-    following = log.scrollHeight - log.scrollTop - log.clientHeight < NEAR;
-    newest.hidden = following;
-  }, { signal });
-  newest.addEventListener("click", () => {
-    follow();
-    // The button hides, and the keyboard must not lose its place with it.
-    log.focus({ preventScroll: true });
-  }, { signal });
-  const resized = new ResizeObserver(() => {
-    if (following) follow();
-  });
-  resized.observe(log);
-  showHint();
-
-  return () => {
-    listening.abort();
-    resized.disconnect();
-    cancelAnimationFrame(frame);
-    for (const part of [log, hint, newest]) part.remove();
-  };
+    this.#hint.textContent = loaded < total ? say("Loading Python: {} of {} MB", done, all) : say("Starting Python…");
+    this.#hint.hidden = false;
+    this.#tail.follow();
+  }
 }
 
 /**
- * Remove the first `count` rows; with `keepView` what the reader looks at stays where it is.
- * Safari does not anchor scrolling, so the theme turns it off and this does it everywhere.
+ * Remove the first `count` rows; with `keepView` the rows in view stay where they are.
+ * Safari has no scroll anchoring, so the theme turns it off and this function replaces it in all browsers.
  * @param {HTMLElement} log
  * @param {number} count
  * @param {boolean} keepView
@@ -117,7 +137,7 @@ function dropOldest(log, count, keepView) {
     log.replaceChildren();
     return;
   }
-  // Measuring costs a layout, which a console that follows its end does not need.
+  // Measuring costs a layout, which a log that follows its end does not need.
   const fromEnd = keepView ? log.scrollHeight - log.scrollTop : 0;
   const rows = document.createRange();
   rows.setStart(log, 0);

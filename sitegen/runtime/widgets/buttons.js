@@ -1,9 +1,10 @@
 // @ts-check
-// Start and stop a node, empty its consoles, and say how it is.
+// Buttons to start and stop a node and to clear its consoles, beside its state.
 
+import { button, create } from "../ui/elements.js";
 import { say, states } from "../ui/words.js";
 
-/** @import {Ros} from "../protocol.js" */
+/** @import { Ros } from "../protocol.js" */
 
 /**
  * Show the controls of a node.
@@ -16,29 +17,16 @@ export function mount(element, ros, { node: name }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`buttons: no node '${name}' on this page`);
 
-  const title = document.createElement("div");
-  title.className = "ros-node";
-  const label = document.createElement("span");
-  label.className = "ros-name";
-  label.textContent = name;
-  const state = document.createElement("span");
-  state.className = "ros-state";
+  const state = create("span", "ros-state");
   state.setAttribute("aria-live", "polite");
-  title.append(label, state);
-
+  const title = create("div", "ros-node", create("span", "ros-name", name), state);
   const start = button(say("Start"), "ros-start", () => node.start());
   const stop = button(say("Stop"), "ros-stop", () => node.stop());
   const clear = button(say("Clear"), "ros-clear", () => node.clear());
-  const controls = document.createElement("div");
-  controls.className = "ros-controls";
+  const controls = create("div", "ros-controls", start, stop, clear);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", name);
-  controls.append(start, stop, clear);
-
-  const bar = document.createElement("div");
-  bar.className = "ros-bar";
-  bar.append(title, controls);
-  element.replaceChildren(bar);
+  element.replaceChildren(create("div", "ros-bar", title, controls));
 
   const show = () => {
     const over = node.state === "stopped" || node.state === "failed";
@@ -54,18 +42,4 @@ export function mount(element, ros, { node: name }) {
     node.removeEventListener("state", show);
     element.replaceChildren();
   };
-}
-
-/**
- * @param {string} text
- * @param {string} className
- * @param {() => void} press
- */
-function button(text, className, press) {
-  const element = document.createElement("button");
-  element.type = "button";
-  element.className = className;
-  element.textContent = text;
-  element.addEventListener("click", press);
-  return element;
 }

@@ -1,5 +1,5 @@
 // @ts-check
-// What a node prints, how it is, and its keyboard if it reads one.
+// The output of a node with its state, and an input field if the program reads its standard input.
 
 import { create } from "../ui/elements.js";
 import { showLines } from "../ui/lines.js";
@@ -9,7 +9,7 @@ import { say, states } from "../ui/words.js";
 /** @import { Ros } from "../protocol.js" */
 
 /**
- * Show the lines of a node; `lines` is how many stay, the oldest leave.
+ * Show the last `lines` lines of a node.
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{node: string, lines?: number}} options
@@ -35,7 +35,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const { signal } = listening;
   let endKeyboard = () => {};
   node.addEventListener("reading", async () => {
-    // Few programs read: the page of others need not load what is for them.
+    // Few programs read input, so pages load this module only when one does.
     const { showKeyboard } = await import(place("ui/keyboard.js"));
     if (!signal.aborted) endKeyboard = showKeyboard(element, node);
   }, { signal, once: true });

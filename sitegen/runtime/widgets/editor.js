@@ -1,132 +1,184 @@
 // @ts-check
-// The source of a Python node, to be changed and run. What a reader makes of it stays in the browser, and
-// travels in links.
+// An editor for the source of a Python node. Changes stay in the visitor's browser, and are part of shared links.
 
 import { button, create, setText } from "../ui/elements.js";
 import { codeView } from "../ui/codeView.js";
 import { say } from "../ui/words.js";
 
-/** @import { Line, Ros } from "../protocol.js" */
+/** @import { Line, NodeHandle, Ros } from "../protocol.js" */
 
-// So long (ms) after the last key it is kept.
+// Save and report changes this long (ms) after the last key.
 const PAUSE = 300;
 
 /**
- * Show a file of a node, installed at `place`, as it is in the workspace: `text`.
+ * Show a file of a node. `place` is where the file is installed, `text` its content in the workspace.
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{node: string, file: string, place: string, text: string}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { node: name, file, place, text: original }) {
+export function mount(element, ros, { node: name, ...source }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`editor: no node '${name}' on this page`);
-
-  const store = `sitegen:edit:${location.pathname}:${name}:${place}`;
-  const kept = recall(store);
-  // One of another version of the source would undo what its author has changed since.
-  let text = kept?.of === original ? kept.text : original;
-  let given = false;
-  ros.keep(element, { text: "string" }, () => ({ text: text === original ? "" : text }), (state) => {
-    given = true;
-    text = state.text;
-  });
-  // Code of a link is somebody else's: it runs when its reader says so, and not before.
-  if (!given && text !== original) node.edit(place, text);
-
-  const state = create("span", "ros-edited");
-  state.setAttribute("role", "status");
-  const title = create("div", "ros-node", create("span", "ros-name", file), state);
-  const run = button(say("Run"), "ros-start", () => {
-    given = false;
-    keep();
-    node.edit(place, text === original ? undefined : text);
-    view.mark(0);
-    show();
-    node.restart();
-  });
-  const reset = button(say("Reset"), "ros-clear", () => {
-    view.set(original);
-    view.focus();
-  });
-  const controls = create("div", "ros-controls", run, reset);
-  controls.setAttribute("role", "group");
-  controls.setAttribute("aria-label", file);
-  const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
-  const code = create("div", "ros-code");
-  element.replaceChildren(create("div", "ros-bar", title, controls), code, hint);
-
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
-  let error = 0;
-  const keep = () => {
-    clearTimeout(timer);
-    if (!given) remember(store, text === original ? undefined : { of: original, text });
-  };
-  const show = () => {
-    const changed = given ? say("changed by the link: read it before you run it") : say("changed");
-    const how = text === original ? say("unchanged") : changed;
-    setText(state, error ? say("error in line {}", error) : how);
-    state.dataset.changed = String(text !== original || error > 0);
-    reset.disabled = text === original;
-  };
-  const view = codeView(code, text, say("Python source {}", file), (now) => {
-    text = now;
-    error = 0;
-    clearTimeout(timer);
-    timer = setTimeout(() => {
-      keep();
-      show();
-    }, PAUSE);
-    reset.disabled = text === original;
-  });
-
-  const listening = new AbortController();
-  const { signal } = listening;
-  // The last line of the file in a traceback is where the program was.
-  const sign = `File "/ros/${place}", line `;
-  node.addEventListener("lines", (event) => {
-    const { detail } = /** @type {CustomEvent<Line[]>} */ (event);
-    for (const line of detail) {
-      const at = line.severity === "stderr" ? line.text.lastIndexOf(sign) : -1;
-      if (at >= 0) error = Number.parseInt(line.text.slice(at + sign.length), 10) || 0;
-    }
-    view.mark(error);
-    show();
-  }, { signal });
-  node.addEventListener("state", () => {
-    if (node.state !== "starting") return;
-    error = 0;
-    view.mark(0);
-    show();
-  }, { signal });
-  addEventListener("pagehide", keep, { signal });
-  show();
-
+  const editor = new Editor(element, ros, node, source);
   return () => {
-    keep();
-    listening.abort();
-    view.destroy();
+    editor.close();
     element.replaceChildren();
   };
 }
 
-/** @param {string} store @returns {{of: string, text: string} | undefined} */
-function recall(store) {
-  try {
-    const { of, text } = JSON.parse(localStorage.getItem(store) ?? "{}");
-    return typeof of === "string" && typeof text === "string" ? { of, text } : undefined;
-  } catch {
-    return undefined; // no storage, or not ours
+class Editor {
+  #node;
+  #place;
+  #original;
+  #text;
+  /** Where localStorage keeps the edit. */
+  #key;
+  #fromLink = false;
+  /** The line of the last exception, or 0. */
+  #error = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+  #listening = new AbortController();
+  #status = create("span", "ros-edited");
+  #reset = button(say("Reset"), "ros-clear", () => {
+    this.#view.set(this.#original);
+    this.#view.focus();
+  });
+  #view;
+
+  /**
+   * @param {HTMLElement} element @param {Ros} ros @param {NodeHandle} node
+   * @param {{file: string, place: string, text: string}} source
+   */
+  constructor(element, ros, node, { file, place, text: original }) {
+    this.#node = node;
+    this.#place = place;
+    this.#original = original;
+    this.#key = `sitegen:edit:${location.pathname}:${node.name}:${place}`;
+    const saved = recall(this.#key);
+    // An edit of an older version of the file would undo what the author has changed since.
+    this.#text = saved?.of === original ? saved.text : original;
+    ros.keep(element, { text: "string" }, () => ({ text: this.#changed ? this.#text : "" }), (state) => {
+      this.#fromLink = true;
+      this.#text = state.text;
+    });
+    // Code in a link is someone else's: it must not run before the visitor presses Run.
+    if (this.#changed && !this.#fromLink) node.edit(place, this.#text);
+
+    const code = create("div", "ros-code");
+    const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
+    element.replaceChildren(this.#createBar(file), code, hint);
+    this.#view = codeView(code, this.#text, say("Python source {}", file), (text) => this.#typed(text));
+    this.#listen();
+    this.#show();
+  }
+
+  close() {
+    this.#save();
+    this.#listening.abort();
+    this.#view.destroy();
+  }
+
+  get #changed() {
+    return this.#text !== this.#original;
+  }
+
+  /** @param {string} file */
+  #createBar(file) {
+    this.#status.setAttribute("role", "status");
+    const title = create("div", "ros-node", create("span", "ros-name", file), this.#status);
+    const run = button(say("Run"), "ros-start", () => this.#run());
+    const controls = create("div", "ros-controls", run, this.#reset);
+    controls.setAttribute("role", "group");
+    controls.setAttribute("aria-label", file);
+    return create("div", "ros-bar", title, controls);
+  }
+
+  #listen() {
+    const { signal } = this.#listening;
+    this.#node.addEventListener("lines", (event) => {
+      this.#findError(/** @type {CustomEvent<Line[]>} */ (event).detail);
+    }, { signal });
+    this.#node.addEventListener("state", () => {
+      if (this.#node.state === "starting") this.#mark(0);
+    }, { signal });
+    addEventListener("pagehide", () => this.#save(), { signal });
+  }
+
+  #run() {
+    this.#fromLink = false;
+    this.#save();
+    this.#node.edit(this.#place, this.#changed ? this.#text : undefined);
+    this.#mark(0);
+    this.#node.restart();
+  }
+
+  /** @param {string} text the new content */
+  #typed(text) {
+    this.#text = text;
+    this.#error = 0;
+    this.#reset.disabled = !this.#changed;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#save();
+      this.#show();
+    }, PAUSE);
+  }
+
+  /** Mark the last line of this file that a traceback names: there the program stopped. @param {Line[]} lines */
+  #findError(lines) {
+    const reference = `File "/ros/${this.#place}", line `;
+    let error = this.#error;
+    for (const { severity, text } of lines) {
+      const at = severity === "stderr" ? text.lastIndexOf(reference) : -1;
+      if (at >= 0) error = Number.parseInt(text.slice(at + reference.length), 10) || 0;
+    }
+    this.#mark(error);
+  }
+
+  /** @param {number} line or 0 for none */
+  #mark(line) {
+    this.#error = line;
+    this.#view.mark(line);
+    this.#show();
+  }
+
+  #show() {
+    setText(this.#status, this.#describe());
+    this.#status.dataset.changed = String(this.#changed || this.#error > 0);
+    this.#reset.disabled = !this.#changed;
+  }
+
+  #describe() {
+    if (this.#error) return say("error in line {}", this.#error);
+    if (!this.#changed) return say("unchanged");
+    return this.#fromLink ? say("changed by the link: read it before you run it") : say("changed");
+  }
+
+  #save() {
+    clearTimeout(this.#timer);
+    if (this.#fromLink) return;
+    remember(this.#key, this.#changed ? { of: this.#original, text: this.#text } : undefined);
   }
 }
 
-/** @param {string} store @param {{of: string, text: string} | undefined} edit */
-function remember(store, edit) {
+/** @param {string} key @returns {{of: string, text: string} | undefined} */
+function recall(key) {
   try {
-    if (edit) localStorage.setItem(store, JSON.stringify(edit));
-    else localStorage.removeItem(store);
+    const { of, text } = JSON.parse(localStorage.getItem(key) ?? "{}");
+    return typeof of === "string" && typeof text === "string" ? { of, text } : undefined;
   } catch {
-    // A browser that keeps nothing: the text stays as long as the page.
+    return undefined; // no storage, or the value is not ours
+  }
+}
+
+/** @param {string} key @param {{of: string, text: string} | undefined} edit */
+function remember(key, edit) {
+  try {
+    if (edit) localStorage.setItem(key, JSON.stringify(edit));
+    else localStorage.removeItem(key);
+  } catch {
+    // Without storage, the edit lasts until the page is closed.
   }
 }

@@ -2,7 +2,7 @@
 // The nodes and topics of the page as a drawing, in the manner of rqt_graph.
 
 import { isHidden, isShown } from "../graphNames.js";
-import { shape, createDrawing } from "../ui/drawing.js";
+import { Drawing, shape } from "../ui/drawing.js";
 import { create, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { Graph, layout } from "../vendor/dagre.js";
@@ -28,7 +28,7 @@ const NARROW = 600;
 export function mount(element, ros) {
   let hidden = false;
   let drawn = "";
-  const drawing = createDrawing();
+  const drawing = new Drawing();
   const hint = create("p", "ros-hint", say("No nodes now. The graph shows running nodes."));
   const all = toggle(say("Show hidden"), (on) => {
     hidden = on;

@@ -1,151 +1,123 @@
 // @ts-check
-// What all nodes log, from /rosout, by severity, node and text.
+// The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
 import { button, create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
+import { Tail } from "../ui/tail.js";
 import { say } from "../ui/words.js";
+import { Entries, readEntry } from "./log/entries.js";
+import { Filters } from "./log/filters.js";
 
 /** @import { Ros } from "../protocol.js" */
+/** @import { Entry } from "./log/entries.js" */
 
 const TYPE = "rcl_interfaces/msg/Log";
-/** Nodes keep what they logged lately for those who come late, and so does this panel. */
+/** The QoS of /rosout in ROS 2: latecomers receive the latest lines. */
 const QOS = { depth: 1000, reliable: true, transientLocal: true };
-const LEVELS = /** @type {const} */ ([
-  [10, "debug"],
-  [20, "info"],
-  [30, "warn"],
-  [40, "error"],
-  [50, "fatal"],
-]);
-// A reader this near to the end, in pixels, is taken to read the newest line.
-const NEAR = 24;
-
-/** @typedef {{time: number, level: number, severity: string, node: string, text: string, key: string}} Entry */
 
 /**
- * Show the log; `lines` is how many it keeps, the oldest leave.
+ * Show the log, of which `lines` entries are kept.
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{lines?: number}} options
  * @returns {() => void} unmount
  */
 export function mount(element, ros, { lines: limit = 1000 }) {
-  const severity = create("select", "", ...LEVELS.map(([, name]) => new Option(say("{} and above", name), name)));
-  severity.value = "info";
-  severity.setAttribute("aria-label", say("severity"));
-  const node = create("select", "", new Option(say("all nodes"), ""));
-  node.setAttribute("aria-label", say("node"));
-  const search = create("input", "");
-  search.type = "search";
-  search.placeholder = say("Find text");
-  search.setAttribute("aria-label", say("text"));
-  const clear = button(say("Clear"), "ros-clear", () => {
-    entries = [];
-    redraw();
+  const log = new Log(ros, limit);
+  element.replaceChildren(...log.elements);
+  const { filters } = log;
+  ros.keep(element, { severity: "string", node: "string", text: "string" }, () => filters.read(), (state, odd) => {
+    filters.restore(state, odd);
+    log.redraw();
   });
-  const controls = create("div", "ros-controls ros-filters", severity, node, search, clear);
-  const bar = create("div", "ros-bar", create("span", "ros-title", say("Log")), controls);
-  const log = create("div", "ros-lines");
-  log.setAttribute("role", "log");
-  log.setAttribute("aria-label", say("log of all nodes"));
-  log.tabIndex = 0;
-  const hint = create("p", "ros-hint");
-  element.replaceChildren(bar, log, hint);
-
-  /** In the order of their times. @type {Entry[]} */
-  let entries = [];
-  /** Those that came since the last drawing; null when all must be drawn again. @type {Entry[] | null} */
-  let fresh = [];
-  let frame = 0;
-  let following = true;
-  // What nodes keep comes again with each subscription: what was shown or cleared does not.
-  /** @type {Map<string, number>} */
-  const known = new Map();
-
-  const shown = (/** @type {Entry} */ entry) => {
-    const least = LEVELS.find(([, name]) => name === severity.value)?.[0] ?? 0;
-    const text = search.value.trim().toLowerCase();
-    return entry.level >= least && (!node.value || entry.node === node.value) &&
-      (!text || entry.text.toLowerCase().includes(text));
-  };
-
-  const draw = () => {
-    frame = 0;
-    if (!fresh) log.replaceChildren();
-    log.append(...(fresh ?? entries).filter(shown).map(createRow));
-    fresh = [];
-    while (log.childElementCount > limit) log.firstElementChild?.remove();
-    if (following) log.scrollTop = log.scrollHeight;
-    hint.hidden = log.hasChildNodes();
-    setText(hint, hintFor(ros, entries.length));
-  };
-  const redraw = () => {
-    fresh = null;
-    frame ||= requestAnimationFrame(draw);
-  };
-
-  /** @param {any} message */
-  const receive = (message) => {
-    const entry = read(message);
-    if (known.has(entry.key)) return;
-    known.set(entry.key, entry.time);
-    if (known.size > 4 * limit) known.delete(known.keys().next().value ?? "");
-    const before = entries.findLastIndex(({ time }) => time <= entry.time);
-    entries.splice(before + 1, 0, entry);
-    if (entries.length > limit) entries.shift();
-    if (![...node.options].some(({ value }) => value === entry.node)) node.append(new Option(entry.node));
-    if (before + 2 < entries.length) fresh = null;
-    else fresh?.push(entry);
-    if (fresh && fresh.length > limit) fresh = null;
-    frame ||= requestAnimationFrame(draw);
-  };
-
-  for (const control of [severity, node, search]) control.addEventListener("input", redraw);
-  log.addEventListener("scroll", () => {
-    following = log.scrollHeight - log.scrollTop - log.clientHeight < NEAR;
-  });
-  draw();
-  const said = () => ({
-    severity: severity.value === "info" ? "" : severity.value, node: node.value, text: search.value.trim(),
-  });
-  ros.keep(element, { severity: "string", node: "string", text: "string" }, said, (state, odd) => {
-    if (LEVELS.some(([, name]) => name === state.severity)) severity.value = state.severity;
-    else if (state.severity) odd();
-    if (state.node) {
-      node.append(new Option(state.node));
-      node.value = state.node;
-    }
-    search.value = state.text ?? "";
-    redraw();
-  });
-
-  const unlook = whileSeen(element, () => {
-    draw();
-    const unsubscribe = ros.types[TYPE] ? ros.subscribe(ROSOUT, TYPE, receive, QOS) : () => {};
-    return () => {
-      unsubscribe();
-      cancelAnimationFrame(frame);
-      frame = 0;
-    };
-  });
+  const unlook = whileSeen(element, () => log.begin());
   return () => {
     unlook();
     element.replaceChildren();
   };
 }
 
-/** @param {Ros} ros @param {number} count of what came */
-function hintFor(ros, count) {
-  if (!ros.types[TYPE]) return say("No program on this page logs to /rosout");
-  return count ? say("No lines match the filters") : say("Nothing logged yet");
-}
+class Log {
+  #ros;
+  #limit;
+  filters = new Filters(() => this.redraw());
+  #rows = create("div", "ros-lines");
+  #hint = create("p", "ros-hint");
+  elements;
+  #tail = new Tail(this.#rows);
+  #entries;
+  /** Entries that are not drawn yet, or "all" if they do not belong at the end. @type {Entry[] | "all"} */
+  #fresh = [];
+  #frame = 0;
 
-/** @param {any} message rcl_interfaces/msg/Log @returns {Entry} */
-function read({ stamp, level, name, msg: text }) {
-  const severity = LEVELS.findLast(([least]) => level >= least)?.[1] ?? "debug";
-  const time = stamp.sec * 1000 + stamp.nanosec / 1e6;
-  return { time, level, severity, node: name, text, key: `${stamp.sec} ${stamp.nanosec} ${name} ${text}` };
+  /** @param {Ros} ros @param {number} limit */
+  constructor(ros, limit) {
+    this.#ros = ros;
+    this.#limit = limit;
+    this.#entries = new Entries(limit);
+    const clear = button(say("Clear"), "ros-clear", () => {
+      this.#entries.clear();
+      this.redraw();
+    });
+    const controls = create("div", "ros-controls ros-filters", ...this.filters.controls, clear);
+    const bar = create("div", "ros-bar", create("span", "ros-title", say("Log")), controls);
+    this.#rows.setAttribute("role", "log");
+    this.#rows.setAttribute("aria-label", say("log of all nodes"));
+    this.#rows.tabIndex = 0;
+    this.elements = [bar, this.#rows, this.#hint];
+    this.#draw();
+  }
+
+  /** Subscribe while the panel is visible. @returns {() => void} end it */
+  begin() {
+    this.#draw();
+    const subscribe = () => this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
+    const unsubscribe = this.#ros.types[TYPE] ? subscribe() : () => {};
+    return () => {
+      unsubscribe();
+      cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
+    };
+  }
+
+  /** Draw all entries again. */
+  redraw() {
+    this.#fresh = "all";
+    this.#frame ||= requestAnimationFrame(() => this.#draw());
+  }
+
+  /** @param {Entry} entry */
+  #add(entry) {
+    const place = this.#entries.add(entry);
+    if (!place) return;
+    this.filters.offer(entry.node);
+    if (this.#fresh === "all" || place === "between" || this.#fresh.length >= this.#limit) {
+      this.redraw();
+    } else {
+      this.#fresh.push(entry);
+      this.#frame ||= requestAnimationFrame(() => this.#draw());
+    }
+  }
+
+  #draw() {
+    this.#frame = 0;
+    if (this.#fresh === "all") {
+      this.#rows.replaceChildren();
+      this.#fresh = this.#entries.list;
+    }
+    this.#rows.append(...this.#fresh.filter((entry) => this.filters.admit(entry)).map(createRow));
+    this.#fresh = [];
+    while (this.#rows.childElementCount > this.#limit) this.#rows.firstElementChild?.remove();
+    this.#tail.follow();
+    this.#hint.hidden = this.#rows.hasChildNodes();
+    setText(this.#hint, this.#describeSilence());
+  }
+
+  #describeSilence() {
+    if (!this.#ros.types[TYPE]) return say("No program on this page logs to /rosout");
+    return this.#entries.list.length ? say("No lines match the filters") : say("Nothing logged yet");
+  }
 }
 
 /** @param {Entry} entry */

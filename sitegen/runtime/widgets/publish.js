@@ -1,197 +1,176 @@
 // @ts-check
-// Publish on a topic what is typed into a form, once or again and again.
+// A form to publish messages on a topic, once or repeatedly.
 
 import { isShown } from "../graphNames.js";
-import { button, create, setText } from "../ui/elements.js";
+import { FormSlot } from "../messages/formSlot.js";
+import { create, setNote, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
-import { createForm } from "../messages/form.js";
 import { say } from "../ui/words.js";
+import { Repeat } from "./publish/repeat.js";
 
-/** @import { Publisher, Ros } from "../protocol.js" */
-
-// Messages a second.
-const SLOWEST = 0.1;
-const FASTEST = 100;
+/** @import { Publisher, Ros, Shared } from "../protocol.js" */
 
 /**
- * Publish on `topic`, or on one that the visitor chooses; `type` is needed where no node uses it yet.
+ * Show the form for `topic`, or for one that the visitor chooses. `type` is necessary if no node uses the topic yet.
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{topic?: string | null, type?: string | null}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { topic: fixed, type: declared }) {
-  let topic = fixed ?? "";
-  let built = "";
-  let count = 0;
-  /** @type {ReturnType<typeof createForm> | undefined} */
-  let made;
-  /** What a link says is typed, until there is a form for it. */
-  let given = { message: /** @type {any} */ (undefined), odd: () => {} };
-  /** @type {Publisher | undefined} */
-  let publisher;
-  /** @type {ReturnType<typeof setInterval> | undefined} */
-  let timer;
-
-  const choice = create("select", "");
-  choice.setAttribute("aria-label", say("topic"));
-  choice.addEventListener("change", () => {
-    topic = choice.value;
-    look();
-  });
-  const title = create("span", "ros-name");
-  const kind = create("span", "ros-type");
-  const heading = create("div", "ros-node", fixed ? title : create("span", "ros-title", say("Publish")));
-  if (fixed) heading.append(kind);
-  const bar = create("div", "ros-bar", heading);
-  if (!fixed) bar.append(choice);
-
-  const place = create("div", "ros-place");
-  const once = create("button", "ros-send", say("Publish once"));
-  const rate = create("input", "ros-rate");
-  rate.value = "1";
-  rate.inputMode = "decimal";
-  rate.setAttribute("aria-label", say("messages per second (Hz)"));
-  const repeat = button(say("Repeat"), "ros-start", () => (timer === undefined ? begin() : stop()));
-  const note = create("p", "ros-note");
-  note.setAttribute("role", "status");
-  const every = create("label", "ros-every", rate, "Hz");
-  const controls = create("div", "ros-controls", once, repeat, every);
-  const form = create("form", "ros-call", place, controls, note);
-  form.noValidate = true;
-  const hint = create("p", "ros-hint");
-  element.replaceChildren(bar, form, hint);
-
-  /** @param {string} text @param {boolean} [wrong] */
-  const tell = (text, wrong = false) => {
-    note.classList.toggle("ros-wrong", wrong);
-    setText(note, text);
-  };
-
-  /** Publish what the form holds; false where that is no message. */
-  const send = () => {
-    const message = made?.read();
-    if (!message) return false;
-    try {
-      publisher ??= ros.advertise(topic, typeOf());
-      publisher.publish(message);
-    } catch (error) {
-      tell(say("Not published: {}", error instanceof Error ? error.message : error), true);
-      return false;
-    }
-    count++;
-    tell(count === 1 ? say("1 message published") : say("{} messages published", count));
-    return true;
-  };
-
-  const stop = () => {
-    clearInterval(timer);
-    timer = undefined;
-    show();
-  };
-  const begin = () => {
-    const hertz = Number(rate.value.trim().replace(",", "."));
-    const wrong = !(hertz >= SLOWEST && hertz <= FASTEST);
-    rate.toggleAttribute("aria-invalid", wrong);
-    if (wrong) {
-      tell(say("The rate must be a number from {} to {} Hz", SLOWEST, FASTEST), true);
-      rate.focus();
-      return;
-    }
-    if (!send()) return;
-    timer = setInterval(() => {
-      if (!send()) stop();
-    }, 1000 / hertz);
-    show();
-  };
-  const end = () => {
-    stop();
-    publisher?.close();
-    publisher = undefined;
-  };
-
-  const typeOf = () => {
-    if (declared) return declared;
-    const types = ros.graph.topics().find(({ name }) => name === topic)?.types ?? [];
-    return types.find((type) => ros.types[type]) ?? types[0] ?? "";
-  };
-
-  const show = () => {
-    const repeating = timer !== undefined;
-    setText(repeat, repeating ? say("Stop") : say("Repeat"));
-    repeat.className = repeating ? "ros-stop" : "ros-start";
-    rate.disabled = repeating;
-  };
-
-  /** Begin anew, with the form of the topic's type. @param {string} type */
-  const build = (type) => {
-    end();
-    count = 0;
-    tell("");
-    made = undefined;
-    place.replaceChildren();
-    if (!type) return;
-    try {
-      made = createForm(type, ros.types);
-      place.replaceChildren(made.element);
-      if (given.message && !made.fill(given.message)) given.odd();
-      given.message = undefined;
-    } catch (error) {
-      tell(say("Publishing is not possible here: {}", error instanceof Error ? error.message : error), true);
-    }
-  };
-
-  const look = () => {
-    if (!fixed) topic = offer(choice, ros, topic);
-    // A topic that goes leaves its form: what was typed there may be published again.
-    const type = typeOf() || (built.startsWith(`${topic} `) ? built.slice(topic.length + 1) : "");
-    if (`${topic} ${type}` !== built) {
-      build(type);
-      built = `${topic} ${type}`;
-    }
-    setText(title, topic);
-    setText(kind, type);
-    form.hidden = !type;
-    once.disabled = !made;
-    repeat.disabled = !made;
-    hint.hidden = Boolean(type);
-    setText(hint, topic
-      ? say("No node uses {} now, so its type is unknown. Start a node that uses it.", topic)
-      : say("No topics to publish on. They appear when nodes start."));
-  };
-
-  form.addEventListener("submit", (event) => {
-    event.preventDefault();
-    send();
-  });
-  show();
-  const read = () => ({
-    topic: fixed ? "" : topic, message: given.message ?? made?.typed(), rate: rate.value === "1" ? "" : rate.value,
-  });
-  ros.keep(element, { topic: "string", message: "object", rate: "string" }, read, (state, odd) => {
-    if (!fixed && state.topic) topic = state.topic;
-    given = { message: state.message, odd };
-    if (state.rate) rate.value = state.rate;
+export function mount(element, ros, { topic, type }) {
+  const panel = new PublishPanel(ros, topic ?? "", type ?? "");
+  element.replaceChildren(...panel.elements);
+  ros.keep(element, { topic: "string", message: "object", rate: "string" }, () => panel.read(), (state, odd) => {
+    panel.restore(state, odd);
   });
   const unlook = whileSeen(element, () => {
+    const look = () => panel.look();
     look();
     ros.graph.addEventListener("change", look);
     return () => ros.graph.removeEventListener("change", look);
   });
   return () => {
     unlook();
-    end();
+    panel.close();
     element.replaceChildren();
   };
 }
 
+class PublishPanel {
+  #ros;
+  #fixed;
+  #declared;
+  #topic;
+  /** The topic and type of the form. */
+  #shown = { topic: "", type: "" };
+  /** @type {Publisher | undefined} */
+  #publisher;
+  /** How many messages were published with this form. */
+  #count = 0;
+
+  #choice = create("select", "");
+  #title = create("span", "ros-name");
+  #kind = create("span", "ros-type");
+  #message;
+  #once = create("button", "ros-send", say("Publish once"));
+  #repeat = new Repeat(() => this.#send(), (error) => setNote(this.#note, error, true));
+  #note = create("p", "ros-note");
+  #form;
+  #hint = create("p", "ros-hint");
+  elements;
+
+  /** @param {Ros} ros @param {string} fixed topic, or "" @param {string} declared type, or "" */
+  constructor(ros, fixed, declared) {
+    this.#ros = ros;
+    this.#fixed = fixed;
+    this.#declared = declared;
+    this.#topic = fixed;
+    this.#message = new FormSlot(ros.types);
+    this.#note.setAttribute("role", "status");
+    const controls = create("div", "ros-controls", this.#once, this.#repeat.button, this.#repeat.rateLabel);
+    this.#form = create("form", "ros-call", this.#message.element, controls, this.#note);
+    this.#form.noValidate = true;
+    this.#form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.#send();
+    });
+    this.elements = [this.#createBar(), this.#form, this.#hint];
+  }
+
+  #createBar() {
+    if (this.#fixed) return create("div", "ros-bar", create("div", "ros-node", this.#title, this.#kind));
+    this.#choice.setAttribute("aria-label", say("topic"));
+    this.#choice.addEventListener("change", () => {
+      this.#topic = this.#choice.value;
+      this.look();
+    });
+    const heading = create("div", "ros-node", create("span", "ros-title", say("Publish")));
+    return create("div", "ros-bar", heading, this.#choice);
+  }
+
+  /** Return what a link carries of the panel. */
+  read() {
+    return { topic: this.#fixed ? "" : this.#topic, message: this.#message.typed(), rate: this.#repeat.rate };
+  }
+
+  /** @param {Shared} state as `read` returned it @param {() => void} odd called if the message does not fit */
+  restore({ topic, message, rate }, odd) {
+    if (!this.#fixed && topic) this.#topic = topic;
+    this.#message.fill(message, odd);
+    this.#repeat.rate = rate;
+  }
+
+  /** Follow changes of the graph. */
+  look() {
+    if (!this.#fixed) this.#topic = offer(this.#choice, this.#ros, this.#topic);
+    const topic = this.#topic;
+    // Keep the form of a topic that is gone: the visitor may publish the same message when it returns.
+    const type = this.#findType() || (topic === this.#shown.topic ? this.#shown.type : "");
+    if (topic !== this.#shown.topic || type !== this.#shown.type) {
+      this.#shown = { topic, type };
+      this.#build();
+    }
+    setText(this.#title, topic);
+    setText(this.#kind, type);
+    this.#form.hidden = !type;
+    this.#once.disabled = !this.#message.filled;
+    this.#repeat.button.disabled = !this.#message.filled;
+    this.#hint.hidden = Boolean(type);
+    setText(this.#hint, topic
+      ? say("No node uses {} now, so its type is unknown. Start a node that uses it.", topic)
+      : say("No topics to publish on. They appear when nodes start."));
+  }
+
+  /** Stop publishing. */
+  close() {
+    this.#repeat.stop();
+    this.#publisher?.close();
+    this.#publisher = undefined;
+  }
+
+  #findType() {
+    if (this.#declared) return this.#declared;
+    const types = this.#ros.graph.topics().find(({ name }) => name === this.#topic)?.types ?? [];
+    return types.find((type) => this.#ros.types[type]) ?? types[0] ?? "";
+  }
+
+  #build() {
+    this.close();
+    this.#count = 0;
+    setNote(this.#note, "");
+    try {
+      this.#message.show(this.#shown.type);
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : error;
+      setNote(this.#note, say("Publishing is not possible here: {}", reason), true);
+    }
+  }
+
+  /** Publish the message in the form; return false if it is invalid. */
+  #send() {
+    const message = this.#message.read();
+    if (!message) return false;
+    try {
+      this.#publisher ??= this.#ros.advertise(this.#topic, this.#shown.type);
+      this.#publisher.publish(message);
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : error;
+      setNote(this.#note, say("Not published: {}", reason), true);
+      return false;
+    }
+    this.#count += 1;
+    setNote(this.#note, this.#count === 1 ? say("1 message published") : say("{} messages published", this.#count));
+    return true;
+  }
+}
+
 /**
- * Offer the topics of which the page knows the type, and return which is chosen.
+ * Offer the topics whose types the page knows, and return the chosen one.
  * @param {HTMLSelectElement} choice @param {Ros} ros @param {string} chosen
  */
 function offer(choice, ros, chosen) {
   const names = ros.graph.topics()
-    .filter(({ name, types }) => isShown(name) && types.some((t) => ros.types[t]))
+    .filter(({ name, types }) => isShown(name) && types.some((type) => ros.types[type]))
     .map(({ name }) => name);
   if (chosen && !names.includes(chosen)) names.push(chosen);
   if (names.join() !== [...choice.options].map(({ value }) => value).join()) {

@@ -1,21 +1,22 @@
 // @ts-check
-// A robot that does what a topic tells it: drawn on the page, and real where its kind reaches one.
-// What only one kind has is in robots/<kind>.js.
+// A robot that obeys a topic: drawn on the page and, if its kind supports that, connected over Bluetooth.
+// robots/<kind>.js has what is specific to a kind.
 
-import { arrange, button, create, setText } from "../ui/elements.js";
+import { button, create, setNote, setText } from "../ui/elements.js";
 import { place } from "../place.js";
 import { say } from "../ui/words.js";
+import { Readings } from "./robots/parts/readings.js";
 
 /** @import { Ros } from "../protocol.js" */
-/** @import { Reading, Robot } from "./robots/parts/robot.js" */
+/** @import { Input, Robot } from "./robots/parts/robot.js" */
 
-// Numbers that change more often than this (ms) cannot be read.
+// Readings of a moving robot are written this often (ms), so that they can be read.
 const READABLE = 100;
-// A tab that was hidden must not move its robots by all the time that it was away (s).
+// A robot moves for at most this time (s) between two frames: hidden tabs draw none.
 const LONGEST = 0.1;
 
 /**
- * Show a robot of `kind`; the other options are that kind's.
+ * Show a robot of `kind`; the other options depend on the kind.
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{kind: string}} options
@@ -24,7 +25,7 @@ const LONGEST = 0.1;
 export function mount(element, ros, { kind, ...options }) {
   let unmounted = false;
   let unmount = () => {};
-  // A page brings only the kinds that it shows.
+  // A page loads only the kinds that it shows.
   import(place(`widgets/robots/${kind}.js`)).then(({ create: make }) => {
     if (!unmounted) unmount = show(element, ros, make, options);
   });
@@ -66,33 +67,17 @@ function show(element, ros, make, options) {
   const restart = button(say("Reset"), "ros-again", () => robot.reset());
   const controls = create("div", "ros-controls", ...robot.controls, restart);
   const stage = create("div", "ros-stage", robot.drawing);
-  const values = create("dl", "ros-readings");
+  const readings = new Readings();
   const note = create("p", "ros-note");
   note.setAttribute("role", "status");
-  element.replaceChildren(create("div", "ros-bar", heading, controls), stage, values, note);
+  element.replaceChildren(create("div", "ros-bar", heading, controls), stage, readings.element, note);
 
-  /** @type {Map<string, ReturnType<typeof createReading>>} */
-  const rows = new Map();
   const tell = () => {
-    const readings = robot.readings();
-    arrange(values, readings.map((reading) => {
-      const row = rows.get(reading.name) ?? createReading(reading);
-      rows.set(reading.name, row);
-      row.show(reading);
-      return row.element;
-    }));
+    readings.show(robot.readings());
     const { text, wrong } = robot.note();
-    note.classList.toggle("ros-wrong", wrong);
-    setText(note, text);
+    setNote(note, text, wrong);
   };
-  const look = () => {
-    const topics = ros.graph.topics();
-    setText(listens, robot.inputs.map(({ topic, type }) => {
-      if (!ros.types[type]) return say("{}: no node on this page uses {}, so it cannot be read", topic, type);
-      const from = topics.find(({ name }) => name === topic)?.publishers ?? [];
-      return from.length ? say("{} from {}", topic, from.join(", ")) : say("{}: no publishers", topic);
-    }).join(" · "));
-  };
+  const look = () => setText(listens, robot.inputs.map((input) => describeInput(ros, input)).join(" · "));
 
   look();
   tell();
@@ -105,24 +90,9 @@ function show(element, ros, make, options) {
   };
 }
 
-/** @param {Reading} first */
-function createReading({ name, level, color }) {
-  const dot = create("span", "ros-dot");
-  const text = create("span", "");
-  const value = create("dd", "", text);
-  if (color !== undefined) value.prepend(dot);
-  const meter = create("span", "ros-level");
-  const fill = create("i", "");
-  meter.append(fill);
-  if (level !== undefined) value.append(meter);
-  return {
-    element: create("div", "", create("dt", "", name), value),
-    show(/** @type {Reading} */ reading) {
-      setText(text, reading.text);
-      dot.style.setProperty("--dot", reading.color || "transparent");
-      const share = Math.max(-1, Math.min(1, reading.level ?? 0));
-      fill.style.insetInlineStart = `${50 + Math.min(share, 0) * 50}%`;
-      fill.style.inlineSize = `${Math.abs(share) * 50}%`;
-    },
-  };
+/** @param {Ros} ros @param {Input} input */
+function describeInput(ros, { topic, type }) {
+  if (!ros.types[type]) return say("{}: no node on this page uses {}, so it cannot be read", topic, type);
+  const publishers = ros.graph.topics().find(({ name }) => name === topic)?.publishers ?? [];
+  return publishers.length ? say("{} from {}", topic, publishers.join(", ")) : say("{}: no publishers", topic);
 }

@@ -1,0 +1,67 @@
+// @ts-check
+// Drive a turtle with the arrow keys or with buttons.
+
+import { button, create } from "../../../ui/elements.js";
+import { say } from "../../../ui/words.js";
+
+/** @import { Publisher, Ros } from "../../../protocol.js" */
+
+const TWIST = "geometry_msgs/msg/Twist";
+// The speed (m/s) and the turning rate (rad/s) of one key press, as in turtle_teleop_key.
+const SPEED = 2;
+
+/** Publishes commands for the chosen turtle. Publishers are created when they are first used. */
+export class Driver {
+  #ros;
+  #topic;
+  /** @type {Map<string, Publisher>} */
+  #publishers = new Map();
+
+  /** @param {Ros} ros @param {() => string | undefined} topic of the chosen turtle */
+  constructor(ros, topic) {
+    this.#ros = ros;
+    this.#topic = topic;
+  }
+
+  /** @param {number} linear @param {number} angular */
+  drive(linear, angular) {
+    const topic = this.#topic();
+    if (!topic) return;
+    const publisher = this.#publishers.get(topic) ?? this.#ros.advertise(topic, TWIST);
+    this.#publishers.set(topic, publisher);
+    publisher.publish({ linear: { x: linear, y: 0, z: 0 }, angular: { x: 0, y: 0, z: angular } });
+  }
+
+  close() {
+    for (const publisher of this.#publishers.values()) publisher.close();
+  }
+}
+
+/**
+ * Create the buttons, and handle the arrow keys while the drawing has the keyboard focus.
+ * @param {Element} drawing @param {Driver} driver
+ */
+export function createPad(drawing, driver) {
+  const ways = [
+    { key: "ArrowLeft", sign: "↶", name: say("Turn left"), linear: 0, angular: SPEED },
+    { key: "ArrowUp", sign: "↑", name: say("Forward"), linear: SPEED, angular: 0 },
+    { key: "ArrowDown", sign: "↓", name: say("Backward"), linear: -SPEED, angular: 0 },
+    { key: "ArrowRight", sign: "↷", name: say("Turn right"), linear: 0, angular: -SPEED },
+  ];
+  drawing.addEventListener("keydown", (event) => {
+    const { key, ctrlKey, metaKey, altKey } = /** @type {KeyboardEvent} */ (event);
+    const way = ways.find((one) => one.key === key);
+    if (!way || ctrlKey || metaKey || altKey) return;
+    event.preventDefault();
+    driver.drive(way.linear, way.angular);
+  });
+  const pad = create("div", "ros-pad", ...ways.map(({ sign, name, linear, angular }) => {
+    const one = button(sign, "", () => driver.drive(linear, angular));
+    one.setAttribute("aria-label", name);
+    one.title = name;
+    return one;
+  }));
+  pad.setAttribute("role", "group");
+  pad.setAttribute("aria-label", say("Drive"));
+  return pad;
+}
