@@ -47,7 +47,7 @@ clean:
 
 # Stamps: each is made again when what it depends on has changed.
 
-.venv/ready: pyproject.toml constraints.txt ros.txt hatch_build.py package-lock.json vendor.mjs bytecode.mjs
+.venv/ready: pyproject.toml constraints.txt ros.txt hatch_build.py package-lock.json vendor.mjs bundle.mjs bytecode.mjs
 	@$(PYTHON) -m ensurepip --version > /dev/null 2>&1 || ./install python3-venv
 	$(PYTHON) -m venv .venv
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'

@@ -1,8 +1,8 @@
 """Bring into the package what others made and sitegen ships: parts of ROS 2, browser libraries.
 
 `sitegen/ros/` is taken from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
-npm packages. Neither is in the repository. Last, the Python of the latter compiles the modules of
-the former, and those of sitegen that run beside them.
+npm packages, and `sitegen/bundles/` from the runtime and these. None is in the repository. Last, the
+Python of pages compiles the modules of ROS, and those of sitegen that run beside them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ TARGET = ROOT / "sitegen" / "ros"
 STAMP = TARGET / ".digest"
 LOCK = ROOT / "package-lock.json"
 BUNDLER = ROOT / "vendor.mjs"
-BUNDLES = ROOT / "sitegen" / "runtime" / "vendor"
+LIBRARIES = ROOT / "sitegen" / "runtime" / "vendor"
 COMPILER = ROOT / "bytecode.mjs"
 
 # The wheels are built for one platform, but what is taken from them is text that suits all.
@@ -62,7 +62,10 @@ class VendorBuildHook(BuildHookInterface[Any]):
         if self.target_name == "sdist":
             return
         refresh(STAMP, [PINS, Path(__file__)], self._take_ros)
-        refresh(BUNDLES / ".digest", [LOCK, BUNDLER], self._bundle)
+        refresh(LIBRARIES / ".digest", [LOCK, BUNDLER], self._bundle)
+        # Parts of sitegen that import nothing but Python's own modules.
+        sys.path.insert(0, str(ROOT))
+        self._bundle_runtime()
         self._compile()
 
     def _take_ros(self) -> None:
@@ -73,15 +76,29 @@ class VendorBuildHook(BuildHookInterface[Any]):
                 unpack(wheel, TARGET)
 
     def _bundle(self) -> None:
+        self._install()
+        shutil.rmtree(LIBRARIES, ignore_errors=True)
+        self._node(["node", BUNDLER.name])
+
+    def _install(self) -> None:
         if not shutil.which("npm"):
             self.app.abort("npm not found; the browser libraries need Node.js 20 (nodejs.org)")
-        shutil.rmtree(BUNDLES, ignore_errors=True)
-        for command in (["npm", "ci", "--no-audit", "--no-fund"], ["node", BUNDLER.name]):
-            self._node(command)
+        self._node(["npm", "ci", "--no-audit", "--no-fund"])
+
+    def _bundle_runtime(self) -> None:
+        from sitegen.errors import SiteError
+        from sitegen.site import bundles
+
+        if bundles.is_current():
+            return
+        if not (ROOT / "node_modules" / "esbuild").is_dir():
+            self._install()
+        try:
+            bundles.make()
+        except SiteError as error:
+            self.app.abort(str(error))
 
     def _compile(self) -> None:
-        # A part of sitegen that imports nothing but Python's own modules.
-        sys.path.insert(0, str(ROOT))
         from sitegen.nodes.python import bytecode
 
         modules = {place: text for place, text in bytecode.brought() if place.endswith(".py")}

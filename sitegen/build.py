@@ -16,7 +16,7 @@ from sitegen.nodes.prebuilt.resolve import resolve
 from sitegen.nodes.programs import programs_of
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
-from sitegen.site import assets, offline, pages
+from sitegen.site import assets, bundles, offline, pages
 
 # Also tells GitHub Pages to serve the files as they are.
 MARKER = ".nojekyll"
@@ -49,6 +49,9 @@ def make(
         site = replace(site, offline=None)
     if output:
         check_output(output)
+
+    # In a checkout, the files of the runtime may be older than its modules.
+    bundles.refresh(report)
 
     # C++ nodes become WebAssembly, Python nodes archives; prebuilt ones are fetched.
     site, prebuilt = resolve(site, cache=cache_folder(), report=report)

@@ -16,6 +16,8 @@ ROS = PACKAGE / "ros"
 # The modules that run in the browser, and the libraries they use.
 RUNTIME = PACKAGE / "runtime"
 VENDOR = RUNTIME / "vendor"
+# What pages load of them, and what imports what, made when sitegen is built (bundle.mjs).
+BUNDLES = PACKAGE / "bundles"
 # In an editable install the themes are still where the repository has them.
 THEMES = PACKAGE / "themes" if (PACKAGE / "themes").is_dir() else PACKAGE.parent / "themes"
 DEFAULT_THEME = THEMES / "default"

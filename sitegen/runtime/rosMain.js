@@ -9,6 +9,8 @@ import { Sharing } from "./page/sharing.js";
 import { Widgets } from "./page/widgets.js";
 import { WorkerGroups } from "./page/workerGroup.js";
 import { place } from "./place.js";
+import { mount as mountButtons } from "./widgets/buttons.js";
+import { mount as mountConsole } from "./widgets/console.js";
 
 /** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
@@ -32,7 +34,8 @@ const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
 const groups = new WorkerGroups();
-const widgets = new Widgets();
+// Most pages have these, so they come with this file.
+const widgets = new Widgets({ buttons: mountButtons, console: mountConsole });
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
 for (const [name, entry] of Object.entries(page.nodes)) {

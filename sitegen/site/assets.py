@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from sitegen.model import Artifact, Page, Programs, Site, Widget
 from sitegen.nodes.python import pyodide
-from sitegen.shipped import RUNTIME, VENDOR
+from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
+from sitegen.site import bundles
 
 # Widgets that only start programs and show what they print; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
-IMPORT = re.compile(r'^import [^;]*? from "(\.[^"]+)";', re.MULTILINE)
+START = "rosMain.js"
 
 
 def takes_part(page: Page) -> bool:
@@ -23,79 +23,85 @@ def takes_part(page: Page) -> bool:
 def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Artifact]:
     """Return the runtime's files, with only those widgets that a page shows and what they import.
 
-    A site without nodes needs none of them; `debug` adds what tells where programs are.
+    A site without nodes needs none of them; `debug` adds what tells where programs are, and the
+    modules that the files were made from, for the tools of browsers.
     """
-    files = {file for page in site.pages for file in _modules(site, page)}
-    if not files:
+    names = {name for page in site.pages for name in _start(site, page)}
+    if not names:
         return []
     nodes = (node for page in site.pages for node in page.nodes.values())
     workers = {programs[node.program].worker for node in nodes}
-    files |= set(_with_imports(RUNTIME / "workers" / f"{worker}.js" for worker in workers))
+    names |= {f"workers/{worker}.js" for worker in workers}
     if "cpp/cppNode" in workers:
         # Loaded by programs that use content filters.
-        files |= set((RUNTIME / "messages" / "filter").iterdir())
+        names.add("messages/filter/contentFilter.js")
     if debug:
-        files.add(RUNTIME / "workers" / "cpp" / "stackTrace.js")
+        names.add("workers/cpp/stackTrace.js")
     if any(widget.kind == "console" for widget in _widgets(site.pages)):
         # Loaded by consoles whose program reads its input.
-        files |= set(_with_imports([RUNTIME / "ui" / "keyboard.js"]))
+        names.add("ui/keyboard.js")
+    files: list[Path] = []
     if "python/pythonNode" in workers:
-        files |= set(_with_imports([RUNTIME / "workers" / "python" / "pythonSync.js"]))
-        files |= set(pyodide.files())
-    if any(file.is_relative_to(VENDOR) for file in files):
-        files.add(VENDOR / "licenses.txt")
-    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in sorted(files)]
+        names.add("workers/python/pythonSync.js")
+        files += pyodide.files()
+    if files or _libraries(names):
+        files.append(VENDOR / "licenses.txt")
+    own = [one for name in sorted(names) for one in _artifacts(name, debug=debug)]
+    return own + [_vendored(file) for file in sorted(files)]
 
 
 def search(site: Site) -> list[Artifact]:
     """Return the modules that the search of a site needs: one that has more than one page."""
     if len(site.pages) < 2:
         return []
-    files = [*_with_imports([RUNTIME / "page" / "searchIndex.js"]), VENDOR / "licenses.txt"]
-    return [Artifact(f"runtime/{f.relative_to(RUNTIME).as_posix()}", f) for f in files]
+    return [*_artifacts("page/searchIndex.js"), _vendored(VENDOR / "licenses.txt")]
 
 
-def preloads(site: Site) -> dict[str, list[str]]:
-    """Return, by page path, the modules that the page loads as soon as it can: all but rosMain.js.
+def preloads(site: Site, page: Page) -> list[str]:
+    """Return the modules that `page` loads as soon as it can, by their paths: all but rosMain.js.
 
     Named in the page's head they come at once; otherwise each would be asked for by the one before.
     """
-    return {
-        page.path: [
-            f"runtime/{f.relative_to(RUNTIME).as_posix()}" for f in _modules(site, page)[1:]
-        ]
-        for page in site.pages
-    }
+    return [f"runtime/{name}" for name in _start(site, page)[1:]]
 
 
-def _modules(site: Site, page: Page) -> list[Path]:
-    """Return the modules that `page` runs, rosMain.js first; none if it shows no widget."""
+def _start(site: Site, page: Page) -> list[str]:
+    """Return the bundles that `page` runs, rosMain.js first; none if it shows no widget."""
     widgets = list(_widgets([page]))
     if not widgets:
         return []
-    files = [RUNTIME / "rosMain.js"]
+    names = [START]
     if takes_part(page):
-        files.append(RUNTIME / "page" / "pageClient.js")
-    files += (RUNTIME / "widgets" / f"{widget.kind}.js" for widget in widgets)
+        names.append("page/pageClient.js")
+    kinds = (f"widgets/{widget.kind}.js" for widget in widgets)
+    # Others came with rosMain.js.
+    names += (name for name in kinds if name in bundles.bundles())
     robots = (widget for widget in widgets if widget.kind == "robot")
-    files += (RUNTIME / "widgets" / "robots" / f"{robot.options['kind']}.js" for robot in robots)
+    names += (f"widgets/robots/{robot.options['kind']}.js" for robot in robots)
     # What widgets say in the language of the page; English stands in the code.
     language = (page.language or site.language).partition("-")[0].lower()
-    words = RUNTIME / "ui" / "words" / f"{language}.js"
-    return _with_imports([*files, words] if words.is_file() else files)
+    words = f"ui/words/{language}.js"
+    return bundles.with_imports([*names, words] if words in bundles.bundles() else names)
 
 
-def _with_imports(files: Iterable[Path]) -> list[Path]:
-    """Return `files` and all that they import, each once."""
-    found: dict[Path, None] = {}
-    waiting = list(files)
-    while waiting:
-        file = waiting.pop(0)
-        if file not in found:
-            found[file] = None
-            names = IMPORT.findall(file.read_text(encoding="utf-8"))
-            waiting += [(file.parent / name).resolve() for name in names]
-    return list(found)
+def _libraries(names: Iterable[str]) -> bool:
+    """Return whether a library of others is in one of the bundles `names`."""
+    modules = (module for name in names for module in bundles.bundles()[name].modules)
+    return any(module.startswith("vendor/") for module in modules)
+
+
+def _artifacts(name: str, *, debug: bool = False) -> Sequence[Artifact]:
+    """Return a bundle; with `debug`, browsers show the modules that it was made from."""
+    path, file = f"runtime/{name}", BUNDLES / name
+    if not debug:
+        return [Artifact(path, file)]
+    lines = f"{name}.map"
+    linked = f"{file.read_text(encoding='utf-8')}//# sourceMappingURL={Path(lines).name}\n"
+    return [Artifact(path, linked.encode()), Artifact(f"runtime/{lines}", BUNDLES / lines)]
+
+
+def _vendored(file: Path) -> Artifact:
+    return Artifact(f"runtime/{file.relative_to(RUNTIME).as_posix()}", file)
 
 
 def _widgets(shown: Iterable[Page]) -> Iterable[Widget]:

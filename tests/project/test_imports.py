@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ast
-import re
+import subprocess
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
 from paths import ROOT
+
+from sitegen.report import Report
+from sitegen.site import bundles
 
 PACKAGE = ROOT / "sitegen"
 RUNTIME = PACKAGE / "runtime"
@@ -74,11 +78,42 @@ def runtime_room(file: Path) -> str:
     return file.relative_to(RUNTIME).parts[0]
 
 
+@pytest.fixture(scope="module")
+def graph() -> Mapping[str, set[str]]:
+    """What each module of the browser imports, types included: readers have to follow those, too.
+
+    esbuild knows the modules, and TypeScript those that only comments name.
+    """
+    bundles.refresh(Report())
+    found = {name: {*names} for name, names in bundles.imports().items()}
+    for project in ("tsconfig.json", "tsconfig.workers.json"):
+        command = ["npx", "--no", "tsc", "--project", project, "--traceResolution"]
+        done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
+        assert done.returncode == 0, done.stdout
+        for line in done.stdout.splitlines():
+            match line.split("'"):
+                case ["======== Resolving module ", name, " from ", file, _] if name[0] == ".":
+                    if Path(file).is_relative_to(RUNTIME):
+                        path = (Path(file).parent / name).resolve()
+                        own = Path(file).relative_to(RUNTIME).as_posix()
+                        found.setdefault(own, set()).add(path.relative_to(RUNTIME).as_posix())
+    return found
+
+
+def test_every_module_is_in_a_bundle(graph: Mapping[str, set[str]]) -> None:
+    names = {file.relative_to(RUNTIME).as_posix() for file in MODULES}
+    assert names - set(bundles.imports()) == set()
+    # That of the types is found in comments.
+    assert "protocol.js" in graph["page/nodeProcess.js"] - set(
+        bundles.imports()["page/nodeProcess.js"]
+    )
+
+
 @pytest.mark.parametrize("file", MODULES, ids=lambda file: file.name)
-def test_runtime_imports_only_rooms_before_its_own(file: Path) -> None:
-    # Types count too: a reader has to follow those of a comment as well.
-    paths = re.findall(r'(?:from|import)\(?\s*"(\.[^"]+)"', file.read_text())
-    found = [(file.parent / path).resolve() for path in paths]
+def test_runtime_imports_only_rooms_before_its_own(
+    file: Path, graph: Mapping[str, set[str]]
+) -> None:
+    found = [RUNTIME / name for name in graph[file.relative_to(RUNTIME).as_posix()]]
     own = runtime_room(file)
     [place] = (at for at, rooms in enumerate(RUNTIME_ROOMS) if own in rooms)
     assert {runtime_room(path) for path in found} <= {own}.union(*RUNTIME_ROOMS[:place])

@@ -65,7 +65,7 @@ def test_without_an_address_the_site_has_a_server_of_its_own(site: Path) -> None
     (site / "site.yaml").write_text(text.replace("  url: https://me.github.io/my-robot/\n", ""))
     build(site, output=site / "dist", report=Report())
     page = (site / "dist/404.html").read_text()
-    assert '<link rel="stylesheet" href="/theme/style.css">' in page
+    assert '<link rel="stylesheet" href="/theme/all-text.css">' in page
     assert 'href="/guide/start/"' in page
 
 

@@ -232,6 +232,7 @@ def test_a_page_without_nodes_loads_nothing_of_the_runtime(author: Author) -> No
     assert list(built) == ["index.html", "404.html"]
     scripts = re.findall('<script.*?src="(.*?)"', built["index.html"])
     assert scripts == ["theme/colours.js", "theme/page.js"], "only those of the theme"
+    assert "preload" not in built["index.html"]
     assert "wasm" not in built["index.html"]
 
 
@@ -248,8 +249,8 @@ def test_links_are_relative_at_any_depth(author: Author, path: str, up: str) -> 
     )
     found = addresses(html)
     assert f'<a href="{up}c/">c</a> <a href="{up or "./"}">home</a>' in html
-    module = "runtime/page/graph.js"
-    for file in ("theme/style.css", "theme/favicon.svg", "runtime/rosMain.js", module):
+    module = "runtime/workers/cpp/cppNode.js"
+    for file in ("theme/all-live.css", "theme/favicon.svg", "runtime/rosMain.js", module):
         assert up + file in found
     absolute = f"https://me.github.io/robots/{path}"
     assert f'<link rel="canonical" href="{absolute}">' in html

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 from sitegen.model import Page, Programs, Python, Site
 from sitegen.site import assets
@@ -12,9 +13,9 @@ from sitegen.site.pages.blocks import slots_of
 from sitegen.site.prose import address
 
 
-def page_json(
+def page_entry(
     site: Site, page: Page, programs: Programs, edited: Mapping[str, Mapping[str, str]]
-) -> bytes:
+) -> dict[str, Any]:
     """Return the page's PageEntry; `edited` has the files of its editors, by their slots."""
     link = partial(address, page)
     waiting = {
@@ -23,7 +24,7 @@ def page_json(
         if (widget.kind == "buttons" and widget.options.get("autostart") is not True)
         or widget.kind == "prompt"
     }
-    entry: dict[str, object] = {
+    entry: dict[str, Any] = {
         "nodes": {
             name: {
                 **programs[node.program].entry(node, link),
@@ -47,4 +48,9 @@ def page_json(
         entry["types"] = {name: one for each in types for name, one in each.items()}
     if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
         entry["isolate"] = address(page, "sw.js")
+    return entry
+
+
+def written(entry: Mapping[str, Any]) -> bytes:
+    """Return a PageEntry as page.json has it."""
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()

@@ -8,22 +8,23 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from markupsafe import Markup
 
 from sitegen.errors import Problems, nearest
 from sitegen.model import Artifact, Page, Programs, Site
-from sitegen.site import assets
 from sitegen.site.pages import app, discovery, preview, search, tags
 from sitegen.site.pages.abilities import abilities
 from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
+from sitegen.site.pages.early import modules, programs
 from sitegen.site.pages.editor import edited
-from sitegen.site.pages.entry import page_json
+from sitegen.site.pages.entry import page_entry, written
 from sitegen.site.pages.history import changed_days, edit_link
 from sitegen.site.pages.missing import missing
 from sitegen.site.pages.nav import Link, Navigation
 from sitegen.site.pages.policy import FILE_NOTE, policy
-from sitegen.site.pages.theme import Theme, look_files
+from sitegen.site.pages.theme import Sheet, Theme, look_files
 from sitegen.site.prose import Anchor, Heading, Library, Prose, address, lasting_name
 
 # Below this, starting processes takes longer than they save.
@@ -37,7 +38,7 @@ class Rendered:
     """What one page became: its artifacts, and what the site has to know of it.
 
     `ids` are what links can lead to in the page, `anchors` the links that have to be there,
-    `found` its problems as Problems keeps them.
+    `sheets` the style sheets that it loads joined, `found` its problems as Problems keeps them.
     """
 
     page: Page
@@ -45,6 +46,7 @@ class Rendered:
     ids: frozenset[str]
     anchors: tuple[Anchor, ...]
     passages: tuple[search.Passage, ...]
+    sheets: tuple[Sheet, ...]
     found: tuple[tuple[str, int, str], ...]
 
 
@@ -61,7 +63,6 @@ class Renderer:
     def __init__(self, site: Site, programs: Programs) -> None:
         self.site = tags.with_tags(site)
         self._programs = programs
-        self._modules = assets.preloads(self.site)
         self._library = Library.of(self.site)
         self._navigation = Navigation(site)
         self._tags = tags.links(self.site)
@@ -109,14 +110,16 @@ class Renderer:
         prose = Prose(library, page, problems, theme.texts(language).admonitions)
         parts = blocks(self.site, page, prose, problems)
         shown = list(flat(parts))
-        html = self._html(page, parts, prose, alone=alone)
-        artifacts = [Artifact(page.html, html.encode())]
+        entry = None
         if any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
             # One that is opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
-            entry = page_json(site, page, self._programs, files)
-            artifacts.append(Artifact(f"{page.path}page.json", entry))
+            entry = page_entry(site, page, self._programs, files)
+        html, sheets = self._html(page, parts, prose, entry, alone=alone)
+        artifacts = [Artifact(page.html, html.encode())]
+        if entry:
+            artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
@@ -127,6 +130,7 @@ class Renderer:
             frozenset(prose.ids | slots | ALWAYS),
             tuple(prose.links.anchors),
             tuple(search.passages(page, (block.html for block in shown))),
+            tuple(sheets),
             tuple(problems.found),
         )
 
@@ -139,7 +143,8 @@ class Renderer:
         problems.found += rendered.found
         problems.raise_if_any()
         theme = self._themes[page.theme or self.site.theme]
-        return first.source.decode(), [*rest, *theme.artifacts(), *self._files]
+        sheets = (theme.joined(sheet) for sheet in rendered.sheets)
+        return first.source.decode(), [*rest, *theme.artifacts(), *sheets, *self._files]
 
     def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
         """Return what a search looks into."""
@@ -163,20 +168,30 @@ class Renderer:
         artifacts = list({artifact.path: artifact for artifact in artifacts}.values())
         for theme in self._themes.values():
             artifacts += theme.artifacts()
+        sheets = dict.fromkeys(sheet for each in rendered for sheet in each.sheets)
+        artifacts += (self._themes[sheet.theme].joined(sheet) for sheet in sheets)
         artifacts += self._files
         artifacts += discovery.artifacts(self.site, self._changed)
         artifacts += app.artifacts(self.site)
         return artifacts
 
-    def _html(self, page: Page, parts: Sequence[Block], prose: Prose, *, alone: bool) -> str:
+    def _html(
+        self,
+        page: Page,
+        parts: Sequence[Block],
+        prose: Prose,
+        entry: Mapping[str, Any] | None,
+        *,
+        alone: bool,
+    ) -> tuple[str, Sequence[Sheet]]:
+        """Return a page, and the style sheets that it loads joined."""
         site, navigation = self.site, self._navigation
         if alone:
             navigation = Navigation(replace(site, pages=(), nav=()))
         theme = self._themes[page.theme or site.theme]
         language = page.language or site.language
-        shown = list(flat(parts))
-        text = "".join(block.html for block in shown)
-        live = any(panel.slots for block in shown for panel in block.panels)
+        text = "".join(block.html for block in flat(parts))
+        live = entry is not None
         toc, has_heading = _toc(prose.headings), any(h.level == 1 for h in prose.headings)
         footer = prose.html(site.look.footer) if site.look.footer else ""
         home = navigation.home(page)
@@ -186,7 +201,13 @@ class Renderer:
         offline = bool(site.offline) and not alone and not page.base
         # Nobody links to one that is shown in place of others.
         public = site.url and not page.base
-        return theme.html(
+        sheets: list[Sheet] = []
+
+        def sheet(name: str, parts: Mapping[str, str]) -> str:
+            sheets.append(Sheet(page.theme or site.theme, name, tuple(parts.items())))
+            return address(page, f"{theme.path}{name}")
+
+        html = theme.html(
             site=site,
             page=page,
             language=language,
@@ -209,7 +230,9 @@ class Renderer:
             logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
             footer=Markup(footer),
             runtime=address(page, "runtime/"),
-            modules=[address(page, path) for path in self._modules.get(page.path, ())],
+            modules=modules(site, page, self._programs, entry),
+            programs=programs(entry),
+            sheet=sheet,
             search=address(page, search.path(language)) if searched else "",
             share=live and not alone,
             feed=address(page, discovery.FEED) if site.feed else "",
@@ -226,6 +249,7 @@ class Renderer:
             ),
             file_note=Markup("" if alone else FILE_NOTE),
         )
+        return html, sheets
 
 
 _forked: Renderer

@@ -9,7 +9,7 @@ from typing import Any
 
 import jinja2
 
-from sitegen.errors import SiteError
+from sitegen.errors import SiteError, nearest
 from sitegen.model import Artifact, Look, Site
 from sitegen.shipped import DEFAULT_THEME
 from sitegen.site.pages.colours import shades
@@ -17,6 +17,18 @@ from sitegen.site.pages.texts import texts
 from sitegen.site.prose import lasting_name
 
 NOT_SERVED = {".html", ".yaml", ".md"}
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A style sheet that a template asked for, and those it is joined from.
+
+    `theme` is the folder of the theme; `parts` have the name of a sheet and its media, or none.
+    """
+
+    theme: Path
+    name: str
+    parts: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True)
@@ -63,17 +75,36 @@ class Theme:
         return self._texts[language]
 
     def artifacts(self) -> list[Artifact]:
-        """Return everything that its pages load: files of the theme go before the default's."""
-        files = {
+        """Return everything that its pages load, without joined style sheets."""
+        found = [Artifact(self.path + name, file) for name, file in sorted(self._files().items())]
+        if self.style:
+            found.append(Artifact(f"{self.path}site.css", self.style.encode()))
+        return found
+
+    def joined(self, sheet: Sheet) -> Artifact:
+        """Return a style sheet that is several in one, so that a page asks for one file."""
+        files = self._files()
+        texts = []
+        for name, media in sheet.parts:
+            if name == "site.css":
+                text = self.style
+            elif name in files:
+                text = files[name].read_text(encoding="utf-8")
+            else:
+                where = f"themes/{self.folders[-1].name}: theme"
+                known = nearest(name, (file for file in files if file.endswith(".css")))
+                raise SiteError([f"{where}: no style sheet '{name}' to join; {known}"])
+            texts.append(f"@media {media} {{\n{text}}}\n" if media else text)
+        return Artifact(self.path + sheet.name, "".join(texts).encode())
+
+    def _files(self) -> dict[str, Path]:
+        """Return the files that are served: those of the theme go before the default's."""
+        return {
             file.relative_to(folder).as_posix(): file
             for folder in self.folders
             for file in sorted(folder.rglob("*"))
             if file.is_file() and file.suffix not in NOT_SERVED and not file.name.startswith(".")
         }
-        found = [Artifact(self.path + name, file) for name, file in sorted(files.items())]
-        if self.style:
-            found.append(Artifact(f"{self.path}site.css", self.style.encode()))
-        return found
 
 
 def look_files(look: Look) -> list[Artifact]:

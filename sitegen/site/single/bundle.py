@@ -6,10 +6,10 @@ import base64
 import gzip
 import json
 import posixpath
-import re
 from collections.abc import Callable, Mapping, Sequence
 
-IMPORT = re.compile(r'^((?:import|export) [^;]*? from |import )"(\.[^"]+)";', re.MULTILINE)
+from sitegen.site.single.imports import imports
+
 TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm"}
 
 # Gives the bytes of a file inside `dist/`.
@@ -54,11 +54,11 @@ def _add(path: str, parts: dict[str, bytes], read: Read) -> None:
         return
     content = read(path)
     if path.endswith(".js"):
-
-        def named(match: re.Match[str]) -> str:
-            found = posixpath.normpath(posixpath.join(posixpath.dirname(path), match[2]))
+        text, pieces, end = content.decode(), [], 0
+        for specifier in imports(text):
+            found = posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier.name))
             _add(found, parts, read)
-            return f'{match[1]}"sitegen:{found}";'
-
-        content = IMPORT.sub(named, content.decode()).encode()
+            pieces += [text[end : specifier.start], f'"sitegen:{found}"']
+            end = specifier.end
+        content = "".join([*pieces, text[end:]]).encode()
     parts[path] = content

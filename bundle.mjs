@@ -1,0 +1,129 @@
+// Bundle the runtime into sitegen/bundles/, and write there which module imports which (modules.json). Run by
+// hatch_build.py, and by sitegen itself in a checkout whose modules have changed (sitegen/site/bundles.py).
+//
+// One file starts a page, one runs in each kind of worker, and each other part of the page has its own; shared.js
+// has the modules of several parts. A bundle has the path of the module that it is made from.
+
+import { build } from "esbuild";
+import { readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { dirname, join, posix, relative } from "node:path";
+
+const RUNTIME = join(import.meta.dirname, "sitegen/runtime");
+const TARGET = join(import.meta.dirname, "sitegen/bundles");
+
+// rosMain.js has a copy of what it shares with the parts: a page of consoles loads no other file.
+const START = ["rosMain.js"];
+const IN_START = ["widgets/buttons.js", "widgets/console.js"];
+const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
+  (name) => !IN_START.includes(name));
+const ALONE = [
+  "messages/filter/contentFilter.js",
+  "page/searchIndex.js",
+  "ui/keyboard.js",
+  "workers/cpp/cppNode.js",
+  "workers/cpp/stackTrace.js",
+  "workers/python/pythonNode.js",
+  "workers/python/pythonSync.js",
+  "workers/ros2wasm/ros2wasmNode.js",
+  ...(await modulesIn("ui/words")),
+];
+
+const OPTIONS = /** @type {import("esbuild").BuildOptions} */ ({
+  absWorkingDir: RUNTIME,
+  bundle: true,
+  format: "esm",
+  minify: true,
+  target: "es2022",
+  sourcemap: "external",
+  legalComments: "none",
+  metafile: true,
+  outdir: TARGET,
+  outbase: RUNTIME,
+});
+
+const alone = await Promise.all([...START, ...ALONE].map((entry) =>
+  build({ ...OPTIONS, entryPoints: [entry], plugins: [keepPlaces(entry)] })));
+const parts = await build({
+  ...OPTIONS,
+  entryPoints: PARTS.map((entry) => ({ in: `part:${entry}`, out: entry.replace(/\.js$/, "") })),
+  plugins: [importing(await sharedModules())],
+  splitting: true,
+  chunkNames: "shared",
+});
+
+const metafiles = [...alone, parts].map(({ metafile }) => metafile);
+const modules = Object.assign({}, ...metafiles.map(({ inputs }) => Object.fromEntries(
+  Object.entries(inputs)
+    .filter(([name]) => !name.startsWith("part:"))
+    .map(([name, { imports }]) => [name, imports.map(({ path }) => path)]))));
+const bundles = Object.fromEntries(metafiles.flatMap(({ outputs }) => Object.entries(outputs))
+  .filter(([name]) => name.endsWith(".js"))
+  .map(([name, { imports, inputs }]) => [named(name), {
+    imports: imports.map(({ path }) => named(path)),
+    modules: Object.keys(inputs).filter((input) => !input.startsWith("part:")),
+  }]));
+await writeFile(join(TARGET, "modules.json"), `${JSON.stringify({ bundles, modules }, null, 1)}\n`);
+await removeOthers(Object.keys(bundles).flatMap((name) => [name, `${name}.map`]));
+
+/** The modules in some folders of the runtime. @param {string[]} folders */
+async function modulesIn(...folders) {
+  const found = await Promise.all(folders.map(async (folder) =>
+    (await readdir(join(RUNTIME, folder))).map((name) => `${folder}/${name}`)));
+  return found.flat().filter((name) => name.endsWith(".js")).sort();
+}
+
+/** The modules of more than one part. */
+async function sharedModules() {
+  const found = await Promise.all(PARTS.map(async (entry) =>
+    Object.keys((await build({ ...OPTIONS, entryPoints: [entry], write: false })).metafile.inputs)));
+  const all = found.flat();
+  return [...new Set(all.filter((name, index) => all.indexOf(name) !== index))].sort();
+}
+
+/**
+ * Let every part import the same modules: esbuild then puts these into one file.
+ * @param {string[]} shared @returns {import("esbuild").Plugin}
+ */
+function importing(shared) {
+  return {
+    name: "importing",
+    setup({ onLoad, onResolve }) {
+      onResolve({ filter: /^part:/ }, ({ path }) => ({ path: path.slice("part:".length), namespace: "part" }));
+      onLoad({ filter: /.*/, namespace: "part" }, ({ path }) => ({
+        contents: [...shared.map((name) => `import "./${name}";`), `export * from "./${path}";`].join("\n"),
+        resolveDir: RUNTIME,
+      }));
+    },
+  };
+}
+
+/**
+ * Let import.meta.url be the address of the module, as without a bundle.
+ * @param {string} entry @returns {import("esbuild").Plugin}
+ */
+function keepPlaces(entry) {
+  return {
+    name: "keep places",
+    setup({ onLoad }) {
+      onLoad({ filter: /\.js$/ }, async ({ path }) => {
+        const from = posix.relative(dirname(entry), relative(RUNTIME, path));
+        const own = `new URL(${JSON.stringify(from)}, import.meta.url).href`;
+        return { contents: (await readFile(path, "utf8")).replaceAll("import.meta.url", own) };
+      });
+    },
+  };
+}
+
+/** The name of an output, by its path from the runtime. @param {string} path */
+function named(path) {
+  return relative(TARGET, join(RUNTIME, path));
+}
+
+/** Remove the bundles of modules that are gone. @param {string[]} kept */
+async function removeOthers(kept) {
+  for (const entry of await readdir(TARGET, { recursive: true, withFileTypes: true })) {
+    const file = join(entry.parentPath, entry.name);
+    const gone = /\.js(\.map)?$/.test(entry.name) && !kept.includes(relative(TARGET, file));
+    if (gone) await rm(file);
+  }
+}

@@ -1,0 +1,29 @@
+"""Find what a module of JavaScript imports: those of a theme are known only when a site is built."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from pygments.lexers.javascript import JavascriptLexer
+from pygments.token import Comment, String, Whitespace
+
+
+class Specifier(NamedTuple):
+    """The relative path of an import, and where it is written, with its quotes."""
+
+    name: str
+    start: int
+    end: int
+
+
+def imports(text: str) -> Iterator[Specifier]:
+    """Yield the static imports of a module that name a file of the site."""
+    before = ""
+    for start, kind, value in JavascriptLexer().get_tokens_unprocessed(text):
+        if kind in Comment or kind in Whitespace or not value.strip():
+            continue
+        # Nothing else in the language is one of these words and a string.
+        if kind in String and before in ("from", "import") and value[1:2] == ".":
+            yield Specifier(value[1:-1], start, start + len(value))
+        before = value
