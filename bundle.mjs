@@ -36,22 +36,18 @@ const OPTIONS = /** @type {import("esbuild").BuildOptions} */ ({
   target: "es2022",
   sourcemap: "external",
   legalComments: "none",
+  logLevel: "silent",
   metafile: true,
   outdir: TARGET,
   outbase: RUNTIME,
 });
 
-const alone = await Promise.all([...START, ...ALONE].map((entry) =>
-  build({ ...OPTIONS, entryPoints: [entry], plugins: [keepPlaces(entry)] })));
-const parts = await build({
-  ...OPTIONS,
-  entryPoints: PARTS.map((entry) => ({ in: `part:${entry}`, out: entry.replace(/\.js$/, "") })),
-  plugins: [importing(await sharedModules())],
-  splitting: true,
-  chunkNames: "shared",
+const metafiles = await bundled().catch((error) => {
+  // Several bundles may have the module that is wrong.
+  const found = error.errors?.map(({ location, text }) => `${location?.file}:${location?.line}: ${text}`);
+  console.error(found ? [...new Set(found)].join("\n") : error);
+  process.exit(1);
 });
-
-const metafiles = [...alone, parts].map(({ metafile }) => metafile);
 const modules = Object.assign({}, ...metafiles.map(({ inputs }) => Object.fromEntries(
   Object.entries(inputs)
     .filter(([name]) => !name.startsWith("part:"))
@@ -64,6 +60,20 @@ const bundles = Object.fromEntries(metafiles.flatMap(({ outputs }) => Object.ent
   }]));
 await writeFile(join(TARGET, "modules.json"), `${JSON.stringify({ bundles, modules }, null, 1)}\n`);
 await removeOthers(Object.keys(bundles).flatMap((name) => [name, `${name}.map`]));
+
+/** Write the bundles, and return what esbuild says about them. */
+async function bundled() {
+  const alone = await Promise.all([...START, ...ALONE].map((entry) =>
+    build({ ...OPTIONS, entryPoints: [entry], plugins: [keepPlaces(entry)] })));
+  const parts = await build({
+    ...OPTIONS,
+    entryPoints: PARTS.map((entry) => ({ in: `part:${entry}`, out: entry.replace(/\.js$/, "") })),
+    plugins: [importing(await sharedModules())],
+    splitting: true,
+    chunkNames: "shared",
+  });
+  return [...alone, parts].map(({ metafile }) => metafile);
+}
 
 /** The modules in some folders of the runtime. @param {string[]} folders */
 async function modulesIn(...folders) {

@@ -72,7 +72,7 @@ def make() -> None:
     digest = _digest()
     done = subprocess.run([node, BUNDLER.name], cwd=BUNDLER.parent, text=True, capture_output=True)
     if done.returncode:
-        raise SiteError([f"node {BUNDLER.name} failed:\n{done.stdout}{done.stderr}"])
+        raise SiteError([f"node {BUNDLER.name} failed:\n{done.stderr.rstrip()}"])
     (BUNDLES / STAMP).write_text(digest)
 
 

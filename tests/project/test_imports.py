@@ -87,7 +87,7 @@ def graph() -> Mapping[str, set[str]]:
     bundles.refresh(Report())
     found = {name: {*names} for name, names in bundles.imports().items()}
     for project in ("tsconfig.json", "tsconfig.workers.json"):
-        command = ["npx", "--no", "tsc", "--project", project, "--traceResolution"]
+        command = ["node_modules/.bin/tsc", "--project", project, "--traceResolution"]
         done = subprocess.run(command, cwd=ROOT, text=True, capture_output=True)
         assert done.returncode == 0, done.stdout
         for line in done.stdout.splitlines():
@@ -102,18 +102,17 @@ def graph() -> Mapping[str, set[str]]:
 
 def test_every_module_is_in_a_bundle(graph: Mapping[str, set[str]]) -> None:
     names = {file.relative_to(RUNTIME).as_posix() for file in MODULES}
-    assert names - set(bundles.imports()) == set()
-    # That of the types is found in comments.
-    assert "protocol.js" in graph["page/nodeProcess.js"] - set(
-        bundles.imports()["page/nodeProcess.js"]
-    )
+    # One may be there for its types only.
+    used = set(bundles.imports()).union(*graph.values())
+    assert names - used == set()
+    assert "protocol.js" in graph["page/nodeProcess.js"], "whose comments name it"
 
 
 @pytest.mark.parametrize("file", MODULES, ids=lambda file: file.name)
 def test_runtime_imports_only_rooms_before_its_own(
     file: Path, graph: Mapping[str, set[str]]
 ) -> None:
-    found = [RUNTIME / name for name in graph[file.relative_to(RUNTIME).as_posix()]]
+    found = [RUNTIME / name for name in graph.get(file.relative_to(RUNTIME).as_posix(), ())]
     own = runtime_room(file)
     [place] = (at for at, rooms in enumerate(RUNTIME_ROOMS) if own in rooms)
     assert {runtime_room(path) for path in found} <= {own}.union(*RUNTIME_ROOMS[:place])

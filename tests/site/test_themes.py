@@ -123,7 +123,10 @@ def test_what_site_yaml_says_about_looks(tmp_path: Path) -> None:
     assert f'url("../{font}")' in style.decode()
     assert "--font-code: Fira Code, monospace;" in style.decode()
     assert "font-src &#39;self&#39;" in page.decode()
-    assert '<link rel="stylesheet" href="theme/site.css">' in page.decode()
+    joined = artifacts["theme/all-text.css"]
+    assert isinstance(joined, bytes)
+    assert joined.endswith(style), "it comes last"
+    assert page.decode().count('rel="stylesheet"') == 1
 
 
 def test_the_footer_is_markdown_whose_links_are_checked(tmp_path: Path) -> None:
