@@ -1,8 +1,8 @@
 """Bring into the package what others made and sitegen ships: parts of ROS 2, browser libraries.
 
 `sitegen/ros/` is taken from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
-npm packages, and `sitegen/bundles/` from the runtime and these. None is in the repository. Last, the
-Python of pages compiles the modules of ROS, and those of sitegen that run beside them.
+npm packages, and `sitegen/bundles/` from the runtime and these. None is in the repository. Last,
+the Python of pages compiles the modules of ROS, and those of sitegen that run beside them.
 """
 
 from __future__ import annotations

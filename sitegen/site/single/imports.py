@@ -1,4 +1,4 @@
-"""Find what a module of JavaScript imports: those of a theme are known only when a site is built."""
+"""Find what a module of a theme imports, whose graph esbuild does not know."""
 
 from __future__ import annotations
 
