@@ -14,20 +14,31 @@ import { mount as mountConsole } from "./widgets/console.js";
 
 /** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
-// Before a theme writes there what is being read.
-const fragment = location.hash;
+// The theme may have written there what is being read.
+const opened = performance.getEntriesByType("navigation")[0]?.name ?? location.href;
+const fragment = new URL(opened).hash || location.hash;
+/** Resolves when all elements of the page are there: this file may be sooner. @type {Promise<void>} */
+const parsed = new Promise((resolve) => {
+  if (document.readyState === "loading") document.addEventListener("readystatechange", () => resolve(), { once: true });
+  else resolve();
+});
 const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page"));
 /** @type {PageEntry} */
 const page = await (await fetch(link.href)).json();
 
-if (page.isolate) await isolate(new URL(page.isolate, link.href).href);
+if (page.isolate) {
+  await parsed;
+  await isolate(new URL(page.isolate, link.href).href);
+}
 
-// Nodes load while the widgets do, and run when those are there: a console would miss the first lines.
+// Nodes load while the widgets do. They run at once, and their lines wait for the consoles; but with panels,
+// which would miss the first messages, they run when those are there.
 let showTime = () => {};
 /** @type {Promise<void>} */
 const mounted = new Promise((resolve) => {
   showTime = resolve;
 });
+const ready = page.types ? mounted : Promise.resolve();
 
 // A shared link says what ran and what panels showed.
 const sharing = new Sharing(page, fragment);
@@ -68,6 +79,8 @@ export const editing = {
   rename: sharing.rename.bind(sharing),
 };
 
+await parsed;
+sharing.restore();
 await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
 
 showTime();
@@ -75,7 +88,7 @@ sharing.tell();
 
 /** Make a node of the page, which does not run yet. @param {string} name @param {NodeEntry} entry */
 function add(name, entry) {
-  const node = new NodeProcess(name, entry, link.href, graph, mounted, groups);
+  const node = new NodeProcess(name, entry, link.href, graph, { ready, mounted }, groups);
   nodes.set(name, node);
   return node;
 }

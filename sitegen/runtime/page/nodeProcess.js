@@ -26,6 +26,7 @@ export class NodeProcess extends EventTarget {
   #base;
   #graph;
   #ready;
+  #mounted;
   /** @type {NodeState} */
   #state = "stopped";
   /** @type {Promise<WebAssembly.Module> | undefined} */
@@ -34,6 +35,8 @@ export class NodeProcess extends EventTarget {
   /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined} */
   #run;
   #startAgain = false;
+  /** What it told before a widget could hear it. @type {Event[] | undefined} */
+  #early = [];
   /** What a visitor made of files of a Python node, by their places. @type {Record<string, string>} */
   #edits = {};
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -44,10 +47,10 @@ export class NodeProcess extends EventTarget {
    * @param {NodeEntry} entry
    * @param {string} base where the paths of the entry begin
    * @param {Graph} graph
-   * @param {Promise<void>} ready resolves when programs may run
+   * @param {{ready: Promise<void>, mounted: Promise<void>}} times when programs may run, and when the page's widgets are there
    * @param {WorkerGroups} groups the workers that nodes share
    */
-  constructor(name, entry, base, graph, ready, groups) {
+  constructor(name, entry, base, graph, { ready, mounted }, groups) {
     super();
     this.name = name;
     /** When its state began, in ms since 1970. */
@@ -60,7 +63,9 @@ export class NodeProcess extends EventTarget {
     this.#base = base;
     this.#graph = graph;
     this.#ready = ready;
+    this.#mounted = mounted;
     this.#groups = groups;
+    mounted.then(() => this.#tellEarly());
   }
 
   get state() {
@@ -120,7 +125,7 @@ export class NodeProcess extends EventTarget {
     // Programs share an interpreter as stacks of it, which JSPI sets aside.
     const group = engine === "jspi" ? entry.group : undefined;
     this.#launch("python/pythonNode", async (id, _, byte) => {
-      await this.#ready; // an editor may bring what its visitor changed
+      await this.#mounted; // an editor may bring what its visitor changed
       return { op: "interpret", id, name, program, arguments: args, edits: this.#edits, byte };
     }, group);
   }
@@ -235,7 +240,7 @@ export class NodeProcess extends EventTarget {
         break;
       case "reading":
         this.keyboard = message.keyboard;
-        this.dispatchEvent(new Event("reading"));
+        this.#tell(new Event("reading"));
         break;
       case "ready":
         this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
@@ -294,7 +299,19 @@ export class NodeProcess extends EventTarget {
 
   /** @param {Line[]} lines */
   #emitLines(lines) {
-    this.dispatchEvent(new CustomEvent("lines", { detail: lines }));
+    this.#tell(new CustomEvent("lines", { detail: lines }));
+  }
+
+  /** Tell widgets, which may not be there yet. @param {Event} event */
+  #tell(event) {
+    if (this.#early) this.#early.push(event);
+    else this.dispatchEvent(event);
+  }
+
+  #tellEarly() {
+    const events = this.#early ?? [];
+    this.#early = undefined;
+    for (const event of events) this.dispatchEvent(event);
   }
 
   /** @param {NodeState} state */

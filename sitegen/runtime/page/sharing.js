@@ -27,6 +27,10 @@ export class Sharing {
     this.#page = page;
     this.rename(page);
     if (fragment.startsWith(SIGN)) this.#read(fragment.slice(SIGN.length));
+  }
+
+  /** Choose the tabs and go to the heading of the link. */
+  restore() {
     for (const id of this.#given.tabs) {
       const tab = document.getElementById(id);
       if (tab instanceof HTMLInputElement && tab.type === "radio") tab.checked = true;

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from pygments.lexers.javascript import JavascriptLexer
-from pygments.token import Comment, String, Whitespace
 
 
 class Specifier(NamedTuple):
@@ -21,9 +20,9 @@ def imports(text: str) -> Iterator[Specifier]:
     """Yield the static imports of a module that name a file of the site."""
     before = ""
     for start, kind, value in JavascriptLexer().get_tokens_unprocessed(text):
-        if kind in Comment or kind in Whitespace or not value.strip():
+        if kind[:1] == ("Comment",) or not value.strip():
             continue
         # Nothing else in the language is one of these words and a string.
-        if kind in String and before in ("from", "import") and value[1:2] == ".":
+        if kind[:2] == ("Literal", "String") and before in ("from", "import") and value[1:2] == ".":
             yield Specifier(value[1:-1], start, start + len(value))
         before = value
