@@ -76,8 +76,8 @@ def serving(
 ) -> Iterator[str]:
     """Serve `folder`, and PARTS below /bench/; note in `asked` the paths that are asked for.
 
-    An `isolated` page has a clock of 5 µs; that of other pages steps by 100 µs. A `hosted` one comes
-    as from GitHub Pages: compressed, to be kept for ten minutes.
+    An `isolated` page has a clock of 5 µs; that of other pages steps by 100 µs. A `hosted` one is
+    served as by GitHub Pages: compressed, to be kept for ten minutes.
     """
     headers = ISOLATION if isolated else {}
     handler = partial(_Handler, headers=headers, hosted=hosted, asked=asked, directory=str(folder))
