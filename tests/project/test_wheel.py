@@ -47,8 +47,8 @@ def test_the_installed_command_builds_a_site(tmp_path: Path) -> None:
         "page.json",
         "nodes/cpp_hello/talker.jspi.wasm",
         "runtime/rosMain.js",
-        "runtime/widgets/console.js",
-        "theme/style.css",
+        "runtime/workers/cpp/cppNode.js",
+        "theme/all-live.css",
     }
 
     run(tmp_path / "venv" / "bin" / "sitegen", "new", "my_fox", cwd=tmp_path)

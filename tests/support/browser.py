@@ -81,9 +81,14 @@ def opened(browser: Browser) -> Iterator[Page]:
 
 
 @contextmanager
-def serving(folder: Path, prefix: str = "/", port: int = 0) -> Iterator[str]:
-    """Serve `folder` below `prefix` as GitHub Pages would, without special headers."""
-    handler = partial(_Handler, prefix=prefix, directory=str(folder))
+def serving(
+    folder: Path, prefix: str = "/", port: int = 0, *, asked: list[str] | None = None
+) -> Iterator[str]:
+    """Serve `folder` below `prefix` as GitHub Pages would, without special headers.
+
+    With `asked`, which gets the path of each request, browsers may keep files for ten minutes.
+    """
+    handler = partial(_Handler, prefix=prefix, asked=asked, directory=str(folder))
     server = _Server(("127.0.0.1", port), handler)
     thread = threading.Thread(target=server.serve_forever, args=(0.05,))
     thread.start()
@@ -139,9 +144,16 @@ class _Handler(SimpleHTTPRequestHandler):
         ".svg": "image/svg+xml",
     }
 
-    def __init__(self, *args: object, prefix: str, directory: str) -> None:
+    def __init__(self, *args: object, prefix: str, asked: list[str] | None, directory: str) -> None:
         self._prefix = prefix
+        self._asked = asked
         super().__init__(*args, directory=directory)  # type: ignore[arg-type]
+
+    def end_headers(self) -> None:
+        if self._asked is not None:
+            self._asked.append(self.path.removeprefix(self._prefix))
+            self.send_header("Cache-Control", "max-age=600")
+        super().end_headers()
 
     def translate_path(self, path: str) -> str:
         # Nothing lies outside the prefix, so links that leave it are found.
