@@ -205,17 +205,18 @@ def test_buttons_may_ask_for_a_start(author: Author) -> None:
     assert json.loads(author.built()["page.json"])["nodes"]["talker"]["autostart"] is True
 
 
-def test_the_policy_allows_the_one_inline_script(author: Author) -> None:
+def test_the_policy_allows_the_inline_scripts(author: Author) -> None:
     author.page("", author.widget("console", "talker"))
     html = author.built()["index.html"]
-    (inline,) = re.findall(r"<script>(.*?)</script>", html, re.S)
-    digest = base64.b64encode(hashlib.sha256(inline.encode()).digest()).decode()
+    choice, note = re.findall(r"<script>(.*?)</script>", html, re.S)
+    digests = [hashlib.sha256(script.encode()).digest() for script in (note, choice)]
+    hashes = " ".join(f"'sha256-{base64.b64encode(digest).decode()}'" for digest in digests)
     policy = html.split('Content-Security-Policy" content="')[1].split('"')[0]
     rules = policy.replace("&#39;", "'").split("; ")
     assert sorted(rules) == sorted(
         [
             "default-src 'none'",
-            f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}'",
+            f"script-src 'self' 'wasm-unsafe-eval' {hashes}",
             "style-src 'self'",
             "img-src 'self' data:",
             "connect-src 'self'",

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from sitegen.model import Page, Programs, Site
 from sitegen.site import assets
 from sitegen.site.prose import address
 
-# Nearly all browsers take this build; a page cannot know in time whether this one does.
-ENGINE = "jspi"
+
+@dataclass(frozen=True)
+class Early:
+    """A program that starts by itself: the addresses of one of its builds."""
+
+    engine: str
+    script: str
+    wasm: str
 
 
 def modules(
@@ -22,19 +29,19 @@ def modules(
     """
     if not entry:
         return []
-    started = [name for name, node in entry["nodes"].items() if node["autostart"]]
+    started = (name for name, node in entry["nodes"].items() if node["autostart"])
     workers = (programs[page.nodes[name].program].worker for name in started)
     paths = [*(f"runtime/workers/{worker}.js" for worker in workers), *assets.preloads(site, page)]
-    scripts = (build["script"] for build in _builds(entry))
-    return list(dict.fromkeys([*(address(page, path) for path in paths), *scripts]))
+    return [address(page, path) for path in dict.fromkeys(paths)]
 
 
-def programs(entry: Mapping[str, Any] | None) -> list[str]:
-    """Return the addresses of the WebAssembly that starts by itself."""
-    return list(dict.fromkeys(build["wasm"] for build in _builds(entry))) if entry else []
-
-
-def _builds(entry: Mapping[str, Any]) -> Iterator[Mapping[str, str]]:
-    for node in entry["nodes"].values():
-        if node["autostart"] and ENGINE in node.get("builds", {}):
-            yield node["builds"][ENGINE]
+def programs(entry: Mapping[str, Any] | None) -> list[Early]:
+    """Return the builds of the C++ programs that start by themselves."""
+    nodes = entry["nodes"].values() if entry else ()
+    found = (
+        Early(engine, build["script"], build["wasm"])
+        for node in nodes
+        if node["autostart"]
+        for engine, build in node.get("builds", {}).items()
+    )
+    return list(dict.fromkeys(found))

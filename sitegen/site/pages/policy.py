@@ -9,6 +9,14 @@ import hashlib
 FILE_NOTE = (
     'if (location.protocol === "file:") document.getElementById("file-note").hidden = false;'
 )
+# Browsers differ in which build of a program they run, and only a script can tell: this one lets
+# them ask for theirs before anything else has come. nodeProcess.js chooses in the same way.
+CHOICE = (
+    '{ const suspends = "Suspending" in WebAssembly && "promising" in WebAssembly; '
+    'const engine = suspends ? "jspi" : "asyncify"; '
+    'for (const each of document.querySelectorAll("template[data-engine]")) '
+    "if (each.dataset.engine === engine) each.before(each.content); }"
+)
 
 
 def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
@@ -18,8 +26,8 @@ def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
     """
     rules = ["default-src 'none'", "style-src 'self'", "img-src 'self' data:"]
     if live:
-        digest = base64.b64encode(hashlib.sha256(FILE_NOTE.encode()).digest()).decode()
-        rules.append(f"script-src 'self' 'wasm-unsafe-eval' 'sha256-{digest}'")
+        hashes = " ".join(f"'{_hash(script)}'" for script in (FILE_NOTE, CHOICE))
+        rules.append(f"script-src 'self' 'wasm-unsafe-eval' {hashes}")
         rules += ["connect-src 'self'", "worker-src 'self'"]
     else:
         # The theme's own: the switch of colours, the search and its index.
@@ -35,3 +43,8 @@ def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
     if "<iframe" in text:
         rules.append("frame-src 'self'")
     return "; ".join([*rules, "base-uri 'none'", "form-action 'none'"])
+
+
+def _hash(script: str) -> str:
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest())
+    return f"sha256-{digest.decode()}"

@@ -23,7 +23,7 @@ from sitegen.site.pages.entry import page_entry, written
 from sitegen.site.pages.history import changed_days, edit_link
 from sitegen.site.pages.missing import missing
 from sitegen.site.pages.nav import Link, Navigation
-from sitegen.site.pages.policy import FILE_NOTE, policy
+from sitegen.site.pages.policy import CHOICE, FILE_NOTE, policy
 from sitegen.site.pages.theme import Sheet, Theme, look_files
 from sitegen.site.prose import Anchor, Heading, Library, Prose, address, lasting_name
 
@@ -248,6 +248,7 @@ class Renderer:
                 offline=offline,
             ),
             file_note=Markup("" if alone else FILE_NOTE),
+            choice=Markup(CHOICE),
         )
         return html, sheets
 
