@@ -51,10 +51,14 @@ def refresh(report: Report) -> None:
     """
     if not BUNDLER.is_file() or is_current():
         return
-    from filelock import FileLock  # not there while sitegen itself is built
+    # Not there while sitegen itself is built.
+    from filelock import FileLock
 
-    BUNDLES.mkdir(exist_ok=True)
-    with FileLock(BUNDLES / ".lock"):
+    from sitegen.cache.folder import cache_folder
+
+    folder = cache_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    with FileLock(folder / "bundles.lock"):
         if not is_current():
             report.doing("runtime", "its modules have changed; bundling them again")
             make()

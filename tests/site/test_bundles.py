@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import io
+import json
 import shutil
 from pathlib import Path
 
 import pytest
 from paths import ROOT
 
+from sitegen.config import load
 from sitegen.errors import SiteError
+from sitegen.nodes.programs import programs_of
+from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.shipped import RUNTIME
-from sitegen.site import bundles
+from sitegen.site import assets, bundles
 
 
 @pytest.fixture
@@ -91,3 +95,25 @@ def test_modules_that_a_page_has_twice_keep_nothing() -> None:
         lines = (RUNTIME / name).read_text().splitlines()
         kept = [line for line in lines if line.startswith(("let ", "export let "))]
         assert kept == [], f"{name} is in rosMain.js and in shared.js: each would have its own"
+
+
+def test_a_debug_build_has_the_modules_for_the_tools_of_browsers() -> None:
+    site = load(ROOT / "demos/demo01/site.yaml")
+    programs = programs_of(
+        site, {}, options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
+    )
+    plain = {artifact.path for artifact in assets.runtime(site, programs)}
+    debug = {artifact.path: artifact for artifact in assets.runtime(site, programs, debug=True)}
+    assert not any(path.endswith(".map") for path in plain)
+    assert plain < {*debug}
+    start, lines = (debug[f"runtime/rosMain.js{end}"].source for end in ("", ".map"))
+    assert isinstance(start, bytes)
+    assert isinstance(lines, Path)
+    assert start.endswith(b"//# sourceMappingURL=rosMain.js.map\n")
+    found = json.loads(lines.read_text())
+    [text] = (
+        text
+        for name, text in zip(found["sources"], found["sourcesContent"], strict=True)
+        if name.endswith("page/nodeProcess.js")
+    )
+    assert text == (RUNTIME / "page/nodeProcess.js").read_text()

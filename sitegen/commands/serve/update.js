@@ -126,7 +126,7 @@ function arrangedAlike(live, served) {
 /** Return what no edit of text changes. @param {Document} page */
 function shell(page) {
   const copy = /** @type {Document} */ (page.cloneNode(true));
-  for (const element of copy.querySelectorAll(`${AROUND}, main, meta:not([http-equiv]), link[rel=preload], link[rel=modulepreload], template, template[data-engine]`)) {
+  for (const element of copy.querySelectorAll(`${AROUND}, main, meta:not([http-equiv]), link[rel=preload], link[rel=modulepreload], template[data-engine]`)) {
     element.remove();
   }
   return copy.documentElement.outerHTML.replace(/\s+/g, " ");
