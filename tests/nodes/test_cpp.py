@@ -74,7 +74,7 @@ class Workspace:
         """Build the site and return what was compiled, besides the library."""
         said = io.StringIO()
         build(self.folder, output=self.folder / "dist", report=Report(said))
-        names = re.findall(r"^(\S+) \(jspi\): compiling", said.getvalue(), re.M)
+        names = re.findall(r"^(\S+) \(current browsers\): compiling", said.getvalue(), re.M)
         return [name for name in names if name != "rclcpp"]
 
     def problems(self) -> list[str]:

@@ -17,7 +17,7 @@ from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator, messages
-from sitegen.model import Build, Package
+from sitegen.model import BROWSERS, Build, Package
 from sitegen.nodes.cpp import sourcemap
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis
@@ -227,7 +227,7 @@ class Compiler:
         cmake = self._cmake(engine)
         if cmake.library.exists():
             return
-        name = f"rclcpp ({engine})"
+        name = f"rclcpp ({BROWSERS[engine]})"
         self._report.doing(name, "compiling the library (once for all nodes)")
         done = cmake.make_library()
         self._report.done(name)
@@ -256,9 +256,8 @@ class Compiler:
         cmake = self._cmake(engine)
         if self._is_prepared(cmake, package, needs):
             return
-        self._report.doing(
-            f"{package.name} ({engine})", "compiling the libraries that other packages use"
-        )
+        name = f"{package.name} ({BROWSERS[engine]})"
+        self._report.doing(name, "compiling the libraries that other packages use")
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
@@ -270,7 +269,7 @@ class Compiler:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             raise
         finally:
-            self._report.done(f"{package.name} ({engine})")
+            self._report.done(name)
         self._stamp(cmake, package).write_text(self._state(package, needs))
 
     def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
@@ -302,7 +301,8 @@ class Compiler:
     def _compile_job(self, job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         package = job.package
-        names = {name: f"{package.name}/{name} ({engine})" for name in job.executables}
+        browsers = BROWSERS[engine]
+        names = {name: f"{package.name}/{name} ({browsers})" for name in job.executables}
         for name in names.values():
             self._report.doing(name, "compiling")
         problems = []
