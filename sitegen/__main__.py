@@ -130,11 +130,9 @@ def _serve(arguments: argparse.Namespace) -> None:
 
 
 def _schema(arguments: argparse.Namespace) -> None:
-    import json
+    from sitegen.commands import schema
 
-    from sitegen import config
-
-    print(json.dumps(config.json_schema(), indent=2))
+    print(schema.text(), end="")
 
 
 def _copy_theme(arguments: argparse.Namespace) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import yaml
 
 from sitegen import workspace
+from sitegen.commands import schema
 from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
@@ -65,6 +66,7 @@ def _write_site(folder: Path, report: Report) -> None:
     file = folder / FILE
     if file.exists():
         raise SiteError([f"{file} already exists; remove or edit it"])
+    schema.check_free(folder)
     root = folder.resolve()
     problems = Problems(root)
     packages = workspace.scan(root, problems=problems)
@@ -83,6 +85,7 @@ def _write_site(folder: Path, report: Report) -> None:
     for fault in runs.faults:
         report.say(f"  skipped: {fault}")
     report.say(f"wrote {file}")
+    report.say(f"wrote {schema.write(folder)}")
 
 
 def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
@@ -158,6 +161,7 @@ def _nothing(folder: Path, packages: Mapping[str, Package]) -> str:
 def _lines(root: Path, runs: Runs, all_of_them: Mapping[str, Package]) -> Iterator[str]:
     title = root.name.replace("_", " ").replace("-", " ").capitalize()
     paths = [*(f"{segment(package.name)}/" for package in runs.packages), *runs.launch]
+    yield schema.MODELINE
     yield "# The contents of the site. docs/site-yaml.md of sitegen describes every key;"
     yield "# `sitegen serve` shows the site while you edit it, and reports any errors."
     yield "site:"
