@@ -11,7 +11,7 @@ from pathlib import Path
 import yaml
 
 from sitegen import workspace
-from sitegen.commands import schema
+from sitegen.commands import installed, schema
 from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
@@ -50,13 +50,18 @@ def init(folder: Path, report: Report, *, github: bool = False) -> None:
     For `github`, write workflows for the site, too; then a site.yaml may be there already.
     """
     # What is in the way is told before anything is written.
-    files = workflows(folder.resolve()) if github else {}
+    what = installed.requirement() if github else None
+    files = workflows(folder.resolve(), what) if what else {}
     if not github or not (folder / FILE).exists():
         _write_site(folder, report)
     for file, text in files.items():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
         report.say(f"wrote {file}")
+    if what:
+        report.say(f"the workflows install {what.text}")
+    if what and what.note:
+        report.say(f"check SITEGEN in both workflows: {what.note}", "warning")
     source = "Settings → Pages of the repository"
     then = f"push, and choose GitHub Actions at {source}" if github else "sitegen serve"
     report.say(f"now: {then}")

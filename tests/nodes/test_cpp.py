@@ -400,7 +400,7 @@ def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
     said = 'Could not find a package configuration file provided by "Eigen3" with any of'
     assert Diagnosis(tmp_path, package).of_cmake(said) == [
         "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
-        "(pip install 'sitegen[eigen]', or apt-get install libeigen3-dev)"
+        "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
     ]
 
 

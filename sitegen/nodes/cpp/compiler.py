@@ -108,6 +108,18 @@ def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
     return [one for name, one in packages.items() if name in names]
 
 
+def sources() -> list[Path]:
+    """Return the files and folders of sitegen that decide what programs become."""
+    return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
+
+
+def work_folder(tools: Toolchain, cache: Path) -> Path:
+    """Return the folder below `cache` for what CMake makes with `tools`."""
+    # What it makes names the files of this installation, and breaks where they are not.
+    base = digest_of(sources(), tools.identity)
+    return cache / "work" / digest_of([], base, str(PACKAGE))
+
+
 class Compiler:
     """Compiles with one toolchain into one cache.
 
@@ -132,16 +144,9 @@ class Compiler:
         self._report = report
         self._debug = options.debug
         self._draft = options.draft and not options.debug
-        paths = [
-            CLIENT,
-            *(PACKAGE / name for name in GENERATOR),
-            ROS / ".digest",
-            INTERFACES,
-        ]
-        self._base = digest_of(paths, tools.identity)
+        self._base = digest_of(sources(), tools.identity)
         self._nodes = cache / "nodes"
-        # What CMake makes names the files of this installation, and breaks where they are not.
-        self._work = cache / "work" / digest_of([], self._base, str(PACKAGE))
+        self._work = work_folder(tools, cache)
         self._digests: dict[Path, str] = {}
         self._folders: dict[tuple[Path, str], Path] = {}
 
