@@ -55,12 +55,13 @@ PLACES = [
 
 
 class VendorBuildHook(BuildHookInterface[Any]):
-    """Fill both folders before a wheel or an editable install is made."""
+    """Fill both folders before an sdist, a wheel or an editable install is made."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Fetch what has changed since the last time: the pins, or the rules in this file."""
-        if self.target_name == "sdist":
-            return
+        """Fetch what has changed since the last time: the pins, or the rules in this file.
+
+        An sdist has all of it, so a wheel is made from it without Node.js and downloads.
+        """
         refresh(STAMP, [PINS, Path(__file__)], self._take_ros)
         refresh(LIBRARIES / ".digest", [LOCK, BUNDLER], self._bundle)
         # Parts of sitegen that import nothing but Python's own modules.

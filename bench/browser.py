@@ -17,7 +17,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, sync_playwright
 
 from sitegen.commands.build import build
-from sitegen.report import Report
+from sitegen.report import Report, Style
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
 FLAGS = [
@@ -41,7 +41,7 @@ class Progress(Report):
     def __init__(self) -> None:
         super().__init__(sys.stderr)
 
-    def say(self, line: str) -> None:
+    def say(self, line: str, style: Style = "") -> None:
         """Leave the summary of a build out."""
 
 

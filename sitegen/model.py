@@ -142,8 +142,12 @@ class Program(Protocol):
         """What it needs in `dist/`; programs may share files."""
 
     @property
-    def size(self) -> str:
-        """How large it is, for people."""
+    def kind(self) -> str:
+        """What it was written in, for people: "C++", "Python" or "ROS2WASM"."""
+
+    @property
+    def sizes(self) -> Mapping[str, Mapping[str, int]]:
+        """The bytes of its large files by path, for each engine; "" if it suits all engines."""
 
     def types(self, node: Node) -> Mapping[str, object]:
         """Return the message types that it uses as `node` (MessageType in protocol.js), by name."""
@@ -387,6 +391,10 @@ class Package:
     setup: Setup | None = None
     plugins: tuple[str, ...] = ()
     linked: tuple[str, ...] = ()
+
+
+# What people call the browsers that each engine is for.
+BROWSERS = {"jspi": "current browsers", "asyncify": "all browsers"}
 
 
 @dataclass(frozen=True)

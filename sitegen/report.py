@@ -2,28 +2,37 @@
 
 from __future__ import annotations
 
+import os
+import re
+import shutil
 import sys
 import threading
 from pathlib import Path
-from typing import TextIO
+from typing import Literal, TextIO
+
+Style = Literal["", "good", "bad", "warning", "weak", "strong"]
+CODES = {"good": "32", "bad": "31", "warning": "33", "weak": "2", "strong": "1"}
+# A terminal shows this many tasks in progress, and counts the others.
+LIVE = 8
 
 
 class Report:
     """Writes lines; on a terminal, one live line for each task in progress."""
 
-    def __init__(self, out: TextIO = sys.stdout) -> None:
+    def __init__(self, out: TextIO = sys.stdout, *, colour: bool = False) -> None:
         self._out = out
+        self._colour = colour
         self.said: list[str] = []
         self._live: dict[str, str] = {}
         self._drawn = 0
         self._lock = threading.Lock()
 
-    def say(self, line: str) -> None:
+    def say(self, line: str, style: Style = "") -> None:
         """Write a permanent line."""
         with self._lock:
             self.said.append(line)
             self._erase()
-            print(line, file=self._out, flush=True)
+            print(paint(line, style, colour=self._colour), file=self._out, flush=True)
             self._draw()
 
     def doing(self, name: str, what: str) -> None:
@@ -49,11 +58,38 @@ class Report:
             self._drawn = 0
 
     def _draw(self) -> None:
-        if self._out.isatty():
-            for name, what in self._live.items():
-                self._out.write(f"  {name}: {what}\n")
-            self._drawn = len(self._live)
-            self._out.flush()
+        if not self._out.isatty():
+            return
+        lines = [f"  {name}: {what}" for name, what in self._live.items()]
+        if len(lines) > LIVE:
+            lines[LIVE:] = [f"  … and {len(lines) - LIVE} more"]
+        # A line that wraps would be two to erase.
+        width = shutil.get_terminal_size().columns - 1
+        for line in lines:
+            self._out.write(paint(line[:width], "weak", colour=self._colour) + "\n")
+        self._drawn = len(lines)
+        self._out.flush()
+
+
+def wants_colour(mode: str, out: TextIO) -> bool:
+    """Return whether to write colours to `out`; `mode` is auto, always or never."""
+    if mode != "auto":
+        return mode == "always"
+    # https://no-color.org: any value but the empty one.
+    return out.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+
+
+def paint(text: str, style: Style, *, colour: bool) -> str:
+    """Return `text` as a terminal shows it in `style`, if there is to be `colour`."""
+    return f"\x1b[{CODES[style]}m{text}\x1b[0m" if colour and style else text
+
+
+def painted_problem(line: str, style: Style, *, colour: bool) -> str:
+    """Return a problem with its file and line in `style`, the rest as it is."""
+    place = re.match(r"[^\s:]+(:\d+)?:(?=\s)", line)
+    if not place:
+        return line
+    return paint(place[0], style, colour=colour) + line[place.end() :]
 
 
 def size(count: int) -> str:

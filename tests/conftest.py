@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, Scripted, Serve, opened, own_serving, running, serving
+from distribution import distribution
 from panel import Panel, Played
 from paths import ROOT
 from playwright.sync_api import Browser, BrowserContext, Page, expect
@@ -230,3 +231,10 @@ def stage(tab: Page, serve: Serve, tmp_path: Path) -> Page:
     tab.goto(serve(tmp_path))
     tab.wait_for_selector("body[data-ready]")
     return tab
+
+
+@pytest.fixture(scope="session")
+def dist(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """The folder with the sdist and the wheel of a release, which all processes share."""
+    base = tmp_path_factory.getbasetemp()
+    return distribution((base if worker_id == "master" else base.parent) / "distribution")

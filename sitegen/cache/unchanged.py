@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from sitegen.ignored import is_ignored
@@ -15,14 +15,16 @@ from sitegen.shipped import PACKAGE, THEMES
 GENERATOR = (PACKAGE, THEMES)
 
 
-def recall(folder: Path, output: Path, cache: Path, *, debug: bool) -> list[str] | None:
+def recall(
+    folder: Path, output: Path, cache: Path, *, debug: bool, verbose: bool = False
+) -> list[str] | None:
     """Return the report of the last build of `folder` to `output` if nothing has changed since."""
     try:
         record = json.loads(_file(output, cache).read_text(encoding="utf-8"))
         roots = [Path(root) for root in record["roots"]]
         same = record["debug"] == debug and record["read"] == _read(folder, roots, output)
         if same and record["wrote"] == _digest([output]):
-            return [str(line) for line in record["said"]]
+            return [str(line) for line in record["said"]["verbose" if verbose else "brief"]]
     except (OSError, ValueError, KeyError, TypeError):
         pass  # no record, or one that another version wrote
     return None
@@ -33,18 +35,21 @@ def note(
     roots: Iterable[Path],
     output: Path,
     cache: Path,
-    said: Sequence[str],
+    said: Mapping[bool, Sequence[str]],
     *,
     debug: bool,
 ) -> None:
-    """Record that `output` was built from `folder` and the other folders `roots`."""
+    """Record that `output` was built from `folder` and the other folders `roots`.
+
+    `said` is the report, as it is without and with --verbose.
+    """
     roots = sorted(set(roots))
     record = {
         "debug": debug,
         "roots": [str(root) for root in roots],
         "read": _read(folder, roots, output),
         "wrote": _digest([output]),
-        "said": list(said),
+        "said": {"brief": list(said[False]), "verbose": list(said[True])},
     }
     file = _file(output, cache)
     file.parent.mkdir(parents=True, exist_ok=True)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from sitegen import __version__
+from sitegen.commands import installed
 from sitegen.errors import SiteError
 
 TEMPLATES = Path(__file__).parent / "templates" / "github"
 FOLDER = Path(".github") / "workflows"
 # What the templates have where each repository has something of its own.
-SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: sitegen\n", "branches: [main]"
+SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: ros-sitegen\n", "branches: [main]"
 
 
-def workflows(folder: Path) -> dict[Path, str]:
-    """Return the workflows for the site of `folder`, by their files.
+def workflows(folder: Path, what: installed.Requirement) -> dict[Path, str]:
+    """Return the workflows for the site of `folder`, by their files; they install `what`.
 
     They belong to the repository that contains it.
 
@@ -30,7 +30,7 @@ def workflows(folder: Path) -> dict[Path, str]:
     branch = json.dumps(_branch(root))
     return {
         file: text.replace(SITE, f"SITE: {site}\n")
-        .replace(SITEGEN, f"SITEGEN: sitegen=={__version__}\n")
+        .replace(SITEGEN, f"SITEGEN: {json.dumps(what.text)}\n")
         .replace(BRANCH, f"branches: [{branch}]")
         for file, text in files.items()
     }

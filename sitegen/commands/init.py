@@ -11,6 +11,7 @@ from pathlib import Path
 import yaml
 
 from sitegen import workspace
+from sitegen.commands import installed, schema
 from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
@@ -49,13 +50,18 @@ def init(folder: Path, report: Report, *, github: bool = False) -> None:
     For `github`, write workflows for the site, too; then a site.yaml may be there already.
     """
     # What is in the way is told before anything is written.
-    files = workflows(folder.resolve()) if github else {}
+    what = installed.requirement() if github else None
+    files = workflows(folder.resolve(), what) if what else {}
     if not github or not (folder / FILE).exists():
         _write_site(folder, report)
     for file, text in files.items():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
         report.say(f"wrote {file}")
+    if what:
+        report.say(f"the workflows install {what.text}")
+    if what and what.note:
+        report.say(f"check SITEGEN in both workflows: {what.note}", "warning")
     source = "Settings → Pages of the repository"
     then = f"push, and choose GitHub Actions at {source}" if github else "sitegen serve"
     report.say(f"now: {then}")
@@ -65,6 +71,7 @@ def _write_site(folder: Path, report: Report) -> None:
     file = folder / FILE
     if file.exists():
         raise SiteError([f"{file} already exists; remove or edit it"])
+    schema.check_free(folder)
     root = folder.resolve()
     problems = Problems(root)
     packages = workspace.scan(root, problems=problems)
@@ -83,6 +90,7 @@ def _write_site(folder: Path, report: Report) -> None:
     for fault in runs.faults:
         report.say(f"  skipped: {fault}")
     report.say(f"wrote {file}")
+    report.say(f"wrote {schema.write(folder)}")
 
 
 def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
@@ -158,6 +166,7 @@ def _nothing(folder: Path, packages: Mapping[str, Package]) -> str:
 def _lines(root: Path, runs: Runs, all_of_them: Mapping[str, Package]) -> Iterator[str]:
     title = root.name.replace("_", " ").replace("-", " ").capitalize()
     paths = [*(f"{segment(package.name)}/" for package in runs.packages), *runs.launch]
+    yield schema.MODELINE
     yield "# The contents of the site. docs/site-yaml.md of sitegen describes every key;"
     yield "# `sitegen serve` shows the site while you edit it, and reports any errors."
     yield "site:"

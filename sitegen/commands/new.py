@@ -6,6 +6,7 @@ import re
 import tempfile
 from pathlib import Path
 
+from sitegen.commands import schema
 from sitegen.errors import SiteError
 
 # A workspace that works as it is, for a robot of this name.
@@ -34,8 +35,9 @@ def new(folder: Path) -> list[str]:
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{name}-") as temporary:
         fresh = Path(temporary) / name
         written = [_write(file, fresh, name) for file in files if "__pycache__" not in file.parts]
+        written.append(schema.write(fresh).name)
         fresh.rename(folder)
-    return written
+    return sorted(written)
 
 
 def _check_free(folder: Path) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import yaml
 
+from sitegen.config.yamlfault import explain
 from sitegen.errors import Location, Problems
 
 KINDS = {"str": "text", "bool": "flag", "int": "number", "null": "nothing"}
@@ -147,7 +148,7 @@ def parse(
         problems.add(start, "yaml", "nested too deeply; flatten it")
         return None
     except yaml.YAMLError as error:
-        line, what = _explain(error, text)
+        line, what = explain(error, text)
         problems.add(Location(start.file, start.line + line), "yaml", what)
         return None
     if node is None:
@@ -174,17 +175,3 @@ def _compose(text: str) -> yaml.Node | None:
         except yaml.YAMLError:
             pass
     return yaml.compose(text, Loader=yaml.SafeLoader)
-
-
-def _explain(error: yaml.YAMLError, text: str) -> tuple[int, str]:
-    if isinstance(error, yaml.MarkedYAMLError):
-        mark = error.problem_mark or error.context_mark
-        problem = error.problem or "not valid"
-        if problem.startswith("but") and error.context:
-            problem = f"{error.context} {problem}"
-        what = f"{' '.join(problem.split())}; check indentation and quotes here and above"
-        return (mark.line if mark else 0), what
-    position = getattr(error, "position", 0)
-    code = ord(text[position : position + 1] or "\0")
-    line = text.count("\n", 0, position)
-    return line, f"the character 0x{code:02x} is not allowed in YAML; remove it"

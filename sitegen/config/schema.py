@@ -274,6 +274,23 @@ IN_FILE = (
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
+# Where a key belongs that is right, but not in its place.
+PLACES = (
+    (FILE, "at the top level of site.yaml; move it there"),
+    (SITE, "under 'site' in site.yaml; indent it below 'site:'"),
+    (PAGE, "to a page; move it to an item of 'pages' in site.yaml"),
+    (DEPLOY, "under 'deploy' in site.yaml; indent it below 'deploy:'"),
+    (PYODIDE, "under 'pyodide' in site.yaml; indent it below 'pyodide:'"),
+)
+
+
+def belongs(name: str, keys: tuple[Key, ...]) -> str:
+    """Return where the key `name`, which is none of `keys`, belongs and how; empty if nowhere."""
+    if keys not in (FRONT_MATTER, *(place for place, _ in PLACES)):
+        return ""
+    return next((how for place, how in PLACES if name in {key.name for key in place}), "")
+
+
 MARKDOWN = Key("markdown", "text", "a `.md` file, or the text itself", "markdown: intro.md")
 
 # Layouts; the values of `columns`, `grid` and `tabs` are lists or mappings of content.

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sitegen.config.document import Value, shortened
-from sitegen.config.schema import FORMS, TYPES, Key
+from sitegen.config.schema import FORMS, TYPES, Key, belongs
 from sitegen.errors import Location, Problems, nearest
 
 
@@ -54,7 +54,9 @@ def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
     sound: dict[str, Value] = {}
     for name, entry in entries.items():
         if name not in known:
-            problems.add(entry.location, entry.key, f"unknown key; {nearest(name, known)}")
+            place = belongs(name, keys)
+            message = f"belongs {place}" if place else f"unknown key; {nearest(name, known)}"
+            problems.add(entry.location, entry.key, message)
         elif conforms(entry, known[name], problems):
             sound[name] = entry
     section = Section(value, keys, sound)

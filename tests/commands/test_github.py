@@ -12,53 +12,36 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 from paths import ROOT
+from workflow import Runner
+from workflow import workflow as read
 
-from sitegen import __version__
 from sitegen.__main__ import main
+from sitegen.commands import installed
 
 # Steps that prepare a computer of GitHub; here, all that is done already.
 PREPARES = ("Install Emscripten", "Install sitegen")
 
+REQUIRED = "ros-sitegen @ git+https://github.com/me/sitegen@0123456789"
+
 
 @pytest.fixture
-def repository(tmp_path: Path) -> Path:
+def repository(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A repository with a workspace in a folder of it, and no site yet."""
     subprocess.run(["git", "init", "-q", "-b", "trunk", tmp_path], check=True)
+    monkeypatch.setattr(installed, "requirement", lambda: installed.Requirement(REQUIRED))
     shutil.copytree(ROOT / "demos" / "demo01" / "src", tmp_path / "web" / "src")
     return tmp_path
 
 
 def workflow(repository: Path, name: str) -> dict[str, Any]:
-    text = (repository / ".github" / "workflows" / f"{name}.yml").read_text()
-    # YAML 1.1 reads `on` as true; GitHub does not.
-    found: dict[str, Any] = yaml.safe_load(re.sub("^on:", '"on":', text, flags=re.MULTILINE))
-    return found
+    return read(repository / ".github" / "workflows" / f"{name}.yml")
 
 
-def run(workflow: dict[str, Any], job: str, repository: Path, **given: str) -> set[str]:
-    """Run the commands of a job as GitHub would, but those that prepare; return their names."""
-    assert workflow["defaults"]["run"]["shell"] == "bash"
-    done = set()
-    for step in workflow["jobs"][job]["steps"]:
-        if "run" not in step or step["name"] in PREPARES:
-            continue
-        own = {name: given[value] for name, value in step.get("env", {}).items()}
-        # No expression stands in a command: what somebody typed would become one, too.
-        assert "${{" not in step["run"]
-        env = {
-            **os.environ,
-            **{name: str(value) for name, value in workflow["env"].items()},
-            **own,
-            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-            "GITHUB_STEP_SUMMARY": str(repository / "summary.md"),
-        }
-        command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", step["run"]]
-        ended = subprocess.run(command, cwd=repository, env=env, text=True, capture_output=True)
-        assert ended.returncode == 0, ended.stdout + ended.stderr
-        done.add(step["name"])
-    return done
+def run(workflow: dict[str, Any], job: str, repository: Path, **given: str) -> list[str]:
+    """Run the commands of a job but those that prepare; tests of the wheel run all of them."""
+    path = [Path(sys.executable).parent, *map(Path, os.environ["PATH"].split(os.pathsep))]
+    return Runner(repository, path, os.environ, without=PREPARES).run(workflow, job, **given)
 
 
 def test_the_site_is_built_and_published(
@@ -70,8 +53,8 @@ def test_the_site_is_built_and_published(
         assert f"wrote {repository / name}" in out
     pages = workflow(repository, "pages")
     assert pages["on"] == {"push": {"branches": ["trunk"]}, "workflow_dispatch": None}
-    assert pages["env"] == {"SITE": "web", "SITEGEN": f"sitegen=={__version__}"}
-    assert run(pages, "build", repository) == {"Check the site", "Build the site"}
+    assert pages["env"] == {"SITE": "web", "SITEGEN": REQUIRED}
+    assert run(pages, "build", repository) == ["Check the site", "Build the site"]
     [upload] = [
         step for step in pages["jobs"]["build"]["steps"] if "upload" in step.get("uses", "")
     ]
@@ -87,11 +70,11 @@ def test_nodes_are_compiled_for_others(repository: Path, tmp_path: Path) -> None
     assert nodes["on"]["workflow_dispatch"]["inputs"]["package"]["required"] is True
     # What is typed is no more than a name: neither an option, nor a pattern, nor a command.
     given = {"${{ inputs.package }}": "cpp_hello/talker cpp_hello"}
-    assert run(nodes, "compile", repository, **given) == {
+    assert run(nodes, "compile", repository, **given) == [
         "Compile",
         "Unpack the archive",
         "Explain how to use the archive",
-    }
+    ]
     assert "compiled: nodes.zip" in (repository / "summary.md").read_text()
 
     # What GitHub packs of the folder is an archive as it is.
@@ -157,3 +140,15 @@ def test_nothing_is_overwritten(repository: Path, capsys: pytest.CaptureFixture[
     file.unlink()
     assert main(["init", "--github", str(web)]) == 0
     assert (web / "site.yaml").read_text() == "mine"
+
+
+def test_a_source_that_is_not_known_is_said(
+    repository: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    guess = installed.Requirement("ros-sitegen==9", "unknown where this sitegen came from")
+    monkeypatch.setattr(installed, "requirement", lambda: guess)
+    assert main(["init", "--github", str(repository / "web")]) == 0
+    said = capsys.readouterr().out
+    assert "the workflows install ros-sitegen==9\n" in said
+    assert "check SITEGEN in both workflows: unknown where this sitegen came from\n" in said
+    assert workflow(repository, "pages")["env"]["SITEGEN"] == "ros-sitegen==9"

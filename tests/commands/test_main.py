@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 from collections.abc import Callable
@@ -26,17 +27,23 @@ def build_with(monkeypatch: pytest.MonkeyPatch) -> Callable[[Build], None]:
 
 
 def test_it_builds_the_folder(build_with: Callable[[Build], None]) -> None:
-    calls: list[tuple[Path, Path, bool]] = []
-    build_with(lambda folder, output, report, debug: calls.append((folder, output, debug)))
+    calls: list[tuple[Path, Path, bool, bool]] = []
+    build_with(
+        lambda folder, output, report, debug, verbose: calls.append(
+            (folder, output, debug, verbose)
+        )
+    )
     assert main(["build"]) == 0
     assert main(["build", "demo"]) == 0
     assert main(["build", "demo", "--output", "public"]) == 0
     assert main(["build", "--debug"]) == 0
+    assert main(["build", "--verbose"]) == 0
     assert calls == [
-        (Path(), Path("dist"), False),
-        (Path("demo"), Path("demo/dist"), False),
-        (Path("demo"), Path("public"), False),
-        (Path(), Path("dist"), True),
+        (Path(), Path("dist"), False, False),
+        (Path("demo"), Path("demo/dist"), False, False),
+        (Path("demo"), Path("public"), False, False),
+        (Path(), Path("dist"), True, False),
+        (Path(), Path("dist"), False, True),
     ]
 
 
@@ -74,14 +81,94 @@ def test_a_bug_keeps_its_traceback(
     assert lines[-2:] == ["KeyError: 'oops'", "this is a bug in sitegen, please report it"]
 
 
+COMMANDS = "build, check, compile, deploy, init, new, schema, serve, theme"
+
+
 @pytest.mark.parametrize(
-    "words", [[], ["biuld"], ["build", "--frobnicate"], ["build", "--output", "."]]
+    ("words", "said"),
+    [
+        (["serv"], "sitegen: unknown command 'serv'; did you mean 'serve'?"),
+        (["--debug", "buidl"], "sitegen: unknown command 'buidl'; did you mean 'build'?"),
+        (["xyz"], f"sitegen: unknown command 'xyz'; known: {COMMANDS}"),
+        (["theme", "cpy"], "sitegen theme: unknown command 'cpy'; did you mean 'copy'?"),
+        (
+            ["serve", "--prot", "1"],
+            "sitegen serve: unknown option '--prot'; did you mean '--port'?",
+        ),
+        (
+            ["build", "--outptu=a"],
+            "sitegen build: unknown option '--outptu'; did you mean '--output'?",
+        ),
+        (["--verison"], "sitegen: unknown option '--verison'; did you mean '--version'?"),
+    ],
 )
+def test_what_is_misspelt_is_2_and_gets_a_suggestion(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(words)
+    assert caught.value.code == 2
+    assert capsys.readouterr() == ("", f"{said}\n")
+
+
+@pytest.mark.parametrize("words", [["build", "a", "b"], ["build", "--output", "."], ["new"]])
 def test_wrong_usage_is_2(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as caught:
         main(words)
     assert caught.value.code == 2
-    assert capsys.readouterr().err.startswith("usage: sitegen")
+    assert capsys.readouterr().err.startswith(f"usage: sitegen {words[0]}")
+
+
+def test_no_command_is_2_and_gets_help(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main([])
+    out, err = capsys.readouterr()
+    assert (caught.value.code, out) == (2, "")
+    assert "Start with:  sitegen new my_robot" in err
+    for name in COMMANDS.split(", "):
+        assert f"\n    {name} " in err
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(
+    ("words", "out", "environment", "coloured"),
+    [
+        ([], Terminal, {}, True),
+        ([], io.StringIO, {}, False),
+        ([], Terminal, {"NO_COLOR": "1"}, False),
+        ([], Terminal, {"NO_COLOR": ""}, True),
+        ([], Terminal, {"TERM": "dumb"}, False),
+        (["--color=always"], io.StringIO, {}, True),
+        (["--color", "always"], Terminal, {"NO_COLOR": "1"}, True),
+        (["--color=never"], Terminal, {}, False),
+    ],
+)
+def test_colours_are_for_terminals(
+    words: list[str],
+    out: type[io.StringIO],
+    environment: dict[str, str],
+    coloured: bool,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    (tmp_path / "site.yaml").write_text(
+        "site: {titel: A}\npages: [{path: /, title: A, content: []}]"
+    )
+    for command in ([*words, "check", str(tmp_path)], ["check", str(tmp_path), *words]):
+        stream = out()
+        monkeypatch.setattr(sys, "stderr", stream)
+        assert main(command) == 1
+        said = stream.getvalue()
+        assert ("\x1b[31msite.yaml:1:\x1b[0m site.titel" in said) == coloured
+        assert ("\x1b" in said) == coloured
 
 
 def test_it_runs_as_a_module() -> None:

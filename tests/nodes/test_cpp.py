@@ -74,7 +74,7 @@ class Workspace:
         """Build the site and return what was compiled, besides the library."""
         said = io.StringIO()
         build(self.folder, output=self.folder / "dist", report=Report(said))
-        names = re.findall(r"^(\S+) \(jspi\): compiling", said.getvalue(), re.M)
+        names = re.findall(r"^(\S+) \(current browsers\): compiling", said.getvalue(), re.M)
         return [name for name in names if name != "rclcpp"]
 
     def problems(self) -> list[str]:
@@ -400,7 +400,7 @@ def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
     said = 'Could not find a package configuration file provided by "Eigen3" with any of'
     assert Diagnosis(tmp_path, package).of_cmake(said) == [
         "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
-        "(pip install 'sitegen[eigen]', or apt-get install libeigen3-dev)"
+        "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
     ]
 
 

@@ -89,7 +89,9 @@ def test_a_site_has_what_its_scripts_need_and_no_more(
     workers = sorted(file.name for file in (dist / "runtime/workers").iterdir())
     assert workers == ["ros2wasm"]
     assert not (dist / "runtime/page/pageClient.js").exists()
-    assert "  nodes/talker.js: ROS2WASM 0 kB\n  nodes/adder.js: ROS2WASM 0 kB\n" in said.getvalue()
+    assert (
+        "  nodes/talker.js: ROS2WASM, 0 kB\n  nodes/adder.js: ROS2WASM, 0 kB\n" in said.getvalue()
+    )
     assert "built 1 page, 2 nodes in" in said.getvalue()
     assert capsys.readouterr().out == ""
 

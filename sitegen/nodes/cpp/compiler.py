@@ -17,7 +17,7 @@ from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator, messages
-from sitegen.model import Build, Package
+from sitegen.model import BROWSERS, Build, Package
 from sitegen.nodes.cpp import sourcemap
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis
@@ -108,6 +108,18 @@ def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
     return [one for name, one in packages.items() if name in names]
 
 
+def sources() -> list[Path]:
+    """Return the files and folders of sitegen that decide what programs become."""
+    return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
+
+
+def work_folder(tools: Toolchain, cache: Path) -> Path:
+    """Return the folder below `cache` for what CMake makes with `tools`."""
+    # What it makes names the files of this installation, and breaks where they are not.
+    base = digest_of(sources(), tools.identity)
+    return cache / "work" / digest_of([], base, str(PACKAGE))
+
+
 class Compiler:
     """Compiles with one toolchain into one cache.
 
@@ -132,16 +144,9 @@ class Compiler:
         self._report = report
         self._debug = options.debug
         self._draft = options.draft and not options.debug
-        paths = [
-            CLIENT,
-            *(PACKAGE / name for name in GENERATOR),
-            ROS / ".digest",
-            INTERFACES,
-        ]
-        self._base = digest_of(paths, tools.identity)
+        self._base = digest_of(sources(), tools.identity)
         self._nodes = cache / "nodes"
-        # What CMake makes names the files of this installation, and breaks where they are not.
-        self._work = cache / "work" / digest_of([], self._base, str(PACKAGE))
+        self._work = work_folder(tools, cache)
         self._digests: dict[Path, str] = {}
         self._folders: dict[tuple[Path, str], Path] = {}
 
@@ -227,7 +232,7 @@ class Compiler:
         cmake = self._cmake(engine)
         if cmake.library.exists():
             return
-        name = f"rclcpp ({engine})"
+        name = f"rclcpp ({BROWSERS[engine]})"
         self._report.doing(name, "compiling the library (once for all nodes)")
         done = cmake.make_library()
         self._report.done(name)
@@ -256,9 +261,8 @@ class Compiler:
         cmake = self._cmake(engine)
         if self._is_prepared(cmake, package, needs):
             return
-        self._report.doing(
-            f"{package.name} ({engine})", "compiling the libraries that other packages use"
-        )
+        name = f"{package.name} ({BROWSERS[engine]})"
+        self._report.doing(name, "compiling the libraries that other packages use")
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
@@ -270,7 +274,7 @@ class Compiler:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             raise
         finally:
-            self._report.done(f"{package.name} ({engine})")
+            self._report.done(name)
         self._stamp(cmake, package).write_text(self._state(package, needs))
 
     def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
@@ -302,7 +306,8 @@ class Compiler:
     def _compile_job(self, job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         package = job.package
-        names = {name: f"{package.name}/{name} ({engine})" for name in job.executables}
+        browsers = BROWSERS[engine]
+        names = {name: f"{package.name}/{name} ({browsers})" for name in job.executables}
         for name in names.values():
             self._report.doing(name, "compiling")
         problems = []

@@ -20,7 +20,7 @@ COMMANDS = re.compile(
 # In CMake's cache, a package that was looked for in vain.
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Packages that are headers only, which authors install, and how.
-INSTALLED = {"Eigen3": "pip install 'sitegen[eigen]', or apt-get install libeigen3-dev"}
+INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
 # Headers of packages that CMake finds and that have nothing in them (clients/cpp/share).
 HOLLOW = re.compile(r"fatal error: '(opencv2)/")
 HOLLOW_NAMES = {"opencv2": "OpenCV"}

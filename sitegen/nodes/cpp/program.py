@@ -9,7 +9,6 @@ from functools import cached_property
 
 from sitegen.cache.digest import digest_of
 from sitegen.model import Artifact, Build, Node
-from sitegen.report import size
 
 
 @dataclass(frozen=True)
@@ -25,6 +24,7 @@ class CppProgram:
     builds: Sequence[Build] = ()
 
     worker = "cpp/cppNode"
+    kind = "C++"
 
     @property
     def name(self) -> str:
@@ -44,9 +44,12 @@ class CppProgram:
         return artifacts
 
     @property
-    def size(self) -> str:
+    def sizes(self) -> Mapping[str, Mapping[str, int]]:
         """Return the size of its WebAssembly for each engine."""
-        return ", ".join(f"{b.engine} {size(b.wasm.stat().st_size)}" for b in self.builds)
+        return {
+            build.engine: {f"{self._stem(build.engine)}.wasm": build.wasm.stat().st_size}
+            for build in self.builds
+        }
 
     def types(self, node: Node) -> Mapping[str, object]:
         """Return the message types that its WebAssembly names, none if there is none."""

@@ -111,6 +111,6 @@ def _chosen(
         return None
     [node] = fitting
     if site.asyncify and len(node.builds) < 2:
-        message = "was compiled only for browsers with JSPI; write 'asyncify: false' under 'site'"
+        message = "was compiled for current browsers only; write 'asyncify: false' under 'site'"
         problems.add(given.location, given.key, f"'{described([node])}' {message}")
     return node

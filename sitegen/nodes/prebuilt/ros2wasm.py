@@ -9,7 +9,6 @@ from pathlib import Path
 from sitegen.interfaces import messages
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Artifact, Node, Ros2wasm, Site
-from sitegen.report import size
 
 # The page publishes on /rosout what such a program logs.
 LOG = "rcl_interfaces/msg/Log"
@@ -24,6 +23,7 @@ class Ros2wasmProgram:
     messages: Mapping[str, object]
 
     worker = "ros2wasm/ros2wasmNode"
+    kind = "ROS2WASM"
 
     @property
     def name(self) -> str:
@@ -36,9 +36,9 @@ class Ros2wasmProgram:
         return [Artifact(self._path(file), file) for file in self.program.files]
 
     @property
-    def size(self) -> str:
+    def sizes(self) -> Mapping[str, Mapping[str, int]]:
         """Return the size of its files."""
-        return f"ROS2WASM {size(sum(file.stat().st_size for file in self.program.files))}"
+        return {"": {self._path(file): file.stat().st_size for file in self.program.files}}
 
     def types(self, node: Node) -> Mapping[str, object]:
         """Return the message types that the author names."""

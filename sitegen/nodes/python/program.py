@@ -9,7 +9,6 @@ from functools import cached_property
 
 from sitegen.model import Artifact, Node
 from sitegen.nodes.python.pyodide import download_size
-from sitegen.report import size
 
 
 @dataclass(frozen=True)
@@ -42,6 +41,7 @@ class PythonProgram:
     messages: Mapping[str, object]
 
     worker = "python/pythonNode"
+    kind = "Python"
 
     @property
     def name(self) -> str:
@@ -54,9 +54,9 @@ class PythonProgram:
         return [Artifact(archive.path, archive.data) for archive in self.archives]
 
     @property
-    def size(self) -> str:
+    def sizes(self) -> Mapping[str, Mapping[str, int]]:
         """Return the size of its archives."""
-        return f"Python {size(self._archived)}"
+        return {"": {archive.path: len(archive.data) for archive in self.archives}}
 
     @property
     def _archived(self) -> int:

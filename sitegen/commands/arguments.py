@@ -1,0 +1,201 @@
+"""Turn the words of a command line into arguments, and a wrong one into a suggestion."""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import NoReturn
+
+from sitegen import __version__
+from sitegen.errors import nearest
+
+DESCRIPTION = "Package a ROS 2 workspace into a static web page that runs it."
+BEGIN = """\
+Start with:  sitegen new my_robot    (or, in a workspace:  sitegen init)
+Then:        sitegen serve
+"""
+USAGE = 2
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser that suggests the nearest command or option for an unknown one."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print what is wrong and how to find out what is right, and exit with 2."""
+        # The words of argparse itself; where they change, its own message is printed.
+        unknown = re.match(
+            r"argument COMMAND: invalid choice: '([^']*)' \(choose from (.*)\)", message
+        )
+        if unknown:
+            known = re.findall(r"[\w-]+", unknown[2])
+            message = f"unknown command '{unknown[1]}'; {nearest(unknown[1], known)}"
+            self.exit(USAGE, f"{self.prog}: {message}\n")
+        self.print_usage(sys.stderr)
+        self.exit(USAGE, f"{self.prog}: {message}\n")
+
+    def refuse(self, words: Sequence[str]) -> NoReturn:
+        """Print that `words` mean nothing to this command, and exit with 2."""
+        option = next((word for word in words if word.startswith("-")), None)
+        if option is None:
+            self.error(f"unexpected argument '{words[0]}'")
+        name = option.partition("=")[0]
+        known = sorted(set(re.findall(r"--[a-z][\w-]*", self.format_help())))
+        message = f"unknown option '{name}'; {nearest(name, known)}"
+        self.exit(USAGE, f"{self.prog}: {message}\n")
+
+
+def parse(argv: Sequence[str] | None) -> argparse.Namespace:
+    """Return the arguments of `argv`; without a command, print the help and exit with 2."""
+    argv = sys.argv[1:] if argv is None else argv
+    common = _common()
+    parser = Parser(
+        "sitegen",
+        description=DESCRIPTION,
+        epilog=BEGIN,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        parents=[common],
+    )
+    parser.add_argument("--version", action="version", version=f"sitegen {__version__}")
+    commands = parser.add_subparsers(
+        dest="command", metavar="COMMAND", title="commands", parser_class=Parser
+    )
+    add = partial(commands.add_parser, parents=[common])
+    _add_beginnings(add)
+    build = _add_builds(add)
+    _add_others(add)
+    arguments, unknown = parser.parse_known_args(argv)
+    if unknown:
+        command = commands.choices.get(arguments.command, parser)
+        command.refuse(unknown)
+    if not arguments.command:
+        # As argparse and Click do; a script that lost its command should not go on.
+        parser.print_help(sys.stderr)
+        parser.exit(USAGE)
+    for name, default in (("debug", False), ("color", "auto")):
+        vars(arguments).setdefault(name, default)
+    if arguments.command == "build" and not arguments.single_file:
+        arguments.output = arguments.output or arguments.folder / "dist"
+        if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
+            build.error("argument --output: would replace the folder that contains site.yaml")
+    return arguments
+
+
+def _common() -> Parser:
+    """Return the options that stand before or after every command."""
+    common = Parser(add_help=False, argument_default=argparse.SUPPRESS)
+    common.add_argument(
+        "--debug",
+        action="store_true",
+        help="show tracebacks, and build C++ nodes that report source lines",
+    )
+    common.add_argument(
+        "--color",
+        choices=("auto", "always", "never"),
+        help="use colours; auto (the default) does on a terminal, unless NO_COLOR is set",
+    )
+    return common
+
+
+# Makes the parser of a command.
+Add = Callable[..., Parser]
+
+
+def _add_folder(parser: Parser, what: str = "the folder that contains site.yaml") -> None:
+    parser.add_argument(
+        "folder",
+        nargs="?",
+        default=Path(),
+        type=Path,
+        metavar="FOLDER",
+        help=f"{what} (default: the current folder)",
+    )
+
+
+def _add_beginnings(add: Add) -> None:
+    new = add("new", help="create a small workspace with two nodes and a site")
+    new.add_argument(
+        "name",
+        type=Path,
+        metavar="NAME",
+        help="the folder to create; its name must be a valid package name",
+    )
+    init = add("init", help="write a site.yaml for an existing workspace")
+    _add_folder(init, "the workspace folder")
+    init.add_argument(
+        "--github", action="store_true", help="write GitHub workflows that publish the site"
+    )
+
+
+def _add_builds(add: Add) -> Parser:
+    """Add what builds a site; return `build`."""
+    serve = add("serve", help="serve the site and rebuild it on every change")
+    _add_folder(serve)
+    serve.add_argument(
+        "--port", type=int, default=8000, help="the first port to try (default: 8000)"
+    )
+    check = add("check", help="report errors and warnings without compiling anything")
+    _add_folder(check)
+    check.add_argument("--strict", action="store_true", help="treat warnings as errors")
+    build = add("build", help="build the site into a folder")
+    _add_folder(build)
+    build.add_argument(
+        "--output",
+        type=Path,
+        metavar="DIR",
+        help="the folder to write; its contents are replaced (default: FOLDER/dist)",
+    )
+    build.add_argument(
+        "--single-file",
+        metavar="PAGE",
+        help="write one page as a single HTML file that needs no server (--output names it)",
+    )
+    build.add_argument(
+        "--verbose", action="store_true", help="list all pages and nodes, however many"
+    )
+    deploy = add("deploy", help="build the site and publish it to a Git branch")
+    _add_folder(deploy)
+    deploy.add_argument(
+        "--dry-run", action="store_true", help="show what would be published without publishing it"
+    )
+    return build
+
+
+def _add_others(add: Add) -> None:
+    compiling = add("compile", help="compile nodes into an archive for use in other sites")
+    compiling.add_argument(
+        "packages", nargs="+", metavar="PACKAGE", help="a package, or PACKAGE/EXECUTABLE"
+    )
+    compiling.add_argument(
+        *("-o", "--output"),
+        type=Path,
+        default=Path("nodes.zip"),
+        metavar="FILE",
+        help="the archive to write (default: nodes.zip)",
+    )
+    compiling.add_argument(
+        "--workspace",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="the workspace folder (default: the current folder)",
+    )
+    add("schema", help="print the JSON Schema of site.yaml for use in editors")
+    theme = add("theme", help="start your own theme")
+    doings = theme.add_subparsers(
+        dest="doing", required=True, metavar="COMMAND", parser_class=Parser
+    )
+    copying = doings.add_parser(
+        "copy", help="copy a theme that comes with sitegen", parents=[_common()]
+    )
+    copying.add_argument("name", metavar="NAME", help="the theme to copy: default, slides or plain")
+    copying.add_argument(
+        "target",
+        nargs="?",
+        type=Path,
+        metavar="DIR",
+        help="the folder to create (default: themes/NAME)",
+    )

@@ -1,0 +1,87 @@
+"""Turn a site into the lines that sum it up, which fit on a screen however large it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from sitegen.model import BROWSERS, Page, Program, Programs, Site
+from sitegen.report import count, size
+
+# At most this many lines of each kind; together, they fit on a screen of 24 lines.
+NOTES, PAGES, NODES = 3, 10, 6
+
+
+def summary(site: Site, programs: Programs, *, verbose: bool = False) -> list[str]:
+    """Return lines about the notes, pages and nodes of a site; with `verbose`, about each."""
+    # Nodes that use one ROS2WASM script with different types are different programs.
+    nodes = list({one.name: one for one in programs.values()}.values())
+    brief = [*_notes(site.notes), *_pages(site.pages), *_nodes(nodes)]
+    everything = [*_notes(site.notes, True), *_pages(site.pages, True), *_nodes(nodes, True)]
+    if verbose or brief == everything:
+        return everything
+    return [*brief, "  --verbose lists all"]
+
+
+def _notes(notes: Sequence[str], everything: bool = False) -> Iterator[str]:
+    shown = notes if everything or len(notes) <= NOTES + 1 else notes[:NOTES]
+    yield from shown
+    if len(shown) < len(notes):
+        yield f"… and {count(len(notes) - len(shown), 'note')} more"
+
+
+def _pages(pages: Sequence[Page], everything: bool = False) -> Iterator[str]:
+    rows = [(f"/{page.path}", page.level or "", page.title) for page in pages]
+    left = 0
+    if not everything and len(rows) > PAGES + 1:
+        groups = list(_groups(pages).values())
+        # What runs nodes is what a site is about; pages of text are the first to be left out.
+        ranked = sorted(groups, key=lambda group: not any(page.level for page in group))
+        kept = [group for group in groups if group in ranked[:PAGES]]
+        rows = [_row(group) for group in kept]
+        left = len(pages) - sum(map(len, kept))
+    widths = [max(len(row[column]) for row in rows) for column in (0, 1)]
+    for path, level, title in rows:
+        yield f"  {path:{widths[0]}}  {level:{widths[1]}}  {title}".rstrip()
+    if left:
+        yield f"  … and {count(left, 'page')} more"
+
+
+def _groups(pages: Iterable[Page]) -> Mapping[str, list[Page]]:
+    """Return the pages by their first folder, in the order of the first of each."""
+    groups: dict[str, list[Page]] = {}
+    for page in pages:
+        groups.setdefault(page.path.partition("/")[0], []).append(page)
+    return groups
+
+
+def _row(group: Sequence[Page]) -> tuple[str, str, str]:
+    levels = sorted({page.level for page in group if page.level})
+    level = "-".join(dict.fromkeys([*levels[:1], *levels[-1:]]))
+    if len(group) == 1:
+        return f"/{group[0].path}", level, group[0].title
+    return f"/{group[0].path.partition('/')[0]}/…", level, count(len(group), "page")
+
+
+def _nodes(programs: Sequence[Program], everything: bool = False) -> Iterator[str]:
+    if everything or len(programs) <= NODES:
+        for one in programs:
+            yield f"  {one.name}: {one.kind}{_sizes([one])}"
+        return
+    kinds = {one.kind for one in programs}
+    for kind in sorted(kinds):
+        group = [one for one in programs if one.kind == kind]
+        yield f"  {count(len(group), 'node')} in {kind}{_sizes(group)}"
+
+
+def _sizes(programs: Sequence[Program]) -> str:
+    """Return the bytes that programs have in total, and for which browsers."""
+    # Programs may share files.
+    files: dict[str, dict[str, int]] = {}
+    for one in programs:
+        for engine, own in one.sizes.items():
+            files.setdefault(engine, {}).update(own)
+    said = (
+        f", {size(sum(each.values()))}" + (f" for {BROWSERS[engine]}" if engine else "")
+        for engine, each in files.items()
+    )
+    return "".join(said)
