@@ -59,3 +59,16 @@ export function arrange(list, wanted) {
     if (there !== element) list.insertBefore(element, there);
   });
 }
+
+/**
+ * Enable and disable buttons. A button that had the keyboard focus passes it on to one that can be pressed.
+ * @param {[HTMLButtonElement, boolean][]} buttons each with whether it is enabled
+ */
+export function enable(buttons) {
+  const focused = buttons.some(([element]) => element === document.activeElement);
+  for (const [element, on] of buttons) element.disabled = !on;
+  const active = document.activeElement;
+  if (focused && !(active instanceof HTMLButtonElement && !active.disabled)) {
+    buttons.find(([, on]) => on)?.[0].focus();
+  }
+}

@@ -2,6 +2,7 @@
 // The output of a node, as in a terminal: the newest line stays in view unless the visitor scrolls up.
 
 import { button, create } from "./elements.js";
+import { createRow } from "./logPrefix.js";
 import { Tail } from "./tail.js";
 import { say } from "./words.js";
 
@@ -34,7 +35,12 @@ class Lines {
     // The button disappears, so move the keyboard focus to the log.
     this.#log.focus({ preventScroll: true });
   });
-  elements = [this.#log, this.#hint, this.#newest];
+  #raw = button(say("Raw"), "ros-raw", () => {
+    const raw = this.#log.classList.toggle("ros-unformatted");
+    this.#raw.setAttribute("aria-pressed", String(raw));
+    this.#tail.follow();
+  });
+  elements = [this.#log, this.#hint, this.#newest, this.#raw];
   #tail = new Tail(this.#log, () => {
     this.#newest.hidden = this.#tail.following;
   });
@@ -43,6 +49,8 @@ class Lines {
   /** Lines that are not drawn yet. @type {Line[]} */
   #waiting = [];
   #frame = 0;
+  /** The node that logged last. */
+  #name = "";
 
   /** @param {NodeHandle} node @param {number} limit @param {Hints} hints */
   constructor(node, limit, hints) {
@@ -53,6 +61,9 @@ class Lines {
     this.#log.setAttribute("aria-label", node.name);
     this.#log.tabIndex = 0;
     this.#newest.hidden = true;
+    this.#raw.hidden = true;
+    this.#raw.title = say("Show lines as the program wrote them");
+    this.#raw.setAttribute("aria-pressed", "false");
     this.#listen();
     this.#showHint();
   }
@@ -90,7 +101,8 @@ class Lines {
     this.#frame = 0;
     const fresh = document.createDocumentFragment();
     for (const { severity, text } of this.#waiting.slice(-this.#limit)) {
-      const row = create("div", "", text);
+      const { row, name } = createRow(text, this.#name);
+      this.#name = name || this.#name;
       row.dataset.severity = severity;
       fresh.append(row);
     }
@@ -99,11 +111,14 @@ class Lines {
     dropOldest(this.#log, surplus, !this.#tail.following);
     this.#log.append(fresh);
     this.#hint.hidden = true;
+    if (this.#name) this.#raw.hidden = false;
     this.#tail.follow();
   }
 
   #clear() {
     this.#waiting = [];
+    this.#name = "";
+    this.#raw.hidden = true;
     this.#log.replaceChildren();
     this.#tail.following = true;
     this.#newest.hidden = true;

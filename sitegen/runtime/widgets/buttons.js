@@ -1,8 +1,9 @@
 // @ts-check
 // Buttons to start and stop a node and to clear its consoles, beside its state.
 
-import { button, create } from "../ui/elements.js";
-import { say, states } from "../ui/words.js";
+import { button, create, enable } from "../ui/elements.js";
+import { NodeStateView } from "../ui/nodeState.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -17,29 +18,28 @@ export function mount(element, ros, { node: name }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`buttons: no node '${name}' on this page`);
 
-  const state = create("span", "ros-state");
-  state.setAttribute("aria-live", "polite");
-  const title = create("div", "ros-node", create("span", "ros-name", name), state);
+  const listening = new AbortController();
+  const { signal } = listening;
+  const state = new NodeStateView(node, signal);
+  state.label.setAttribute("aria-live", "polite");
+  const title = create("div", "ros-node", create("span", "ros-name", name), state.label);
   const start = button(say("Start"), "ros-start", () => node.start());
   const stop = button(say("Stop"), "ros-stop", () => node.stop());
   const clear = button(say("Clear"), "ros-clear", () => node.clear());
   const controls = create("div", "ros-controls", start, stop, clear);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", name);
-  element.replaceChildren(create("div", "ros-bar", title, controls));
+  element.replaceChildren(create("div", "ros-bar", title, controls), state.meter);
 
   const show = () => {
     const over = node.state === "stopped" || node.state === "failed";
-    start.disabled = !over;
-    stop.disabled = over || node.state === "stopping";
-    state.dataset.state = node.state;
-    state.textContent = states[node.state];
+    enable([[start, over], [stop, !over && node.state !== "stopping"]]);
   };
-  node.addEventListener("state", show);
+  node.addEventListener("state", show, { signal });
   show();
 
   return () => {
-    node.removeEventListener("state", show);
+    listening.abort();
     element.replaceChildren();
   };
 }

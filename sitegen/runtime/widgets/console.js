@@ -3,8 +3,9 @@
 
 import { create } from "../ui/elements.js";
 import { showLines } from "../ui/lines.js";
+import { NodeStateView } from "../ui/nodeState.js";
 import { place } from "../place.js";
-import { say, states } from "../ui/words.js";
+import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -19,8 +20,10 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`console: no node '${name}' on this page`);
 
-  const state = create("span", "ros-state");
-  const title = create("div", "ros-node", create("span", "ros-name", name), state);
+  const listening = new AbortController();
+  const { signal } = listening;
+  const state = new NodeStateView(node, signal);
+  const title = create("div", "ros-node", create("span", "ros-name", name), state.label);
   element.replaceChildren(create("div", "ros-bar", title));
   const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
   const endLines = showLines(element, node, limit, {
@@ -31,21 +34,12 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
     failed: say("Failed"),
   });
 
-  const listening = new AbortController();
-  const { signal } = listening;
   let endKeyboard = () => {};
   node.addEventListener("reading", async () => {
     // Few programs read input, so pages load this module only when one does.
     const { showKeyboard } = await import(place("ui/keyboard.js"));
     if (!signal.aborted) endKeyboard = showKeyboard(element, node);
   }, { signal, once: true });
-
-  const showState = () => {
-    state.dataset.state = node.state;
-    state.textContent = states[node.state];
-  };
-  node.addEventListener("state", showState, { signal });
-  showState();
 
   return () => {
     listening.abort();

@@ -3,6 +3,7 @@
 
 import { button, create, setText } from "../ui/elements.js";
 import { codeView } from "../ui/codeView.js";
+import { NodeStateView } from "../ui/nodeState.js";
 import { say } from "../ui/words.js";
 
 /** @import { Line, NodeHandle, Ros } from "../protocol.js" */
@@ -68,7 +69,8 @@ class Editor {
 
     const code = create("div", "ros-code");
     const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
-    element.replaceChildren(this.#createBar(file), code, hint);
+    const state = new NodeStateView(node, this.#listening.signal);
+    element.replaceChildren(this.#createBar(file), state.meter, code, hint);
     this.#view = codeView(code, this.#text, say("Python source {}", file), (text) => this.#typed(text));
     this.#listen();
     this.#show();

@@ -1,9 +1,10 @@
 // @ts-check
 // A Python prompt on the page's ROS graph: an input line below the output.
 
-import { button, create, setText } from "../ui/elements.js";
+import { button, create } from "../ui/elements.js";
 import { showLines } from "../ui/lines.js";
-import { say, states } from "../ui/words.js";
+import { NodeStateView } from "../ui/nodeState.js";
+import { say } from "../ui/words.js";
 import { InputLine } from "./prompt/inputLine.js";
 
 /** @import { NodeHandle, Ros } from "../protocol.js" */
@@ -19,7 +20,7 @@ export function mount(element, ros, { node: name, lines = 1000 }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`prompt: no node '${name}' on this page`);
   const prompt = new Prompt(node);
-  element.replaceChildren(prompt.bar);
+  element.replaceChildren(prompt.bar, prompt.meter);
   const endLines = showLines(element, node, lines, {});
   element.append(prompt.line.element);
   return () => {
@@ -34,7 +35,7 @@ class Prompt {
   /** Lines that Python is not ready for yet. @type {string[]} */
   #waiting = [];
   #listening = new AbortController();
-  #state = create("span", "ros-state");
+  #state;
   #start = button(say("Start"), "ros-start", () => {
     this.#node.start();
     this.line.focus();
@@ -50,17 +51,20 @@ class Prompt {
     interrupt: () => this.#node.interrupt(),
   });
   bar;
+  meter;
 
   /** @param {NodeHandle} node */
   constructor(node) {
     this.#node = node;
-    this.#state.setAttribute("aria-live", "polite");
+    this.#state = new NodeStateView(node, this.#listening.signal);
+    this.#state.label.setAttribute("aria-live", "polite");
     this.#interrupt.title = say("Ctrl-C in the input line does the same");
-    const title = create("div", "ros-node", create("span", "ros-name", node.name), this.#state);
+    const title = create("div", "ros-node", create("span", "ros-name", node.name), this.#state.label);
     const controls = create("div", "ros-controls", this.#start, this.#stop, this.#interrupt);
     controls.setAttribute("role", "group");
     controls.setAttribute("aria-label", node.name);
     this.bar = create("div", "ros-bar", title, controls);
+    this.meter = this.#state.meter;
     this.#listen();
     this.#show();
   }
@@ -98,8 +102,6 @@ class Prompt {
     this.#interrupt.hidden = over;
     this.#interrupt.disabled = state !== "running";
     this.line.enable(!over, say("Press Start to run Python"));
-    this.#state.dataset.state = state;
-    setText(this.#state, states[state]);
   }
 
   /** @param {string} text */

@@ -16,6 +16,11 @@ export const words = {
   "Press Start to run {}": "Start drücken, damit {} läuft",
   "Not running": "Läuft nicht",
   "Starting…": "Startet …",
+  "Raw": "Roh",
+  "Show lines as the program wrote them": "Zeilen zeigen, wie das Programm sie schrieb",
+  "Loading Python": "Python wird geladen",
+  "loading Python: {} of {} MB": "lädt Python: {} von {} MB",
+  "starting Python": "startet Python",
   "Loading Python: {} of {} MB": "Python wird geladen: {} von {} MB",
   "This page reloads once to enable shared memory.":
     "Diese Seite wird noch einmal geladen, damit sie Speicher mit ihren Knoten teilen kann.",
