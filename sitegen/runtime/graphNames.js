@@ -1,5 +1,5 @@
 // @ts-check
-// Which names of the graph are hidden, and which every node has for its log and its parameters.
+// Names in the graph: which are hidden, and which are the infrastructure of every node.
 
 /** The node of the page itself. */
 export const PAGE_NODE = "/_page";
@@ -11,13 +11,13 @@ const SERVICES = new RegExp(
     "|set_parameters_atomically|get_type_description)$",
 );
 
-/** Whether a part of a name begins with an underscore, as in ROS those of tools and of actions do. @param {string} name */
+/** Whether a name is hidden as in ROS: a part of it begins with an underscore. @param {string} name */
 export function isHidden(name) {
   return name.includes("/_");
 }
 
 /**
- * Whether a topic or service is infrastructure that every node has, and the node's name if it tells.
+ * Return whether a topic or service is for the log or the parameters of a node, with the node's name if it has one.
  * @param {string} name @returns {{node: string} | null}
  */
 export function infrastructureOf(name) {
@@ -26,7 +26,7 @@ export function infrastructureOf(name) {
   return found && { node: found[1] ?? "" };
 }
 
-/** Whether panels show a topic or service without being asked for hidden ones. @param {string} name */
+/** Whether panels show a topic or service by default. @param {string} name */
 export function isShown(name) {
   return !isHidden(name) && !infrastructureOf(name);
 }

@@ -1,16 +1,16 @@
 // @ts-check
-// Where the site's files are: on its server, or inside of a page that is a single file.
+// The addresses of the site's files: on its server, or inside a page that is a single file.
 
 /**
- * The address of a file. One of the runtime is named by its path there; in a page that is a single file,
- * all are named "sitegen:" and their path in the site.
+ * Return the address of a file of the runtime, named by its path there. In a page that is a single file, other files
+ * are named "sitegen:" and their path in the site.
  * @param {string} name @returns {string}
  */
 export function place(name) {
-  /** @type {Record<string, string>} what the page has unpacked: see single/start.js */
+  /** @type {Record<string, string>} the files that single/start.js has unpacked */
   const inside = /** @type {any} */ (globalThis).sitegenFiles ?? {};
   return inside[name] ?? inside[`sitegen:runtime/${name}`] ?? new URL(name, import.meta.url).href;
 }
 
-/** Whether workers are modules; those of a single file load theirs. */
+/** Whether workers are module workers. In a single file, classic workers load the modules. */
 export const moduleWorkers = !("sitegenFiles" in globalThis);

@@ -1,30 +1,30 @@
-// What crosses the borders of the page: page.json, messages between page and workers, data frames.
+// The types of page.json, of the messages between page and workers, and of the frames between workers.
 
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>, isolate?: string}} PageEntry with types where a widget takes part in the
- *   graph, and with the site's service worker where that is to isolate the page
+ *   types?: Record<string, MessageType>, isolate?: string}} PageEntry `types` if a widget takes part in the graph;
+ *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean,
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry,
- * }} NodeEntry with one of the last three
- * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` tell where it is in its sources:
+ * }} NodeEntry with one of `builds`, `python` and `ros2wasm`
+ * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
- *   group?: string}} PythonEntry a Python node: archives to unpack in its interpreter, how much it loads with
- *   them (bytes), and what it calls; without `attribute` the place of a program. `own` are the modules that
- *   it does not share with the other nodes of its `group`, which have the same interpreter
+ *   group?: string}} PythonEntry a Python node: archives to unpack, the size of the download with them (bytes), and
+ *   the function to call; without `attribute`, `module` is the path of a script. The nodes of a `group` share an
+ *   interpreter, but not their `own` modules
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
- *   a node that the ROS2WASM project compiled: its worker script, what its topics and services carry,
- *   and the definitions of these
+ *   a node that the ROS2WASM project compiled: its worker script, the types of its topics and services, and the
+ *   definitions of these types
  * @typedef {{kind: string, element: string, target: string, options: Record<string, any>}} WidgetEntry
- * @typedef {"jspi" | "asyncify"} Engine how a compiled node waits
+ * @typedef {"jspi" | "asyncify"} Engine how a compiled node is suspended
  */
 
 /**
- * What a widget is given: the page's ROS.
+ * The ROS API of the page, for widgets and for scripts of the page.
  * @typedef {{
  *   nodes: Map<string, NodeHandle>,
  *   graph: GraphView,
@@ -38,19 +38,19 @@
  *   keep(element: {id: string}, shape: Record<string, "string" | "boolean" | "object">,
  *     read: () => Shared, restore: (state: Shared, odd: () => void) => void): void,
  *   link(): string,
- * }} Ros where `keep` lets links carry what a widget shows: `read` gives it, what is empty stays out;
- *   `restore` is called at once with what the link of this visit says, of it only what has the `shape`,
- *   and calls `odd` for values that mean nothing; `link` is the fragment of a link to the page as it is
- * @typedef {Record<string, any>} Shared plain values by names of the widget
+ * }} Ros `keep` makes the state of a widget part of shared links. `read` returns that state; empty values are left
+ *   out. If the visitor came by a shared link, `restore` is called immediately with the values that have the `shape`;
+ *   it calls `odd` for values that it cannot use. `link` returns the fragment of a link to the present state
+ * @typedef {Record<string, any>} Shared the state of a widget, as JSON
  *
- * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, sequences of
- * numbers are typed arrays, all else is what JSON has.
+ * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, arrays of numbers are typed
+ * arrays, and all other values are as in JSON.
  * @typedef {{publish(message: any): void, close(): void}} Publisher
  * @typedef {{size: number, sequence: number, timestamp: number, received: number}} MessageInfo
- *   bytes, number of this writer's message, and the times (ms since 1970) it was sent and arrived
+ *   size in bytes, sequence number of the writer, and the times of sending and arrival (ms since 1970)
  *
- * Who is in the graph; emits `change` after changes, those of one moment together. The `program` of an
- * endpoint is the name of its NodeHandle, empty for the page's own.
+ * The ROS graph. Emits `change` once after all changes of one task. The `program` of an endpoint is the name of its
+ * NodeHandle, empty for the page's own endpoints.
  * @typedef {EventTarget & {
  *   nodes(): string[],
  *   endpoints(): (Endpoint & {program: string, missed: number})[],
@@ -58,22 +58,22 @@
  *     missed: number, mismatches: Mismatch[]}[],
  *   services(): {name: string, types: string[], servers: string[], clients: string[]}[],
  * }} GraphView
- * @typedef {{publisher: string, subscription: string, policy: Policy}} Mismatch nodes that do not hear each
- *   other, for this reason
+ * @typedef {{publisher: string, subscription: string, policy: Policy}} Mismatch nodes whose endpoints are
+ *   incompatible, and the reason
  *
- * A message type, by its name ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). A field's
- * type is written as in a .msg file, nested types with their whole name: "float64[3]",
- * "string<=10[<=5]", "geometry_msgs/msg/Point[]".
+ * The definition of a message type ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). The types of fields are
+ * written as in .msg files, with the full names of nested types: "float64[3]", "string<=10[<=5]",
+ * "geometry_msgs/msg/Point[]".
  * @typedef {{fields: {name: string, type: string, default?: any}[],
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *
- * A program of the page. It emits `state` when `state` changed, `lines` (CustomEvent, detail: Line[])
- * when it printed, `clear` when its consoles should be emptied. `since` is when its state began (ms
- * since 1970), `memory` what its WebAssembly has (bytes, 0 if not known). It takes what is typed, and emits
- * `reading` when `keyboard` changed, which says how it reads. A prompt emits `ready` (detail: whether a line goes
- * on) and `words` (detail: {text, words}). `interrupt` is Ctrl-C.
- * From its next start on, a Python node runs with the text that it was given by `edit` for an installed file.
- * While it loads much, it emits `progress` (detail: {loaded, total}, bytes).
+ * A program of the page. `since` is the time of its last change of state (ms since 1970), `memory` the size of its
+ * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `type` sends it input,
+ * `interrupt` is Ctrl-C. `edit` replaces the text of an installed file of a Python node from its next start on.
+ *
+ * Events: `state` and `reading` after changes of `state` and `keyboard`; `lines` (detail: Line[]) for output; `clear`
+ * when its consoles must be cleared; `progress` (detail: {loaded, total}, bytes) during long downloads. A prompt also
+ * emits `ready` (detail: whether the next line continues the last) and `words` (detail: {text, words}, completions).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number, keyboard: Keyboard | undefined,
@@ -83,19 +83,19 @@
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
  *
- * One line of a console; log lines have the severity of ROS, printed ones the stream's name.
+ * A line of a console, with the severity of a log message or the name of the stream.
  * @typedef {{severity: Severity, text: string}} Line
  * @typedef {"debug" | "info" | "warn" | "error" | "fatal" | "stdout" | "stderr" | "typed"} Severity
  */
 
 /**
- * An endpoint of the graph as its participant announces it; `id` is unique in that participant.
+ * An endpoint of the graph, as its participant announces it. Its `id` is unique in that participant.
  * @typedef {{id: number, kind: EndpointKind, node: string, name: string, type: string, qos: Qos}} Endpoint
  * @typedef {(typeof KINDS)[number]} EndpointKind
  *
- * Quality of service, what a publisher offers and a subscription asks for. The last `depth` messages
- * are kept, or all. `deadline` is the longest time between messages, `lifespan` how long one is worth
- * having, `lease` how long a publisher counts as alive that must say so itself if `manual`; in ms.
+ * The quality of service that a publisher offers or a subscription requests. The history is the last `depth` messages,
+ * or all with `keepAll`. `deadline` is the longest time between messages, `lifespan` the time after which a message
+ * expires, and `lease` that of liveliness, which the publisher must assert itself if it is `manual`. Times are in ms.
  * @typedef {{depth: number, reliable: boolean, transientLocal: boolean, keepAll: boolean,
  *   deadline: number, lifespan: number, manual: boolean, lease: number}} Qos
  * @typedef {"RELIABILITY" | "LIVELINESS" | "DEADLINE" | "DURABILITY" | "TYPE"} Policy
@@ -103,22 +103,19 @@
 
 export const KINDS = /** @type {const} */ (["node", "publisher", "subscription", "service", "client"]);
 
-/** What ROS 2 gives who does not ask for more. @type {Qos} */
+/** The default profile of ROS 2. @type {Qos} */
 export const DEFAULT_QOS = Object.freeze({
   depth: 10, reliable: true, transientLocal: false, keepAll: false,
   deadline: Infinity, lifespan: Infinity, manual: false, lease: Infinity,
 });
 
 /**
- * An endpoint of the graph as all its participants know it: `name` is unique in the page.
- * @typedef {{name: number, endpoint: Endpoint}} Neighbour
+ * An endpoint of the graph as all participants know it; its `gid` is unique in the page.
+ * @typedef {{gid: number, endpoint: Endpoint}} Neighbour
  */
 
 /**
- * Worker to page; `missed` are the messages of a subscription that its program was too slow for. Who looks
- * is told of the graph from then on; who asks to `settle` is told when others know of what it announced before.
- * A program that begins to read the keyboard says so. A prompt is ready for a line, which may go on what was typed (`more`),
- * and answers with the words that a text may become.
+ * From worker to page. docs/protocol.md explains each message.
  * @typedef {{op: "running"}
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
@@ -136,9 +133,7 @@ export const DEFAULT_QOS = Object.freeze({
  */
 
 /**
- * Page to worker. `match` and `unmatch` name an endpoint of the worker (`local`) and one of `peer`, whose
- * quality of service is `qos`. Endpoints of one worker find each other there. `graph` says who came and
- * went elsewhere since the last time; the first says who is there.
+ * From page to worker. docs/protocol.md explains each message.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
  *     arguments: string[], lines?: string}
@@ -155,35 +150,33 @@ export const DEFAULT_QOS = Object.freeze({
  *   | Typed
  *   | {op: "stop"}} ToWorker
  *
- * With `join`, a worker of Python gets a port through which one more node talks with it, until it leaves.
  * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],
- *   edits: Record<string, string>, byte?: Uint8Array}} Interpret a node, with the files that its visitor changed,
- *   by their places, and a byte by which the page interrupts what its worker does
+ *   edits: Record<string, string>, byte?: Uint8Array}} Interpret run a Python node. `edits` are the files that the
+ *   visitor has changed, by path; with `byte`, in shared memory, the page interrupts the program
  *
- * What a visitor types: at a prompt a line, or the beginning of a word; elsewhere keys, as a terminal writes
- * them, of which none are the end of what is read.
+ * Input of the visitor: at a prompt, a line or a text to complete; elsewhere keys, as the characters that a terminal
+ * sends. Empty keys are the end of the input.
  * @typedef {{op: "line" | "complete" | "keys", text: string}} Typed
  *
- * How a program set its terminal: it gets whole lines, and they are shown or (a password) hidden; or each key
- * at once, of which Ctrl-C is an interrupt or (raw) one like others.
+ * How a program has configured its terminal: for whole lines, echoed or `hidden`, or for single keys. Ctrl-C is an
+ * interrupt, except with `raw`, where it is a key like others.
  * @typedef {"lines" | "hidden" | "keys" | "raw"} Keyboard
  */
 
 /**
- * Worker to worker, beside frames: what a reader has taken, so that its writer may send more; and that a
- * writer lives though it sends nothing. Both by the ids that they have in their workers.
+ * From worker to worker, besides frames: a reader gives credits for what it took, and a publisher asserts its
+ * liveliness. `writer` and `reader` are ids of endpoints in their own workers.
  * @typedef {{op: "credit", writer: number, reader: number, records: number, bytes: number}
  *   | {op: "alive", writer: number, reader: number}} FromPeer
  */
 
-/** Whether an endpoint is one that messages or requests go out from. @param {Endpoint} endpoint */
+/** Whether an endpoint sends messages or requests. @param {Endpoint} endpoint */
 export function sends({ kind }) {
   return kind === "publisher" || kind === "client";
 }
 
 /**
- * The policy of which a sender offers less than a receiver asks for, or "". Of several, the one that ROS 2
- * names.
+ * Return the first policy that makes a sender and a receiver incompatible, in the order of ROS 2, or "".
  * @param {Endpoint} sender @param {Endpoint} receiver @returns {Policy | ""}
  */
 export function incompatibility({ type: sent, qos: offered }, { type: wanted, qos: requested }) {
@@ -195,30 +188,30 @@ export function incompatibility({ type: sent, qos: offered }, { type: wanted, qo
   return "";
 }
 
-/** The name that an endpoint of a worker has in the whole page. @param {number} worker @param {number} id */
-export function pageId(worker, id) {
+/** Return the gid of an endpoint, from its id in its worker. @param {number} worker @param {number} id */
+export function gidOf(worker, id) {
   return worker * 2 ** 32 + id;
 }
 
-/** Worker and id of an endpoint. @param {number} name */
-export function fromPageId(name) {
-  return { peer: Math.floor(name / 2 ** 32), id: name % 2 ** 32 };
+/** Return the worker of an endpoint, and its id there. @param {number} gid */
+export function splitGid(gid) {
+  return { peer: Math.floor(gid / 2 ** 32), id: gid % 2 ** 32 };
 }
 
 /**
- * Messages travel from worker to worker in frames: an ArrayBuffer of records, each a head and the
- * message's CDR bytes, padded to 8. All numbers are little-endian, as WebAssembly has them.
+ * Messages travel from worker to worker in frames. A frame is an ArrayBuffer of records; a record is a head and the
+ * message in CDR, padded to a multiple of 8 bytes. All numbers are little-endian, as in WebAssembly.
  *
- *   0  uint32   reader      id of the endpoint it is for, in the worker that receives
- *   4  uint32   writer      id of the endpoint it is from, in the worker that sends
- *   8  uint32   sequence    of this writer, from 1; a response has that of its request
+ *   0  uint32   reader      id of the receiving endpoint, in its worker
+ *   4  uint32   writer      id of the sending endpoint, in its worker
+ *   8  uint32   sequence    of this writer, from 1; in a response, of the request
  *   12 uint32   size        of the message in bytes
- *   16 float64  timestamp   when it was sent, ms since 1970
+ *   16 float64  timestamp   of sending, ms since 1970
  * @typedef {{reader: number, writer: number, sequence: number, timestamp: number}} Head
  */
 export const HEAD_SIZE = 24;
 
-/** Bytes that a record with a message of `size` bytes takes in a frame. @param {number} size */
+/** Return the size of a record, for a message of `size` bytes. @param {number} size */
 export function recordSize(size) {
   return HEAD_SIZE + ((size + 7) & ~7);
 }
@@ -237,8 +230,8 @@ export function writeHead(frame, offset, head, size) {
 }
 
 /**
- * Hand out the records of a frame in order; the messages are views on the frame. Returns how many bytes
- * at the end are no records: none, unless whoever made the frame was wrong.
+ * Call `deliver` for each record of a frame, in order, with a message that is a view of the frame. Return the number of
+ * bytes after the last valid record, 0 if the frame is valid.
  * @param {ArrayBuffer} frame @param {(head: Head, message: Uint8Array) => void} deliver
  */
 export function readRecords(frame, deliver) {
@@ -259,10 +252,10 @@ export function readRecords(frame, deliver) {
   return Math.max(0, frame.byteLength - at);
 }
 
-// Asking the browser once is enough, and half of the cost of a time stamp.
+// Read only once, because that is half of the cost of a time stamp.
 const ORIGIN = performance.timeOrigin;
 
-/** Milliseconds since 1970 with fractions, comparable between the workers of a page. */
+/** Return the time in ms since 1970, with fractions, comparable between the workers of a page. */
 export function now() {
   return ORIGIN + performance.now();
 }

@@ -1,6 +1,5 @@
 // @ts-check
-// The page: read page.json, make the nodes and their graph, mount the widgets, start what starts by
-// itself.
+// Start the page: read page.json, create the graph and the nodes, mount the widgets, run the nodes.
 
 import { Graph } from "./page/graph.js";
 import { isolate } from "./page/isolation.js";
@@ -14,10 +13,10 @@ import { mount as mountConsole } from "./widgets/console.js";
 
 /** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
-// The theme may have written there what is being read.
+// Read from the navigation, because the theme may have changed the address when the visitor scrolled.
 const opened = performance.getEntriesByType("navigation")[0]?.name ?? location.href;
 const fragment = new URL(opened).hash || location.hash;
-/** Resolves when all elements of the page are there: this file may be sooner. @type {Promise<void>} */
+/** Resolves when the page has all its elements; this module may run before that. @type {Promise<void>} */
 const parsed = new Promise((resolve) => {
   if (document.readyState === "loading") document.addEventListener("readystatechange", () => resolve(), { once: true });
   else resolve();
@@ -31,8 +30,8 @@ if (page.isolate) {
   await isolate(new URL(page.isolate, link.href).href);
 }
 
-// Nodes load while the widgets do. They run at once, and their lines wait for the consoles; but with panels,
-// which would miss the first messages, they run when those are there.
+// Nodes load at the same time as the widgets and run as soon as they can, because consoles show earlier lines, too. On
+// a page with panels, which would miss the first messages, they run after the widgets are mounted.
 let showTime = () => {};
 /** @type {Promise<void>} */
 const mounted = new Promise((resolve) => {
@@ -40,12 +39,12 @@ const mounted = new Promise((resolve) => {
 });
 const ready = page.types ? mounted : Promise.resolve();
 
-// A shared link says what ran and what panels showed.
+// Restore what ran and what panels showed, if the visitor came by a shared link.
 const sharing = new Sharing(page, fragment);
 
 const graph = new Graph();
 const groups = new WorkerGroups();
-// Most pages have these, so they come with this file.
+// Most pages show these widgets, so this module imports them statically.
 const widgets = new Widgets({ buttons: mountButtons, console: mountConsole });
 /** @type {Map<string, NodeProcess>} */
 const nodes = new Map();
@@ -54,10 +53,10 @@ for (const [name, entry] of Object.entries(page.nodes)) {
   if (sharing.starts(name)) node.start();
 }
 
-// Only pages with panels take part in the graph themselves; the others do not load what that needs.
+// Only pages with panels take part in the graph, and load the modules for that.
 const client = page.types && new (await import(place("page/pageClient.js"))).PageClient(graph, page.types);
 
-/** The page's ROS, for widgets and for scripts of the page. */
+/** The ROS API of the page; see Ros in protocol.js. */
 export const ros = {
   nodes,
   graph,
@@ -71,11 +70,11 @@ export const ros = {
   unmount: widgets.unmount.bind(widgets),
 };
 
-/** For a page that is edited while it is open: see sitegen/commands/serve/update.js. */
+/** For live updates of a page that is being edited; see sitegen/commands/serve/update.js. */
 export const editing = {
   add,
   mount: (/** @type {WidgetEntry} */ widget) => widgets.mount(widget, ros),
-  /** Take another page.json for what links carry. */
+  /** Use another page.json for shared links. */
   rename: sharing.rename.bind(sharing),
 };
 
@@ -86,7 +85,7 @@ await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
 showTime();
 sharing.tell();
 
-/** Make a node of the page, which does not run yet. @param {string} name @param {NodeEntry} entry */
+/** Add a node to the page, without starting it. @param {string} name @param {NodeEntry} entry */
 function add(name, entry) {
   const node = new NodeProcess(name, entry, link.href, graph, { ready, mounted }, groups);
   nodes.set(name, node);

@@ -1,16 +1,16 @@
 // @ts-check
-// Messages from CDR to plain objects and back, for those types that the page has a definition of.
+// Convert messages between CDR and plain objects, for types that the page has definitions of.
 
 import { MessageReader, MessageWriter } from "../vendor/cdr.js";
 import { fromWire, toWire, WIRE_TYPES, wireField } from "./text.js";
 
 /** @import { MessageType } from "../protocol.js" */
 
-// "geometry_msgs/msg/Point[<=5]", "string<=10[3]": the type, its bound, and the array's.
+// For example "geometry_msgs/msg/Point[<=5]" or "string<=10[3]": the type, its bound, and the bound of the array.
 const TYPE = /^([^[<]+)(?:<=(\d+))?(?:\[(<=)?(\d*)\])?$/;
 
 /**
- * A field's type, taken apart. `length` is of an array, null if it is none or has no fixed one.
+ * The type of a field, parsed. `length` is that of a fixed-size array, else null.
  * @typedef {{name: string, base: string, isArray: boolean, length: number | null}} Field
  */
 
@@ -39,7 +39,7 @@ export class Codec {
   }
 
   /**
-   * Fields that `message` lacks have zero values.
+   * Missing fields of `message` are zero.
    * @param {string} type @param {any} message @returns {Uint8Array}
    */
   write(type, message) {
@@ -63,11 +63,11 @@ export class Codec {
     return fields;
   }
 
-  /** What the serializer wants to know: the type and all that it nests, itself first. @param {string} root */
+  /** Return the definitions of a type and of all types nested in it, for the serializer. @param {string} root */
   #definitions(root) {
     const names = new Set([root]);
     const definitions = [];
-    for (const name of names) { // grows meanwhile
+    for (const name of names) { // the set grows during the loop
       const fields = this.#fieldsOf(name);
       for (const { base } of fields) if (isMessage(base)) names.add(base);
       definitions.push({ name, definitions: fields.map(definition) });
@@ -76,7 +76,7 @@ export class Codec {
   }
 
   /**
-   * A copy of `message` whose texts went through `convert`.
+   * Return a copy of `message` with all texts converted.
    * @param {string} type @param {any} message @param {(base: string, field: Field, value: any) => any} convert
    * @returns {any}
    */
@@ -111,7 +111,7 @@ function parse(name, type) {
   return { name, base, isArray, length: isArray && count && !upTo ? Number(count) : null };
 }
 
-/** A field as the serializer wants it. @param {Field} field */
+/** Return the definition of a field for the serializer. @param {Field} field */
 function definition(field) {
   const { name, base, isArray, length } = field;
   return wireField(field) ??

@@ -1,17 +1,17 @@
 // @ts-check
-// What a field of a message may hold: its type, as .msg files write it, and values as people type
-// them.
+// The types of message fields, as written in .msg files, and their values, as visitors type them.
 
 import { say } from "../ui/words.js";
 
 /**
  * @typedef {{base: string, capacity: number, array: "" | "fixed" | "bounded" | "unbounded",
- *   size: number}} FieldType `capacity` is of a string, `size` of an array; Infinity without bounds
+ *   size: number}} FieldType `capacity` is the bound of a string, `size` that of an array; Infinity if
+ *   unbounded
  */
 
 const TYPE = /^([^\s<[]+)(?:<=(\d+))?(\[(<=)?(\d*)\])?$/;
 
-/** The numbers, and the arrays that hold them. */
+/** The types of numbers, and of arrays of them. */
 const INTEGERS = {
   int8: Int8Array,
   uint8: Uint8Array,
@@ -24,7 +24,7 @@ const INTEGERS = {
 };
 const FLOATS = { float32: Float32Array, float64: Float64Array };
 
-/** Take a type apart: "string<=10[<=5]". @param {string} text @returns {FieldType} */
+/** Parse a type, for example "string<=10[<=5]". @param {string} text @returns {FieldType} */
 export function parseFieldType(text) {
   const [, base = text, capacity, array, bounded, size] = TYPE.exec(text) ?? [];
   return {
@@ -45,12 +45,12 @@ export function isFloat(base) {
   return base in FLOATS;
 }
 
-/** Whether a type is a message of its own. @param {string} base */
+/** Whether a type is a message. @param {string} base */
 export function isMessage(base) {
   return base.includes("/");
 }
 
-/** The smallest and the largest whole number of a type. @param {keyof typeof INTEGERS} base */
+/** Return the smallest and the largest value of a type. @param {keyof typeof INTEGERS} base */
 export function range(base) {
   const signed = base.startsWith("i");
   const bits = BigInt(INTEGERS[base].BYTES_PER_ELEMENT * 8) - (signed ? 1n : 0n);
@@ -58,7 +58,7 @@ export function range(base) {
 }
 
 /**
- * The value that `text` means. Throws an Error that says what is wrong with it.
+ * Parse a value. Throws an Error that says what is wrong with the text.
  * @param {string} text @param {FieldType} type
  */
 export function readScalar(text, { base, capacity }) {
@@ -71,7 +71,7 @@ export function readScalar(text, { base, capacity }) {
 }
 
 /**
- * The values of an array typed as "[1, 2, 3]"; the brackets may be missing.
+ * Parse an array such as "[1, 2, 3]"; the brackets are optional.
  * @param {string} text @param {FieldType} type
  */
 export function readList(text, type) {
@@ -87,7 +87,7 @@ export function readList(text, type) {
 }
 
 /**
- * The values of an array as a message holds them. Throws an Error where their number is wrong.
+ * Return values as an array of a message. Throws an Error if their number is wrong.
  * @param {unknown[]} values @param {FieldType} type
  */
 export function toArray(values, { base, array, size }) {
@@ -133,7 +133,7 @@ function readFlag(text) {
   return text.toLowerCase() === "true";
 }
 
-/** Cut at commas that are not in quotes. @param {string} text */
+/** Split at commas that are not in quotes. @param {string} text */
 function items(text) {
   /** @type {string[]} */
   const found = [];

@@ -1,5 +1,5 @@
 // @ts-check
-// Turn a message type into a form, and what was typed there into a message.
+// Turn a message type into a form, and the values typed there into a message.
 
 import { create, button } from "../ui/elements.js";
 import { isFloat, isInteger, isMessage, parseFieldType, range, readList, readScalar } from "./fieldType.js";
@@ -11,22 +11,21 @@ import { say } from "../ui/words.js";
 /**
  * @typedef {Record<string, MessageType>} Types
  * @typedef {{name: string, type: string, default?: any}} Field
- * @typedef {{name: string, value: any}} Choice a constant that a field may have as its value
- * @typedef {{text: string, control: HTMLElement}} Fault what is wrong, and where
+ * @typedef {{name: string, value: any}} Choice a constant that is a value of the field
+ * @typedef {{text: string, control: HTMLElement}} Fault an error, and the control that has it
  * @typedef {{element: HTMLElement, read(faults: Fault[]): any, typed(): any, fill(typed: any): boolean}} Part
- *   where `typed` is what differs from the beginning, undefined if nothing does, and `fill` takes it
+ *   `typed` returns the values that the visitor has changed, undefined if there are none; `fill` restores them
  */
 
-// A link that fills a form does not make it longer than this.
+// The largest number of list items that a link may add.
 const MOST = 100;
 
 let lastId = 0;
 
 /**
- * A form for messages of a type. `read` returns what was typed as a message, or null: then the faults
- * stand at their fields and the first of them has the keyboard. `typed` is what somebody typed, right or
- * not, as plain values; `fill` types it again, and returns whether all of it has a field. Throws an Error
- * where the page does not know a type.
+ * Create a form for messages of a type. `read` returns the message; if a value is invalid, it returns null, shows the
+ * errors at their fields and focuses the first. `typed` returns the values that the visitor has changed, valid or not,
+ * as JSON; `fill` restores them and returns whether all have a field. Throws an Error if the page does not know a type.
  * @param {string} type
  * @param {Types} types
  * @returns {{element: HTMLElement, read(): any, typed(): any, fill(typed: any): boolean}}
@@ -87,8 +86,8 @@ function fieldPart(field, owner, types) {
 }
 
 /**
- * The constants that are meant as values of a field: those of its type and, where some begin with its
- * name, only these.
+ * Return the constants that are values of a field: those of the same type and, if the names of some begin with the name
+ * of the field, only these.
  * @param {Field} field @param {MessageType} owner @returns {Choice[]}
  */
 function choicesFor(field, owner) {
@@ -97,12 +96,12 @@ function choicesFor(field, owner) {
   return named.length ? named : same;
 }
 
-/** byte and char are numbers too. @param {string} type */
+/** Return a type without bounds; byte and char are uint8. @param {string} type */
 function plainType(type) {
   return type === "byte" || type === "char" ? "uint8" : type.replace(/<=\d+/, "");
 }
 
-/** What an array's field holds at first. @param {Field} field @param {FieldType} type */
+/** Return the default value of an array, as text. @param {Field} field @param {FieldType} type */
 function listText(field, { base, array, size }) {
   const none = base === "bool" ? false : isInteger(base) || isFloat(base) ? 0 : "";
   /** @type {unknown[]} */
@@ -127,7 +126,7 @@ function inputPart(field, text, read) {
 }
 
 /**
- * A list of named values, and a field for others.
+ * A list of constants, and a field for other values.
  * @param {Field} field @param {string} text @param {Choice[]} choices
  * @param {(typed: string) => any} read @returns {Part}
  */
@@ -170,7 +169,7 @@ function flagPart(field) {
 }
 
 /**
- * A control with its label and what is wrong with it.
+ * A control with its label and its error.
  * @param {Field} field @param {HTMLElement} control @param {() => any} read
  * @param {() => string | undefined} typed @param {(text: string) => void} put @returns {Part}
  */
@@ -220,7 +219,10 @@ function nestedPart(title, type, base, types) {
   return { element: create("fieldset", "ros-nested", legend, inner), ...part };
 }
 
-/** Messages in an array, each added by a button. @param {Field} field @param {FieldType} type @param {Types} types @returns {Part} */
+/**
+ * An array of messages, with buttons to add and remove them.
+ * @param {Field} field @param {FieldType} type @param {Types} types @returns {Part}
+ */
 function listPart(field, type, types) {
   /** @type {Part[]} */
   const parts = [];
@@ -267,7 +269,8 @@ function listPart(field, type, types) {
     read: (faults) => parts.map((part) => part.read(faults)),
     typed() {
       const items = parts.map((part) => part.typed());
-      return parts.length === first && items.every((item) => item === undefined) ? undefined : items.map((item) => item ?? {});
+      const edited = parts.length !== first || items.some((item) => item !== undefined);
+      return edited ? items.map((item) => item ?? {}) : undefined;
     },
     fill(values) {
       if (!Array.isArray(values) || values.length > Math.min(type.size, MOST)) return false;

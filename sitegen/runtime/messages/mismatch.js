@@ -1,5 +1,5 @@
 // @ts-check
-// Say in words why two nodes on a topic do not hear each other.
+// Explain why two endpoints of a topic are incompatible.
 
 import { say } from "../ui/words.js";
 

@@ -1,23 +1,23 @@
 // @ts-check
-// Measure how often messages come and how much they are, over the last seconds.
+// Measure the frequency and the bandwidth of a topic over the last seconds.
 
 const WINDOW = 5000;
-// Of a fast topic fewer seconds tell as much.
+// The largest number of messages to measure: of a fast topic, fewer seconds are enough.
 const MOST = 2000;
 
 export class Rate {
   /** @type {{time: number, size: number}[]} */
   #messages = [];
 
-  /** @param {number} time when it was sent, ms @param {number} size bytes */
+  /** @param {number} time of sending, ms @param {number} size bytes */
   add(time, size) {
     this.#messages.push({ time, size });
-    // Cutting the front moves the rest, so it is not done for each message.
+    // Removing the first elements moves all others, so remove many at once.
     if (this.#messages.length > 2 * MOST) this.#messages = this.#messages.slice(-MOST);
   }
 
   /**
-   * Messages and bytes a second; 0 when none came lately.
+   * Return messages and bytes per second, 0 if there were none in the last seconds.
    * @param {number} now ms
    * @returns {{hertz: number, bytes: number}}
    */
@@ -29,7 +29,7 @@ export class Rate {
     if (!oldest || !newest || count < 2) return { hertz: 0, bytes: 0 };
     const span = newest.time - oldest.time;
     const period = span / (count - 1);
-    // A publisher that went silent slows down; until its next message is due it keeps its rate.
+    // The rate of a publisher falls when its next message is overdue, not before.
     const seconds = Math.max(span, now - oldest.time - 1.5 * period) / 1000;
     if (seconds <= 0) return { hertz: 0, bytes: 0 };
     const hertz = (count - 1) / seconds;

@@ -1,6 +1,6 @@
 // @ts-check
-// Texts on the wire. The serializer writes texts beyond ASCII wrongly and wide ones not at all, so it
-// gets them as what they are in CDR: sequences of bytes with a zero at the end, or of wide characters.
+// Encode texts for the serializer, which supports neither non-ASCII strings nor wide strings. It gets them as they are
+// in CDR: sequences of bytes that end with a zero, or sequences of wide characters.
 
 /** @import { Field } from "./codec.js" */
 
@@ -8,13 +8,13 @@ const TEXT = "text";
 const WIDE = "wide text";
 const UNITS = { string: "uint8", wstring: "uint32" };
 
-/** An array of texts is one of these. */
+/** The element types of arrays of texts. */
 export const WIRE_TYPES = [
   { name: TEXT, definitions: [{ name: "units", type: UNITS.string, isArray: true }] },
   { name: WIDE, definitions: [{ name: "units", type: UNITS.wstring, isArray: true }] },
 ];
 
-/** How a field of texts is defined for the serializer; null for other fields. @param {Field} field */
+/** Return the definition of a field of texts for the serializer; null for other fields. @param {Field} field */
 export function wireField({ name, base, isArray, length }) {
   if (base !== "string" && base !== "wstring") return null;
   if (!isArray) return { name, type: UNITS[base], isArray: true };
@@ -23,7 +23,7 @@ export function wireField({ name, base, isArray, length }) {
 }
 
 /**
- * A value for the serializer; texts that are not there are empty.
+ * Convert a value for the serializer; missing texts become empty.
  * @param {string} base @param {Field} field @param {any} value
  */
 export function toWire(base, { isArray, length }, value) {
@@ -34,7 +34,7 @@ export function toWire(base, { isArray, length }, value) {
   return all.map((/** @type {string} */ one) => ({ units: encode(one) }));
 }
 
-/** A value from the serializer. @param {string} base @param {Field} field @param {any} value */
+/** Convert a value from the serializer. @param {string} base @param {Field} field @param {any} value */
 export function fromWire(base, field, value) {
   const decode = DECODERS[base];
   if (!decode) return value;

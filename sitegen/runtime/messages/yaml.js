@@ -5,22 +5,23 @@ import { isFloat, isMessage, parseFieldType } from "./fieldType.js";
 
 /** @import { MessageType } from "../protocol.js" */
 
-/** Longer arrays and strings are cut there by `ros2 topic echo`. */
+/** `ros2 topic echo` truncates longer arrays and strings. */
 const LIMIT = 128;
 
 /**
- * A message as YAML, without a line end; arrays and strings longer than `limit` end with "...".
+ * Return a message as YAML, without a line end. Arrays and strings longer than `limit` are truncated and end with
+ * "...".
  * @param {any} message
  * @param {string} type
  * @param {Record<string, MessageType>} types
  * @param {number} [limit]
- * @param {(text: string) => string} [quote] how a text is written
+ * @param {(text: string) => string} [quote] formats a text
  */
 export function toYaml(message, type, types, limit = LIMIT, quote = quoteText) {
   return lines(message, type, types, limit, quote).join("\n");
 }
 
-/** Whether a text needs no quotes. @param {string} text */
+/** Whether a text needs no quotes in YAML. @param {string} text */
 export function isPlain(text) {
   return quoteText(text) === text;
 }
@@ -49,7 +50,7 @@ function lines(message, name, types, limit, quote) {
     const items = shown.map(([first, ...rest]) => [`- ${first}`, ...rest.map(indent)]);
     return [`${field.name}:`, ...items.flat()];
   });
-  // A text of several lines is indented with the rest.
+  // Split texts of several lines, so that they are indented, too.
   return found.length ? found.flatMap((line) => line.split("\n")) : ["{}"];
 }
 
@@ -65,7 +66,7 @@ function scalar(value, base, limit, quote) {
   return quote(value.length > limit ? `${value.slice(0, limit)}...` : value);
 }
 
-/** As Python writes it, which has an exponent sooner than JavaScript. @param {number} value */
+/** Format a number as Python does, which uses exponents sooner than JavaScript. @param {number} value */
 function float(value) {
   if (Number.isNaN(value)) return ".nan";
   if (!Number.isFinite(value)) return value < 0 ? "-.inf" : ".inf";
@@ -77,7 +78,7 @@ function float(value) {
   return `${digits.includes(".") ? digits : `${digits}.0`}e${sign}${String(Math.abs(power)).padStart(2, "0")}`;
 }
 
-// What would be read back as something else than text: YAML 1.1, as PyYAML has it.
+// Texts that YAML 1.1, as in PyYAML, would read as other types.
 const OTHER = new RegExp(
   [
     /yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF/,
@@ -98,7 +99,7 @@ const SHORT = {
   "\x1b": "e", '"': '"', "\\": "\\", "\x85": "N", "\u2028": "L", "\u2029": "P",
 };
 
-/** Plain where that is safe, else in quotes. @param {string} text */
+/** Format a text: plain if that is safe, else in quotes. @param {string} text */
 function quoteText(text) {
   const breaks = /[\n\x85\u2028\u2029]/;
   if (SPECIAL.test(text) || / [\n\x85\u2028\u2029]|[\n\x85\u2028\u2029] /.test(text)) {

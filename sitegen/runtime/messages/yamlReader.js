@@ -1,21 +1,21 @@
 // @ts-check
-// Turn YAML into messages. What a scalar means, the message's type says: its text is enough.
+// Turn YAML into messages. The message type, not YAML, determines the types of scalars.
 
 import { FAILSAFE_SCHEMA, load } from "../vendor/yaml.js";
 import { isMessage, parseFieldType, readScalar, toArray } from "./fieldType.js";
 
 /** @import { MessageType } from "../protocol.js" */
 
-// What rosidl gives a message without fields, because C has no empty structures.
+// The field that rosidl adds to messages without fields, because C has no empty structures.
 const FILLER = "structure_needs_at_least_one_member";
 
 /**
- * The message that `text` means. Fields may be missing. Throws an Error that says what does not fit.
+ * Parse a message, whose fields may be missing. Throws an Error that says what is wrong.
  * @param {string} text @param {string} type @param {Record<string, MessageType>} types
  * @returns {any}
  */
 export function fromYaml(text, type, types) {
-  // Of a message without fields nothing may be left to write.
+  // A message without fields may be written as an empty text.
   const blank = !text.trim() && types[type]?.fields.length === 0;
   return readMessage(blank ? {} : parse(text), type, types);
 }
@@ -62,7 +62,7 @@ function readField(value, text, types) {
     return readScalar(one, type);
   };
   if (!type.array) return read(value);
-  // yaml-cpp writes an empty list so, too.
+  // yaml-cpp may write empty lists like this.
   if (value === "" || value === "~") return toArray([], type);
   if (!Array.isArray(value)) throw new Error(`expected a list, not ${describe(value)}`);
   return toArray(value.map(read), type);

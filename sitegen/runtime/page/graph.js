@@ -1,7 +1,6 @@
 // @ts-check
-// The ROS graph of the page: who publishes, subscribes, serves and calls what, and who is
-// linked to whom.
-// Messages do not pass here: they go from worker to worker by the ports that the graph hands out.
+// The ROS graph of the page: all endpoints, which of them match, and which workers are linked. Messages do not pass
+// through here; they travel through the ports that the graph gives to workers.
 
 import { incompatibility, KINDS, sends } from "../protocol.js";
 
@@ -12,10 +11,10 @@ import { incompatibility, KINDS, sends } from "../protocol.js";
  * @typedef {(text: string) => void} Complain
  * @typedef {{id: number, program: string, post: Post, complain: Complain,
  *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>,
- *   looking: boolean}} Participant a worker, or the page; one that is looking is told of all the others
+ *   looking: boolean}} Participant a worker, or the page; `looking` if it is told of the others' endpoints
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
- * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel what goes by one name: of a topic the
- *   publishers and the subscriptions, of a service the clients and the servers
+ * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel a topic with its publishers and
+ *   subscriptions, or a service with its clients and servers
  */
 
 /** Emits `change` after changes. */
@@ -30,9 +29,9 @@ export class Graph extends EventTarget {
   #changing = false;
 
   /**
-   * Let a worker take part and return its id.
-   * @param {Post} post to the worker @param {string} program that it runs, empty for the page itself
-   * @param {Complain} complain called with what is wrong with the worker's part
+   * Add a worker and return its id.
+   * @param {Post} post to the worker @param {string} program the name of its node, empty for the page itself
+   * @param {Complain} complain called with errors of the worker
    */
   join(post, program, complain) {
     const id = this.#nextId++;
@@ -42,7 +41,10 @@ export class Graph extends EventTarget {
     return id;
   }
 
-  /** Take what a worker says that concerns the graph. @param {number} id of the worker @param {FromWorker} message */
+  /**
+   * Handle a message of a worker that concerns the graph.
+   * @param {number} id of the worker @param {FromWorker} message
+   */
   receive(id, message) {
     switch (message.op) {
       case "create":
@@ -55,7 +57,7 @@ export class Graph extends EventTarget {
         this.#miss(id, message.id, message.count);
         break;
       case "complain":
-        // What a worker says about another, which sent it nonsense.
+        // A worker complains about another one, which sent invalid data.
         this.#participants.get(message.peer)?.complain(message.text);
         break;
       case "look":
@@ -67,7 +69,7 @@ export class Graph extends EventTarget {
     }
   }
 
-  /** Forget a worker that ended, and all that it had. @param {number} id */
+  /** Remove a worker that has ended, with all its endpoints. @param {number} id */
   leave(id) {
     const gone = this.#participants.get(id);
     if (!gone) return;
@@ -120,7 +122,10 @@ export class Graph extends EventTarget {
     this.#changed();
   }
 
-  /** How many messages the subscription did not get. @param {number} id of the worker @param {number} endpoint @param {number} count */
+  /**
+   * Note how many messages a subscription has missed.
+   * @param {number} id of the worker @param {number} endpoint @param {number} count
+   */
   #miss(id, endpoint, count) {
     const owner = this.#participants.get(id);
     if (!owner?.endpoints.has(endpoint)) return;
@@ -128,7 +133,7 @@ export class Graph extends EventTarget {
     this.#changed();
   }
 
-  /** Tell a worker who is there, and from now on of who comes and goes. @param {number} id */
+  /** Tell a worker all endpoints of the others, and from now on their changes. @param {number} id */
   #look(id) {
     const owner = this.#participants.get(id);
     if (!owner || owner.looking) return;
@@ -139,7 +144,7 @@ export class Graph extends EventTarget {
     owner.post({ op: "graph", come, gone: [] });
   }
 
-  /** Everything that takes part, in the order of its coming. */
+  /** All endpoints, in the order of their creation. */
   endpoints() {
     return [...this.#participants.values()].flatMap(({ program, endpoints, missed }) =>
       [...endpoints.values()].map((endpoint) => ({
@@ -148,12 +153,12 @@ export class Graph extends EventTarget {
     );
   }
 
-  /** Fully qualified names of the nodes, sorted. */
+  /** The fully qualified names of all nodes, sorted. */
   nodes() {
     return this.endpoints().filter((e) => e.kind === "node").map((e) => e.node).sort();
   }
 
-  /** The topics by name, with their types and the nodes at both sides. */
+  /** All topics, sorted by name, with their types and nodes. */
   topics() {
     return [...this.#topics].sort(byName).map(([name, channel]) => ({
       name,
@@ -165,7 +170,7 @@ export class Graph extends EventTarget {
     }));
   }
 
-  /** The services by name, with their types and the nodes at both sides. */
+  /** All services, sorted by name, with their types and nodes. */
   services() {
     return [...this.#services].sort(byName).map(([name, channel]) => ({
       name,
@@ -180,7 +185,7 @@ export class Graph extends EventTarget {
     return kind === "service" || kind === "client" ? this.#services : this.#topics;
   }
 
-  /** The side of its channel that `endpoint` is on, and the other. @param {Endpoint} endpoint */
+  /** Return the side of the channel that `endpoint` is on, and the other side. @param {Endpoint} endpoint */
   #sides(endpoint) {
     const channels = this.#channels(endpoint);
     let channel = channels.get(endpoint.name);
@@ -194,8 +199,8 @@ export class Graph extends EventTarget {
   }
 
   /**
-   * Match both sides of a channel, in either order, if they suit each other; those of one worker find
-   * each other there.
+   * Match two endpoints, one from each side of a channel, if they are compatible. Endpoints of one worker find each
+   * other there.
    * @param {Member} a @param {Member} b
    */
   #meet(a, b) {
@@ -232,7 +237,7 @@ export class Graph extends EventTarget {
     b.post({ op: "link", peer: a.id, port: port2 }, [port2]);
   }
 
-  /** Tell those that look of a change at `owner`. @param {Participant} owner @param {ToWorker} change */
+  /** Tell a change of `owner` to all others that are looking. @param {Participant} owner @param {ToWorker} change */
   #tell(owner, change) {
     for (const other of this.#participants.values()) {
       if (other.looking && other !== owner) other.post(change);
@@ -242,7 +247,7 @@ export class Graph extends EventTarget {
   #changed() {
     if (this.#changing) return;
     this.#changing = true;
-    // Together: a node that starts announces a dozen endpoints in one go.
+    // One event for many changes: a node that starts announces a dozen endpoints.
     setTimeout(() => {
       this.#changing = false;
       this.dispatchEvent(new Event("change"));
@@ -250,7 +255,7 @@ export class Graph extends EventTarget {
   }
 }
 
-/** The sender first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
+/** Return the endpoints, the sender first. @param {Member} a @param {Member} b @returns {[Endpoint, Endpoint]} */
 function inOrder(a, b) {
   return sends(a.endpoint) ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
 }
@@ -275,7 +280,7 @@ function bothWays(a, b) {
   return [[a, b], [b, a]];
 }
 
-/** Who on a topic does not hear whom, and why. @param {Channel} channel @returns {Mismatch[]} */
+/** Return the incompatible pairs of a topic. @param {Channel} channel @returns {Mismatch[]} */
 function mismatches({ senders, receivers }) {
   return [...senders].flatMap(({ endpoint: from }) =>
     [...receivers].flatMap(({ endpoint: to }) => {
@@ -285,10 +290,7 @@ function mismatches({ senders, receivers }) {
   );
 }
 
-/**
- * What a subscription missed; one of the page itself has nothing to miss, it only looks.
- * @param {Member} member
- */
+/** The number of messages that a subscription missed, 0 for the page's own. @param {Member} member */
 function missed({ owner, endpoint }) {
   return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
 }
@@ -298,7 +300,7 @@ function sum(numbers) {
   return numbers.reduce((total, number) => total + number, 0);
 }
 
-/** Whether it is one; a worker may run anybody's program. @param {any} endpoint */
+/** Whether `endpoint` is valid, which is checked because a worker may run any program. @param {any} endpoint */
 function isEndpoint(endpoint) {
   const { id, kind, node, name, type, qos } = endpoint ?? {};
   return Number.isSafeInteger(id) && id > 0 && id < 2 ** 32 && KINDS.includes(kind) &&

@@ -1,18 +1,18 @@
 // @ts-check
-// Isolation: a page whose files come with two more headers may share memory with its workers. Where the server
-// cannot send them the site's service worker adds them, so the first visit to a site loads its page twice.
+// Cross-origin isolation, which shared memory requires. It depends on two HTTP headers. If the server does not send
+// them, the site's service worker adds them, and the page is loaded a second time on the first visit.
 
 import { create } from "../ui/elements.js";
 import { say } from "../ui/words.js";
 
-// In the storage of the tab while a page loads for the second time: before the address of the service worker.
+// The key in sessionStorage, followed by the address of the service worker, while a page is loaded a second time.
 const AGAIN = "sitegen:isolated:";
 
 let wanted = false;
-/** Why there is no isolation, for the console of who would need it. */
+/** Why the page is not isolated, for the consoles of nodes that need it. */
 let reason = "";
 
-/** Why Python cannot stand still here, as the end of a sentence; empty if the site does not ask for isolation. */
+/** Return why Python cannot wait here, as the end of a sentence; empty if the site does not request isolation. */
 export function obstacle() {
   if (!wanted) return "";
   if (globalThis.crossOriginIsolated) return "; it does not support shared memory either";
@@ -20,7 +20,7 @@ export function obstacle() {
 }
 
 /**
- * Isolate the page; this does not return when it is loaded once more for that.
+ * Isolate the page. If that reloads the page, this function does not return.
  * @param {string} script the service worker of the site
  */
 export async function isolate(script) {
@@ -45,14 +45,14 @@ export async function isolate(script) {
   }
 }
 
-/** What stands in the way, empty if nothing does. @param {string} script */
+/** Return why the page cannot be isolated, or "". @param {string} script */
 function hindrance(script) {
   if (window !== top) return "this page is embedded in another page; open it in its own tab";
   if (!isSecureContext) return "this page was not loaded over https://; open its https:// address";
   if (!("serviceWorker" in navigator)) return "this browser does not allow service workers here; try a window that is not private";
   try {
     if (sessionStorage.getItem(AGAIN + script)) {
-      keep(script, false); // whoever reloads by hand may try again
+      keep(script, false); // so that a manual reload tries again
       return "reloading did not isolate this page; close its other tabs and reload it";
     }
   } catch {
@@ -61,17 +61,17 @@ function hindrance(script) {
   return "";
 }
 
-/** @param {string} script @param {boolean} loading whether the page loads for the second time */
+/** @param {string} script @param {boolean} loading whether the page is about to be loaded a second time */
 function keep(script, loading) {
   try {
     if (loading) sessionStorage.setItem(AGAIN + script, "1");
     else sessionStorage.removeItem(AGAIN + script);
   } catch {
-    // Then it was isolated by its server.
+    // Without storage, only the server can have isolated the page.
   }
 }
 
-/** Resolve when a service worker stands between the server and the pages to come. @param {ServiceWorkerRegistration} registration */
+/** Resolve when the service worker is active. @param {ServiceWorkerRegistration} registration */
 function activated({ active, waiting, installing }) {
   const worker = active ?? waiting ?? installing;
   return /** @type {Promise<void>} */ (new Promise((resolve, reject) => {

@@ -1,5 +1,5 @@
 // @ts-check
-// A node of the page and the worker that runs it, from Start to Stop and again.
+// A node of the page, and the worker that runs it between Start and Stop.
 
 import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
 import { obstacle } from "./isolation.js";
@@ -10,13 +10,13 @@ import { startWorker } from "./workerGroup.js";
 /** @import { Graph } from "./graph.js" */
 /** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
-// A node that Stop did not end after this time (ms) is terminated.
+// A program that has not ended this time (ms) after Stop is terminated.
 const GRACE = 1000;
-// A program that ended leaves its worker for this time (ms): what is terminated in Firefox takes along
-// what it had posted last.
+// The worker of a program that has ended is terminated after this time (ms), because in Firefox the last messages of a
+// terminated worker are lost.
 const LINGER = 250;
 
-/** The engine for which this browser takes a compiled node. @returns {Engine} */
+/** Return the engine that this browser supports. @returns {Engine} */
 function engineOfBrowser() {
   return "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
 }
@@ -32,12 +32,15 @@ export class NodeProcess extends EventTarget {
   /** @type {Promise<WebAssembly.Module> | undefined} */
   #module;
   #groups;
-  /** The worker that runs now, and its id in the graph. @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined} */
+  /**
+   * The present worker, and its id in the graph.
+   * @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined}
+   */
   #run;
   #startAgain = false;
-  /** What it told before a widget could hear it. @type {Event[] | undefined} */
+  /** Events to dispatch once the widgets are mounted. @type {Event[] | undefined} */
   #early = [];
-  /** What a visitor made of files of a Python node, by their places. @type {Record<string, string>} */
+  /** The files of a Python node that the visitor has changed, by path. @type {Record<string, string>} */
   #edits = {};
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #grace;
@@ -45,19 +48,19 @@ export class NodeProcess extends EventTarget {
   /**
    * @param {string} name
    * @param {NodeEntry} entry
-   * @param {string} base where the paths of the entry begin
+   * @param {string} base the address that the paths of the entry are relative to
    * @param {Graph} graph
-   * @param {{ready: Promise<void>, mounted: Promise<void>}} times when programs may run, and when the page's widgets are there
-   * @param {WorkerGroups} groups the workers that nodes share
+   * @param {{ready: Promise<void>, mounted: Promise<void>}} times when programs may run, and when widgets are mounted
+   * @param {WorkerGroups} groups workers that several nodes share
    */
   constructor(name, entry, base, graph, { ready, mounted }, groups) {
     super();
     this.name = name;
-    /** When its state began, in ms since 1970. */
+    /** The time of the last change of state, in ms since 1970. */
     this.since = Date.now();
-    /** Of its WebAssembly, in bytes; 0 while it is not known. */
+    /** The size of its WebAssembly memory in bytes; 0 if unknown. */
     this.memory = 0;
-    /** How it reads what is typed, when it does. @type {Keyboard | undefined} */
+    /** How it reads its standard input; undefined if it does not. @type {Keyboard | undefined} */
     this.keyboard = undefined;
     this.#entry = entry;
     this.#base = base;
@@ -80,7 +83,7 @@ export class NodeProcess extends EventTarget {
     return this.#entry.executable;
   }
 
-  /** Start it; one that is just stopping starts again as soon as it has stopped. */
+  /** Start the program, or start it again as soon as it has stopped. */
   start() {
     if (this.#state === "stopping") this.#startAgain = true;
     if (this.#run) return;
@@ -125,31 +128,34 @@ export class NodeProcess extends EventTarget {
     // Programs share an interpreter as stacks of it, which JSPI sets aside.
     const group = engine === "jspi" ? entry.group : undefined;
     this.#launch("python/pythonNode", async (id, _, byte) => {
-      await this.#mounted; // an editor may bring what its visitor changed
+      await this.#mounted; // an editor may restore the visitor's changes
       return { op: "interpret", id, name, program, arguments: args, edits: this.#edits, byte };
     }, group);
   }
 
-  /** Report that this browser cannot run the node. @param {string} who needs it, and what to do */
+  /** Report that this browser cannot run the node. @param {string} who the end of the sentence */
   #lack(who) {
     const lack = "this browser does not support JavaScript Promise Integration, which";
     this.#print("fatal", `${this.name}: ${lack} ${who}`);
     this.#setState("failed");
   }
 
-  /** Run with another text of a file from the next start on. @param {string} place @param {string | undefined} text */
+  /**
+   * Replace the text of a file from the next start on; undefined restores it.
+   * @param {string} place @param {string | undefined} text
+   */
   edit(place, text) {
     const { [place]: _, ...others } = this.#edits;
     this.#edits = text === undefined ? others : { ...others, [place]: text };
   }
 
-  /** Start it anew, whatever it does. */
+  /** Stop the program if it runs, then start it. */
   restart() {
     this.stop();
     this.start();
   }
 
-  /** Hand it what was typed. @param {Typed} typed */
+  /** Send input to the program. @param {Typed} typed */
   type(typed) {
     if (!this.#run) return;
     const shown = typed.op === "line" || (typed.op === "keys" && typed.text && this.keyboard === "lines");
@@ -157,14 +163,14 @@ export class NodeProcess extends EventTarget {
     this.#post(this.#run.worker, typed);
   }
 
-  /** End what the program does now, as Ctrl-C does; it may go on with something else. */
+  /** Send Ctrl-C to the program. */
   interrupt() {
     if (!this.#run) return;
     this.#post(this.#run.worker, { op: "stop" });
     interrupt(this.#run.byte);
   }
 
-  /** Ask it to end, as Ctrl-C does; it is terminated if it does not. */
+  /** Send Ctrl-C to the program, and terminate it if it does not end. */
   stop() {
     this.#startAgain = false;
     if (this.#state === "starting") {
@@ -179,7 +185,7 @@ export class NodeProcess extends EventTarget {
     }
   }
 
-  /** Run another program from now on; where the old one runs, the new one starts. @param {NodeEntry} entry */
+  /** Replace the program, and restart it if it runs. @param {NodeEntry} entry */
   replace(entry) {
     const running = this.#state === "starting" || this.#state === "running";
     this.#entry = entry;
@@ -193,7 +199,7 @@ export class NodeProcess extends EventTarget {
   }
 
   /**
-   * Start a worker and, when programs may run, send it what `prepare` makes.
+   * Start a worker and, when programs may run, send it the message that `prepare` returns.
    * @param {string} file of the worker
    * @param {(id: number, worker: Worker | Member, byte?: Uint8Array) => Promise<ToWorker>} prepare
    * @param {string} [group] of nodes that share the worker
@@ -215,7 +221,7 @@ export class NodeProcess extends EventTarget {
     };
     try {
       const [message] = await Promise.all([prepare(id, worker, byte), this.#ready]);
-      if (this.#run === run) this.#post(worker, message); // else it was stopped meanwhile
+      if (this.#run === run) this.#post(worker, message); // else it was stopped in the meantime
     } catch (error) {
       this.#module = undefined;
       if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));
@@ -269,7 +275,7 @@ export class NodeProcess extends EventTarget {
     this.#end("failed");
   }
 
-  /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] its program came to its end */
+  /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] the program ended */
   #end(state, how = "early") {
     clearTimeout(this.#grace);
     const run = this.#run;
@@ -302,7 +308,7 @@ export class NodeProcess extends EventTarget {
     this.#tell(new CustomEvent("lines", { detail: lines }));
   }
 
-  /** Tell widgets, which may not be there yet. @param {Event} event */
+  /** Dispatch an event when the widgets are mounted. @param {Event} event */
   #tell(event) {
     if (this.#early) this.#early.push(event);
     else this.dispatchEvent(event);
@@ -326,17 +332,17 @@ export class NodeProcess extends EventTarget {
   }
 }
 
-/** End a worker, but that of a group only for the node it has. @param {Worker | Member} worker */
+/** End a worker; that of a group goes on for its other nodes. @param {Worker | Member} worker */
 function dismiss(worker) {
   if (worker instanceof Worker) worker.terminate();
   else worker.leave();
 }
 
-/** Fetch and compile a program while its worker starts. @param {string} url */
+/** Fetch and compile a program. @param {string} url */
 async function compile(url) {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
-  // Some servers do not know the type of WebAssembly files; those are compiled after the download.
+  // Servers that do not know the media type of WebAssembly prevent compiling during the download.
   if (response.headers.get("content-type")?.startsWith("application/wasm")) {
     return WebAssembly.compileStreaming(response);
   }

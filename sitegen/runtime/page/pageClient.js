@@ -1,5 +1,5 @@
 // @ts-check
-// The page's own part in the graph: topics and services as JavaScript functions and objects.
+// The page's own node in the graph: topics and services as JavaScript functions and objects.
 
 import { PAGE_NODE } from "../graphNames.js";
 import { Codec } from "../messages/codec.js";
@@ -10,8 +10,7 @@ import { say } from "../ui/words.js";
 /** @import { Graph } from "./graph.js" */
 /** @import { MessageInfo, MessageType, Publisher, Qos } from "../protocol.js" */
 
-// Hidden, as the tools of ROS hide the nodes that they look with.
-// A panel that is slower than what it shows has seen enough.
+// Panels that are too slow for a topic may miss messages.
 const BEST_EFFORT = { ...DEFAULT_QOS, reliable: false };
 
 export class PageClient {
@@ -32,7 +31,7 @@ export class PageClient {
   }
 
   /**
-   * Call back with each message of a topic, as an object. Returns a function that ends it.
+   * Call `callback` with each message of a topic, as an object. Return a function that ends the subscription.
    * @param {string} topic @param {string} type
    * @param {(message: any, info: MessageInfo) => void} callback @param {Partial<Qos>} [qos]
    */
@@ -44,7 +43,7 @@ export class PageClient {
   }
 
   /**
-   * The same with the messages' bytes; for types of which the page has no definition too.
+   * Do the same with the bytes of the messages, which needs no definition of their type.
    * @param {string} topic @param {string} type
    * @param {(message: Uint8Array, info: MessageInfo) => void} callback @param {Partial<Qos>} [qos]
    */
@@ -69,8 +68,7 @@ export class PageClient {
   }
 
   /**
-   * Call a service and resolve with its response. Rejects when no server is there, and when none
-   * answered within `timeout` ms.
+   * Call a service and resolve with the response. Reject if there is no server, or no response within `timeout` ms.
    * @param {string} service @param {string} type @param {any} request @param {number} [timeout]
    * @returns {Promise<any>}
    */
@@ -118,7 +116,7 @@ export class PageClient {
     };
   }
 
-  /** Hand out what arrives, as long as somebody wants to know. */
+  /** Call the handlers of messages that arrive, as long as there are any. */
   async #pump() {
     if (this.#pumping) return;
     this.#pumping = true;

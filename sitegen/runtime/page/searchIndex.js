@@ -1,14 +1,14 @@
-// The index of a site, which sitegen wrote in MiniSearch's own form: pages/search.py is its other half.
+// The search index of a site, which pages/search.py writes in the format of MiniSearch.
 
 import { MiniSearch } from "../vendor/minisearch.js";
 
 /** @typedef {{ href: string, title: string, heading?: string, excerpt: string }} Found */
 
-// The same words as pages/search.py finds.
+// As in pages/search.py.
 const WORD = /[\p{L}\p{N}]+/gu;
 
 /**
- * Return what was typed as the words of the index.
+ * Split a text into words as they are in the index.
  *
  * @param {string} text
  */
@@ -17,8 +17,8 @@ function words(text) {
 }
 
 /**
- * Load an index. Its `search` returns the best first: all words have to be there, the last one
- * may be unfinished, and a longer one may have a letter wrong.
+ * Load an index. Its `search` returns the best results first. All words must occur; the last one may be incomplete, and
+ * longer ones may be misspelled by a letter.
  *
  * @param {URL} url
  */

@@ -1,6 +1,6 @@
 // @ts-check
-// What a shared link carries of a page: which nodes run, what panels show, which tabs are chosen, what is being
-// read. It is the fragment of the page's address, so no server hears of it; docs/protocol.md describes it.
+// Shared links restore the state of a page: running nodes, panels, tabs and the reading position. The state is the
+// fragment of the address, which is not sent to the server; docs/protocol.md describes its format.
 
 import { button, create } from "../ui/elements.js";
 import { say } from "../ui/words.js";
@@ -9,14 +9,14 @@ import { say } from "../ui/words.js";
 
 const VERSION = 1;
 const SIGN = "#share=";
-// A link is made by anybody: no more of it is read than a page would write.
+// The length of the longest link. Longer ones are ignored, because anyone can write a link.
 const LONGEST = 32_768;
 
 export class Sharing {
   #page;
-  /** The widgets by their places in the page, as links name them: "topics-1". @type {Map<string, string>} */
+  /** The names of widgets in links, such as "topics-1", by element. @type {Map<string, string>} */
   #names = new Map();
-  /** What widgets show, by the ids of their elements. @type {Map<string, () => Shared>} */
+  /** Functions that return the state of widgets, by the id of the element. @type {Map<string, () => Shared>} */
   #readers = new Map();
   /** @type {{run?: string[], show: Record<string, Shared>, tabs: string[], at: string}} */
   #given = { show: {}, tabs: [], at: "" };
@@ -29,21 +29,21 @@ export class Sharing {
     if (fragment.startsWith(SIGN)) this.#read(fragment.slice(SIGN.length));
   }
 
-  /** Choose the tabs and go to the heading of the link. */
+  /** Select the tabs and go to the heading of the link. */
   restore() {
     for (const id of this.#given.tabs) {
       const tab = document.getElementById(id);
       if (tab instanceof HTMLInputElement && tab.type === "radio") tab.checked = true;
       else this.#odd = true;
     }
-    // From here on the address is as if it had been reached by reading: a heading, or a slide.
+    // Restore the fragment that the address had: a heading, or a slide.
     if (this.#given.at) location.replace(`#${this.#given.at}`);
     addEventListener("hashchange", () => {
       if (location.hash.startsWith(SIGN)) location.reload();
     });
   }
 
-  /** Name the widgets as links do, which are those of `page` now. @param {PageEntry} page */
+  /** Name the widgets as links do, after `page` has changed. @param {PageEntry} page */
   rename(page) {
     this.#page = page;
     this.#names.clear();
@@ -58,7 +58,7 @@ export class Sharing {
     }
   }
 
-  /** Whether a node runs when the page opens: as the link says, where a visitor could have chosen. @param {string} name */
+  /** Whether a node starts with the page. Only a node with buttons obeys the link. @param {string} name */
   starts(name) {
     const entry = this.#page.nodes[name];
     const chosen = this.#page.widgets.some(({ kind, target }) => kind === "buttons" && target === name);
@@ -67,7 +67,7 @@ export class Sharing {
   }
 
   /**
-   * Let links carry what a widget shows: see Ros in protocol.js.
+   * Make the state of a widget part of links; see Ros in protocol.js.
    * @param {{id: string}} element @param {Record<string, "string" | "boolean" | "object">} shape
    * @param {() => Shared} read @param {(state: Shared, odd: () => void) => void} restore
    */
@@ -86,7 +86,10 @@ export class Sharing {
     });
   }
 
-  /** The fragment of a link to the page as it is now; of very much, what runs. @param {Iterable<NodeHandle>} nodes */
+  /**
+   * Return the fragment of a link to the present state. If it is too long, keep only the nodes.
+   * @param {Iterable<NodeHandle>} nodes
+   */
   fragment(nodes) {
     const run = [...nodes].filter(({ state }) => state === "starting" || state === "running");
     /** @type {Record<string, Shared>} */
@@ -107,7 +110,7 @@ export class Sharing {
     return whole.length <= LONGEST ? whole : `${SIGN}${VERSION}.${encode(JSON.stringify({ run: state.run }))}`;
   }
 
-  /** Say, once, that not all of the link had a meaning here. */
+  /** Tell the visitor, once, that parts of the link were ignored. */
   tell() {
     if (!this.#odd && !Object.keys(this.#given.show).length) return;
     if (document.querySelector(".ros-word")) return;
@@ -119,7 +122,7 @@ export class Sharing {
     document.body.append(word);
   }
 
-  /** @param {string} text what follows the sign */
+  /** @param {string} text what follows SIGN */
   #read(text) {
     const [version, data = ""] = text.split(".");
     try {
@@ -151,7 +154,7 @@ function isList(value) {
   return Array.isArray(value) && value.every((item) => typeof item === "string");
 }
 
-/** base64url of the text as UTF-8. @param {string} text */
+/** Encode a text as base64url. @param {string} text */
 function encode(text) {
   const bytes = Array.from(new TextEncoder().encode(text), (byte) => String.fromCharCode(byte));
   return btoa(bytes.join("")).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");

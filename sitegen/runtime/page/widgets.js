@@ -1,5 +1,5 @@
 // @ts-check
-// The widgets of a page, from the moment that they are mounted until they are removed.
+// Mount and unmount the widgets of a page.
 
 import { place } from "../place.js";
 
@@ -7,20 +7,23 @@ import { place } from "../place.js";
 /** @typedef {(element: any, ros: any, options: any) => () => void} Mount */
 
 export class Widgets {
-  /** How to remove each widget, by the id of its element. @type {Map<string, () => void>} */
+  /** The unmount functions, by the id of the element. @type {Map<string, () => void>} */
   #unmounts = new Map();
   #known;
 
-  /** @param {Record<string, Mount>} known those that need not be loaded, by kind */
+  /** @param {Record<string, Mount>} known the widgets that are loaded already, by kind */
   constructor(known) {
     this.#known = known;
     addEventListener("pagehide", ({ persisted }) => {
-      // A page in the back/forward cache may be shown again, with its widgets.
+      // A page in the back/forward cache may be shown again and keeps its widgets.
       if (!persisted) this.unmount();
     });
   }
 
-  /** Mount a widget, in place of the one that its element holds. @param {WidgetEntry} widget @param {object} ros */
+  /**
+   * Mount a widget in its element, and unmount the widget that was there.
+   * @param {WidgetEntry} widget @param {object} ros
+   */
   async mount({ kind, element, target, options }, ros) {
     /** @type {Mount} */
     const mount = this.#known[kind] ?? (await import(place(`widgets/${kind}.js`))).mount;
@@ -28,7 +31,7 @@ export class Widgets {
     this.#unmounts.set(element, mount(document.getElementById(element), ros, { node: target, ...options }));
   }
 
-  /** Remove the widget in an element, or all widgets of the page. @param {string} [element] its id */
+  /** Unmount the widget in an element, or all widgets. @param {string} [element] its id */
   unmount(element) {
     for (const id of element === undefined ? [...this.#unmounts.keys()] : [element]) {
       this.#unmounts.get(id)?.();

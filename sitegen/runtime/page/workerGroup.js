@@ -1,21 +1,24 @@
 // @ts-check
-// Workers: of one node, or of several that share an interpreter and talk with it through a port each.
+// Start workers, for one node or for a group of Python nodes that share an interpreter.
 
 import { sharedByte } from "../interrupt.js";
 import { moduleWorkers, place } from "../place.js";
 
 /** @import { ToWorker } from "../protocol.js" */
 
-/** @param {string} file of the worker @param {string} name that debuggers show */
+/** @param {string} file of the worker, below workers/ @param {string} name for debuggers */
 export function startWorker(file, name) {
   return new Worker(place(`workers/${file}.js`), { type: moduleWorkers ? "module" : "classic", name });
 }
 
 export class WorkerGroups {
-  /** By the names of the groups. @type {Map<string, {worker: Worker, byte?: Uint8Array, members: Set<Member>}>} */
+  /** By name. @type {Map<string, {worker: Worker, byte?: Uint8Array, members: Set<Member>}>} */
   #groups = new Map();
 
-  /** Let one more node use the worker of a group. @param {string} group @param {string} file @param {string} name of the node */
+  /**
+   * Add a node to the worker of a group.
+   * @param {string} group @param {string} file of the worker @param {string} name of the node
+   */
   join(group, file, name) {
     const known = this.#groups.get(group);
     const started = known ?? { worker: startWorker(file, group), byte: sharedByte(), members: new Set() };
@@ -42,7 +45,7 @@ export class WorkerGroups {
   }
 }
 
-/** A node's part of a shared worker; to the node it is like a worker of its own. */
+/** A node's port to a shared worker, with the interface of a worker. */
 export class Member {
   #port;
   #end;
@@ -51,8 +54,8 @@ export class Member {
 
   /**
    * @param {string} name @param {MessagePort} port
-   * @param {Uint8Array | undefined} byte by which the page interrupts what the worker does
-   * @param {(stuck: boolean) => void} end
+   * @param {Uint8Array | undefined} byte by which the page interrupts the worker
+   * @param {(stuck: boolean) => void} end called when the node has ended, or is stuck
    */
   constructor(name, port, byte, end) {
     this.name = name;
@@ -71,19 +74,19 @@ export class Member {
     this.#port.postMessage(message, transfer);
   }
 
-  /** The node has ended; the others go on. */
+  /** End the node; the others go on. */
   leave() {
     this.#port.close();
     this.#end(false);
   }
 
-  /** End the worker, and with it all of its nodes. */
+  /** Terminate the worker with all its nodes. */
   terminate() {
     this.#port.close();
     this.#end(true);
   }
 
-  /** The worker is gone. @param {string} message */
+  /** Report that the worker is gone. @param {string} message */
   lose(message) {
     this.onerror?.({ message, preventDefault() {} });
   }

@@ -1,6 +1,6 @@
 // @ts-check
-// What others may not know of yet. The page tells them of endpoints; requests and responses go to them by ports
-// of their own, and would be there first.
+// Hold requests and responses back until other workers know of the endpoints that were announced before. The page
+// tells them of endpoints, but messages take a direct port and could overtake that news.
 
 /** @import { FromWorker } from "../protocol.js" */
 
@@ -21,12 +21,12 @@ export class Announced {
     this.#news = true;
   }
 
-  /** Whether others know of all that was announced. */
+  /** Whether all announced endpoints are known to the others. */
   get known() {
     return !this.#news && this.#asked === 0;
   }
 
-  /** Send something when they do. @param {() => void} send */
+  /** Call `send` when they are. @param {() => void} send */
   hold(send) {
     this.#held.push(send);
     if (!this.#news) return;
@@ -35,13 +35,13 @@ export class Announced {
     this.#post({ op: "settle" });
   }
 
-  /** The page has told of all that it was told before it was asked. */
+  /** The page has answered: the endpoints that were announced before the question are known. */
   settled() {
     this.#asked -= 1;
     if (this.#asked === 0) this.release();
   }
 
-  /** Send what is held back, whoever knows of what. */
+  /** Send everything that is held back, without waiting longer. */
   release() {
     for (const send of this.#held.splice(0)) send();
   }

@@ -1,12 +1,12 @@
 // @ts-check
-// The port to one other worker. What comes from there is checked: it may be anybody's program.
+// The port to another worker. What arrives is checked, because that worker may run any program.
 
 import { now, readRecords } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 
 /** @import { FromPeer, Head } from "../protocol.js" */
 
-// What a worker sent before it ended is here by then (ms). Not all browsers tell when a port has no more.
+// Messages that a worker sent before it ended arrive within this time (ms). Not all browsers report a closed port.
 const LINGER = 1000;
 
 /**
@@ -16,7 +16,7 @@ const LINGER = 1000;
  *   hear(writer: number, reader: number): void,
  *   wake(): void,
  *   complain(text: string): void,
- * }} Listener `writer` is the id in the worker that writes, `reader` that in the worker that reads
+ * }} Listener `writer` and `reader` are ids of endpoints in their own workers
  */
 
 export class Link {
@@ -34,7 +34,7 @@ export class Link {
     port.onmessageerror = () => this.#complain("a message that cannot be read");
   }
 
-  /** Send a message as the outbox does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
+  /** Send a message, as Outbox.send does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
   send(head, message, own) {
     this.#outbox.send(head, message, own);
   }
@@ -50,7 +50,7 @@ export class Link {
   }
 
   /**
-   * The other worker is gone: take what it had sent, then close and call `closed`.
+   * The other worker is gone: receive what it had sent, then close and call `closed`.
    * @param {() => void} closed
    */
   end(closed) {
@@ -63,7 +63,7 @@ export class Link {
   /** @param {unknown} data */
   #receive(data) {
     if (data instanceof ArrayBuffer) {
-      // Those of one frame came together; asking for the time costs as much as all else done for one.
+      // One time stamp for the frame: reading the clock costs as much as all other work for a message.
       const received = now();
       const { deliver } = this.#listener;
       const rest = readRecords(data, (head, message) => deliver(head, message, received));
@@ -81,7 +81,7 @@ export class Link {
     this.#listener.wake();
   }
 
-  /** Once: who sends one sends many. @param {string} what */
+  /** Complain only once, because invalid frames come in numbers. @param {string} what */
   #complain(what) {
     if (this.#complained) return;
     this.#complained = true;

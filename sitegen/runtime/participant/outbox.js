@@ -1,17 +1,17 @@
 // @ts-check
-// What a worker sends to one other worker: records, alone when there is time, in batches when not.
+// What a worker sends to another one: records, in batches when many are sent in a short time.
 
 import { HEAD_SIZE, recordSize, writeHead } from "../protocol.js";
 
 /** @import { Head } from "../protocol.js" */
 
 const BATCH_SIZE = 64 * 1024;
-// So many records leave one by one after each wait: they are not held back by a program that goes on
-// to compute. Only a burst is worth a batch.
+// The number of records that are sent immediately after each wait. They must not be delayed by a program that computes
+// for a long time without waiting; only more than these are worth a batch.
 const BURST = 4;
-// A program that publishes slower than this (ms) gets no batches either.
+// Records further apart than this (ms) are sent immediately, too.
 const PAUSE = 1;
-// Handing a buffer over costs more than copying one of this size (bytes).
+// Transferring a buffer is slower than copying up to this size (bytes).
 const SMALL = 1024;
 
 export class Outbox {
@@ -27,7 +27,7 @@ export class Outbox {
   }
 
   /**
-   * Send a copy of `message`, or itself if it is our `own` to give away: then a head fits before it.
+   * Send a copy of `message`, or the message itself if it is `own`: not used elsewhere, with room for a head before it.
    * @param {Head} head @param {Uint8Array} message @param {boolean} own
    */
   send(head, message, own) {
@@ -48,7 +48,7 @@ export class Outbox {
     if (pause) this.#flushBatch();
   }
 
-  /** Send what is held back; the program is about to wait. */
+  /** Send the batch, because the program is about to wait. */
   flush() {
     this.#flushBatch();
     this.#posted = 0;

@@ -1,49 +1,36 @@
 // @ts-check
-// A worker's part of the ROS graph: its endpoints, its links to other workers, and waiting.
+// A worker's part in the ROS graph: its endpoints, its links to other workers, what it knows of the graph, and
+// waiting.
 
-import { fromPageId, incompatibility, now, pageId, sends } from "../protocol.js";
+import { gidOf, now, splitGid } from "../protocol.js";
 import { Announced } from "./announced.js";
-import { Link } from "./link.js";
-import { Queue } from "./queue.js";
-import { Reader } from "./reader.js";
-import { Status } from "./status.js";
+import { Endpoints } from "./endpoints.js";
+import { Links } from "./links.js";
 import { Surroundings } from "./surroundings.js";
 import { Waiting } from "./waiting.js";
-import { Writer } from "./writer.js";
 
-/** @import { Endpoint, EndpointKind, FromWorker, Head, Neighbour, Policy, Qos, ToWorker } from "../protocol.js" */
+/** @import { EndpointKind, FromWorker, Head, Neighbour, Qos, ToWorker } from "../protocol.js" */
+/** @import { Listener } from "./link.js" */
+/** @import { Actions } from "./local.js" */
 /** @import { Received } from "./queue.js" */
 /** @import { EventKind } from "./status.js" */
 /** @import { Sample } from "./writer.js" */
 
-/**
- * @typedef {{name: number, peer: number, id: number, qos: Qos}} Remote an endpoint that matches one of
- *   ours; `name` is the one it has in the whole page
- * @typedef {{endpoint: Endpoint, remotes: Remote[], status: Status, writer?: Writer, reader?: Reader,
- *   queue?: Queue, sequence: number}} Local a publisher has a writer, a subscription a reader, services and
- *   clients a queue; `sequence` numbers the requests of a client
- */
-
 const SIGINT = 2;
-// What subscriptions missed is told to the page this often (ms) at most.
+// Messages that subscriptions missed are reported to the page at most this often (ms).
 const REPORT = 500;
-/** Who receives from whom. @type {Partial<Record<EndpointKind, EndpointKind>>} */
-const RECEIVER = { publisher: "subscription", client: "service" };
 
 export class Participant {
   #id;
   #post;
-  /** @type {Map<number, Local>} */
-  #locals = new Map();
-  #nextId = 1;
-  /** @type {Map<number, Link>} */
-  #links = new Map();
+  #endpoints;
+  #links;
   #waiting = new Waiting();
   #surroundings;
   #announced;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #report;
-  /** How many events there were, of all endpoints: who remembers it knows whether to look for new ones. */
+  /** The number of events so far, of all endpoints: unless it has changed, there is no new one. */
   events = 0;
 
   /**
@@ -53,6 +40,8 @@ export class Participant {
   constructor(id, post) {
     this.#id = id;
     this.#post = post;
+    this.#endpoints = new Endpoints(id);
+    this.#links = new Links(id, (peer) => this.#listenerOf(peer));
     this.#surroundings = new Surroundings(post);
     this.#announced = new Announced(post);
   }
@@ -63,11 +52,8 @@ export class Participant {
    * @param {Qos} qos
    */
   create(kind, node, name, type, qos) {
-    const endpoint = { id: this.#nextId++, kind, node, name, type, qos };
-    const local = this.#local(endpoint);
-    this.#locals.set(endpoint.id, local);
+    const endpoint = this.#endpoints.add({ kind, node, name, type, qos }, (id) => this.#actionsOf(id));
     this.#surroundings.changes += 1;
-    for (const other of this.#locals.values()) this.#meet(local, other);
     this.#post({ op: "create", endpoint });
     this.#announced.note();
     return endpoint.id;
@@ -75,131 +61,120 @@ export class Participant {
 
   /** @param {number} id */
   destroy(id) {
-    const local = this.#locals.get(id);
-    if (!local) return;
-    this.#locals.delete(id);
+    if (!this.#endpoints.remove(id)) return;
     this.#surroundings.changes += 1;
-    local.writer?.close();
-    local.reader?.close();
-    for (const { peer, id: other } of local.remotes) {
-      if (peer === this.#id) this.#unmatch(other, pageId(this.#id, id));
-    }
     this.#post({ op: "destroy", id });
   }
 
-  /** How many endpoints match `id` now. @param {number} id */
+  /** The number of endpoints that match `id` now. @param {number} id */
   matched(id) {
-    return this.#locals.get(id)?.remotes.length ?? 0;
+    return this.#endpoints.get(id)?.remotes.length ?? 0;
   }
 
   /**
-   * Send a copy of `message` to all subscriptions that match the publisher `id`. False if it keeps all
-   * and is full: its subscriptions must take some first.
+   * Send a copy of `message` to all subscriptions that match the publisher `id`. Return false if the publisher keeps
+   * all messages and its history is full.
    * @param {number} id @param {Uint8Array} message
    */
   publish(id, message) {
-    return this.#locals.get(id)?.writer?.publish(message) ?? true;
+    return this.#endpoints.get(id)?.writer?.publish(message) ?? true;
   }
 
-  /** Whether reliable subscriptions have not yet got all that `id` published. @param {number} id */
+  /** Whether a reliable subscription has not yet got all messages of the publisher `id`. @param {number} id */
   behind(id) {
-    return this.#locals.get(id)?.writer?.behind ?? false;
+    return this.#endpoints.get(id)?.writer?.behind ?? false;
   }
 
-  /** Say that the publisher `id` lives. @param {number} id */
+  /** Assert that the publisher `id` is alive. @param {number} id */
   assertLiveliness(id) {
-    for (const { peer, id: reader } of this.#locals.get(id)?.writer?.assert() ?? []) {
-      if (peer === this.#id) {
-        this.#locals.get(reader)?.reader?.hear(pageId(peer, id));
-      } else {
-        this.#links.get(peer)?.tell({ op: "alive", writer: id, reader });
-      }
+    for (const { peer, id: reader } of this.#endpoints.get(id)?.writer?.assert() ?? []) {
+      this.#links.tell(peer, { op: "alive", writer: id, reader });
     }
   }
 
   /**
-   * Send a copy of a request from the client `id` to a server that matches, and return the number by
-   * which its response will be known. Where no server is, no response will come.
+   * Send a copy of a request from the client `id` to a matching server, if there is one. Return the sequence number,
+   * which the response will have, too.
    * @param {number} id @param {Uint8Array} message
    */
   request(id, message) {
-    const local = this.#locals.get(id);
+    const local = this.#endpoints.get(id);
     if (!local) return 0;
-    const sequence = ++local.sequence;
+    const sequence = ++local.requests;
     const server = local.remotes[0];
     if (server) this.#ask(id, server, { sequence, timestamp: now(), message });
     return sequence;
   }
 
   /**
-   * Send a copy of a response from the server `id` to the client that asked.
-   * @param {number} id @param {number} client the writer of the request @param {number} sequence of it
+   * Send a copy of a response from the server `id` to a client.
+   * @param {number} id @param {number} client its gid @param {number} sequence of the request
    * @param {Uint8Array} message
    */
   respond(id, client, sequence, message) {
-    if (!this.#locals.has(id)) return;
-    this.#ask(id, fromPageId(client), { sequence, timestamp: now(), message });
+    if (!this.#endpoints.get(id)) return;
+    this.#ask(id, splitGid(client), { sequence, timestamp: now(), message });
   }
 
   /**
-   * Give the program only those messages at the subscription `id` that pass `filter`, all without one.
+   * Set or remove the content filter of the subscription `id`.
    * @param {number} id @param {((message: Uint8Array) => boolean) | undefined} filter
    */
   filter(id, filter) {
-    const reader = this.#locals.get(id)?.reader;
+    const reader = this.#endpoints.get(id)?.reader;
     if (reader) reader.filter = filter;
   }
 
-  /** The oldest message that waits at the endpoint `id`. @param {number} id */
+  /** The oldest message that waits at the endpoint `id`, which stays. @param {number} id */
   next(id) {
-    const local = this.#locals.get(id);
-    return (local?.reader ?? local?.queue)?.peek();
+    return this.#endpoints.get(id)?.peek();
   }
 
-  /** Whether one waits there. @param {number} id */
+  /** Whether a message waits at the endpoint `id`. @param {number} id */
   has(id) {
     return this.next(id) !== undefined;
   }
 
-  /** The ids of endpoints where messages wait. */
+  /** The ids of all endpoints where messages wait. */
   filled() {
-    return [...this.#locals.keys()].filter((id) => this.has(id));
+    return [...this.#endpoints.entries()].flatMap(([id, local]) => (local.peek() ? [id] : []));
   }
 
-  /** Remove that message and return it. @param {number} id @returns {Received | undefined} */
+  /** Remove the oldest message that waits and return it. @param {number} id @returns {Received | undefined} */
   take(id) {
-    const local = this.#locals.get(id);
-    return local?.reader ? local.reader.take() : local?.queue?.shift();
+    return this.#endpoints.get(id)?.take();
   }
 
-  /** What happened at the endpoint `id` since it was asked the last time. @param {number} id @param {EventKind} kind */
+  /**
+   * Return the event of a kind at the endpoint `id`, if it has changed since the last call.
+   * @param {number} id @param {EventKind} kind
+   */
   takeEvent(id, kind) {
-    return this.#locals.get(id)?.status.take(kind);
+    return this.#endpoints.get(id)?.status.take(kind);
   }
 
-  /** The name that the endpoint `id` has in the page. @param {number} id */
-  nameOf(id) {
-    return pageId(this.#id, id);
+  /** The gid of the endpoint `id`. @param {number} id */
+  gid(id) {
+    return gidOf(this.#id, id);
   }
 
-  /** How often the graph changed, as far as this worker knows. */
+  /** The number of changes of the graph that this worker knows of. */
   get changes() {
     return this.#surroundings.changes;
   }
 
   /**
-   * All endpoints of the graph, those of this worker first. Undefined the first times: then wait until the
-   * page has told.
+   * Return all endpoints of the graph, those of this worker first; undefined until the page has answered.
    * @returns {Neighbour[] | undefined}
    */
   look() {
     const others = this.#surroundings.look();
     if (!others) return undefined;
-    const own = [...this.#locals].map(([id, { endpoint }]) => ({ name: this.nameOf(id), endpoint }));
+    const own = [...this.#endpoints.entries()].map(([id, { endpoint }]) => ({ gid: this.gid(id), endpoint }));
     return [...own, ...others];
   }
 
-  /** Send all that is held back: the program ends. */
+  /** Send everything that is held back, because the program ends. */
   finish() {
     this.#announced.release();
     this.flush();
@@ -207,16 +182,16 @@ export class Participant {
 
   /** Send what is held back. */
   flush() {
-    for (const link of this.#links.values()) link.flush();
+    this.#links.flush();
   }
 
-  /** Send what is held back, then wait as `Waiting.wait` says. @param {number} milliseconds */
+  /** Send what is held back, then wait, as Waiting.wait does. @param {number} milliseconds */
   wait(milliseconds) {
     this.flush();
     return this.#waiting.wait(milliseconds);
   }
 
-  /** How often something happened that ends waits. */
+  /** The number of wake-ups. */
   get wakes() {
     return this.#waiting.wakes;
   }
@@ -226,26 +201,25 @@ export class Participant {
     this.#waiting.wake();
   }
 
-  /** Take what the page says about the graph. @param {ToWorker} message */
+  /** Handle a message of the page. @param {ToWorker} message */
   receive(message) {
     switch (message.op) {
       case "link":
-        this.#links.set(message.peer, this.#link(message.peer, message.port));
+        this.#links.open(message.peer, message.port);
         break;
       case "unlink":
-        this.#links.get(message.peer)?.end(() => {
-          for (const { reader } of this.#locals.values()) reader?.forget(message.peer);
+        this.#links.close(message.peer, () => {
+          for (const [, { reader }] of this.#endpoints.entries()) reader?.forget(message.peer);
         });
-        this.#links.delete(message.peer);
         break;
       case "match": {
-        const { peer, remote: id, qos } = message;
-        this.#match(message.local, { name: pageId(peer, id), peer, id, qos });
-        this.#links.get(peer)?.flush();
+        const { local, peer, remote: id, qos } = message;
+        this.#endpoints.get(local)?.match({ gid: gidOf(peer, id), peer, id, qos });
+        this.#links.flush(peer);
         break;
       }
       case "unmatch":
-        this.#unmatch(message.local, pageId(message.peer, message.remote));
+        this.#endpoints.get(message.local)?.unmatch(gidOf(message.peer, message.remote));
         break;
       case "graph":
         this.#surroundings.change(message.come, message.gone);
@@ -255,7 +229,7 @@ export class Participant {
         this.flush();
         break;
       case "incompatible":
-        this.#mismatch(message.local, message.policy);
+        this.#endpoints.get(message.local)?.mismatch(message.policy);
         break;
       case "stop":
         this.#waiting.raise(SIGINT);
@@ -264,89 +238,38 @@ export class Participant {
     this.wake();
   }
 
-  /** @param {Endpoint} endpoint @returns {Local} */
-  #local(endpoint) {
-    const { id, kind, qos } = endpoint;
-    const status = new Status(() => {
-      this.events += 1;
-      this.wake();
-    });
-    /** @type {Local} */
-    const local = { endpoint, remotes: [], status, sequence: 0 };
-    if (kind === "publisher") {
-      local.writer = new Writer(qos, status, (remote, sample, last) => {
-        this.#send(id, remote, sample, last);
-      });
-    } else if (kind === "subscription") {
-      local.reader = new Reader(qos, status, (writer, records, bytes) => {
-        this.#giveCredit(fromPageId(writer), id, records, bytes);
-      });
-    } else if (kind === "service" || kind === "client") {
-      // Requests and responses are bounded by who waits for them.
-      local.queue = new Queue(Infinity);
-    }
-    return local;
+  /** @param {number} id of an endpoint @returns {Actions} */
+  #actionsOf(id) {
+    return {
+      changed: () => {
+        this.events += 1;
+        this.wake();
+      },
+      send: (remote, sample, last) => this.#send(id, remote, sample, last),
+      credit: (writer, records, bytes) => {
+        const { peer, id: there } = splitGid(writer);
+        this.#links.tell(peer, { op: "credit", writer: there, reader: id, records, bytes });
+      },
+    };
   }
 
-  /** @param {number} peer @param {MessagePort} port */
-  #link(peer, port) {
-    return new Link(port, {
+  /** @param {number} peer @returns {Listener} */
+  #listenerOf(peer) {
+    return {
       deliver: (head, message, received) => this.#deliver(peer, head, message, received),
       credit: (writer, reader, records, bytes) => {
-        this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
-        this.#links.get(peer)?.flush();
+        this.#endpoints.get(writer)?.writer?.credit(gidOf(peer, reader), records, bytes);
+        this.#links.flush(peer);
       },
-      hear: (writer, reader) => this.#locals.get(reader)?.reader?.hear(pageId(peer, writer)),
+      hear: (writer, reader) => this.#endpoints.get(reader)?.reader?.hear(gidOf(peer, writer)),
       wake: () => this.wake(),
       complain: (text) => this.#post({ op: "complain", peer, text }),
-    });
-  }
-
-  /** Match endpoints of this worker, without asking the page. @param {Local} a @param {Local} b */
-  #meet(a, b) {
-    const [sender, receiver] = sends(a.endpoint) ? [a, b] : [b, a];
-    const { endpoint: from } = sender;
-    const { endpoint: to } = receiver;
-    if (to.kind !== RECEIVER[from.kind] || from.name !== to.name) return;
-    const policy = incompatibility(from, to);
-    for (const { mine, other } of [{ mine: to, other: from }, { mine: from, other: to }]) {
-      const { id, qos } = other;
-      if (policy) {
-        this.#mismatch(mine.id, policy);
-      } else {
-        this.#match(mine.id, { name: pageId(this.#id, id), peer: this.#id, id, qos });
-      }
-    }
-  }
-
-  /** @param {number} id @param {Remote} remote */
-  #match(id, remote) {
-    const local = this.#locals.get(id);
-    if (!local) return;
-    local.remotes.push(remote);
-    local.status.add("matched", 1, 1);
-    local.reader?.match(remote);
-    local.writer?.match(remote);
-  }
-
-  /** @param {number} id @param {number} name of what matched */
-  #unmatch(id, name) {
-    const local = this.#locals.get(id);
-    const gone = local?.remotes.findIndex((remote) => remote.name === name) ?? -1;
-    if (!local || gone < 0) return;
-    local.remotes.splice(gone, 1);
-    local.reader?.unmatch(name);
-    local.writer?.unmatch(name);
-    local.status.add("matched", 0, -1);
-  }
-
-  /** @param {number} id @param {Policy} policy */
-  #mismatch(id, policy) {
-    this.#locals.get(id)?.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
+    };
   }
 
   /**
-   * Send a request or a response. What is done for it there may be told to an endpoint that is new here.
+   * Send a request or a response. The receiver may answer to an endpoint that was created just before, so it must know
+   * of that first.
    * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
    */
   #ask(id, remote, sample) {
@@ -354,52 +277,31 @@ export class Participant {
       this.#send(id, remote, sample);
       return;
     }
-    // The program goes on, and may use the memory of its message again.
+    // The program continues, and may reuse the memory of its message.
     const copy = { ...sample, message: sample.message.slice() };
     this.#announced.hold(() => this.#send(id, remote, copy));
   }
 
   /**
    * @param {number} id @param {{peer: number, id: number}} remote @param {Omit<Sample, "size">} sample
-   * @param {boolean} [own] whether the message may be given away, with room for its head before it
+   * @param {boolean} [own] whether the message need not be copied, see Outbox.send
    */
   #send(id, { peer, id: reader }, { sequence, timestamp, message }, own = false) {
-    const head = { reader, writer: id, sequence, timestamp };
-    if (peer === this.#id) {
-      this.#deliver(peer, head, own ? message : message.slice(), now());
-      this.wake(); // another thread of this program may wait for it
-    } else {
-      this.#links.get(peer)?.send(head, message, own);
-    }
+    this.#links.send(peer, { reader, writer: id, sequence, timestamp }, message, own);
   }
 
   /** @param {number} peer @param {Head} head @param {Uint8Array} message @param {number} received */
   #deliver(peer, { reader, writer, sequence, timestamp }, message, received) {
-    const local = this.#locals.get(reader);
-    // A message may still be under way when its receiver goes.
-    if (!local) return;
-    const sample = { writer: pageId(peer, writer), sequence, timestamp, received, message };
-    local.queue?.push(sample);
-    if (!local.reader) return;
-    const { missed } = local.reader;
-    local.reader.push(sample);
-    if (local.reader.missed > missed) this.#reportMissed();
-  }
-
-  /** @param {{peer: number, id: number}} writer @param {number} reader @param {number} records @param {number} bytes */
-  #giveCredit({ peer, id: writer }, reader, records, bytes) {
-    if (peer === this.#id) {
-      this.#locals.get(writer)?.writer?.credit(pageId(peer, reader), records, bytes);
-      this.wake();
-    } else {
-      this.#links.get(peer)?.tell({ op: "credit", writer, reader, records, bytes });
-    }
+    // The receiver may have been destroyed while the message was in transit.
+    const local = this.#endpoints.get(reader);
+    const missed = local?.push({ writer: gidOf(peer, writer), sequence, timestamp, received, message });
+    if (missed) this.#reportMissed();
   }
 
   #reportMissed() {
     this.#report ??= setTimeout(() => {
       this.#report = undefined;
-      for (const [id, { reader }] of this.#locals) {
+      for (const [id, { reader }] of this.#endpoints.entries()) {
         if (reader?.missed) this.#post({ op: "missed", id, count: reader.missed });
       }
     }, REPORT);

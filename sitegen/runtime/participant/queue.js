@@ -1,8 +1,8 @@
 // @ts-check
-// The messages that wait at an endpoint, oldest first.
+// The messages that wait at an endpoint.
 
 /**
- * A message, and the name that its writer has in the page.
+ * A message; `writer` is the gid of the endpoint that sent it.
  * @typedef {{writer: number, sequence: number, timestamp: number, received: number,
  *   message: Uint8Array}} Received
  */
@@ -13,12 +13,12 @@ export class Queue {
   #first = 0;
   #depth;
 
-  /** @param {number} depth how many are kept; the oldest make room for the newest */
+  /** @param {number} depth the largest number of messages; new ones replace the oldest */
   constructor(depth) {
     this.#depth = depth;
   }
 
-  /** Add the newest and return the one that made room for it, if any. @param {Received} sample */
+  /** Add a message and return the one that it replaced, if any. @param {Received} sample */
   push(sample) {
     const full = this.#samples.length - this.#first >= this.#depth;
     const replaced = full ? this.shift() : undefined;
@@ -26,17 +26,17 @@ export class Queue {
     return replaced;
   }
 
-  /** The oldest, which stays. */
+  /** Return the oldest message, which stays. */
   peek() {
     return this.#samples[this.#first];
   }
 
-  /** Remove the oldest and return it. */
+  /** Remove the oldest message and return it. */
   shift() {
     const sample = this.#samples[this.#first];
     if (sample === undefined) return undefined;
     this.#samples[this.#first++] = undefined;
-    // Array.shift moves all that remain: drop the empty front only when it is the larger half.
+    // Array.shift would move all others: remove the empty front only when it is at least half of the array.
     if (this.#first * 2 >= this.#samples.length) {
       this.#samples.splice(0, this.#first);
       this.#first = 0;

@@ -1,23 +1,23 @@
 // @ts-check
-// The receiving side of a subscription: what waits for the program, and the credits that it gives.
+// The receiving side of a subscription: the messages that wait for the program, and the credits for publishers.
 
-import { fromPageId, now } from "../protocol.js";
+import { splitGid, now } from "../protocol.js";
 import { Queue } from "./queue.js";
 import { Watch } from "./watch.js";
 import { WINDOW } from "./writer.js";
 
 /** @import { Qos } from "../protocol.js" */
-/** @import { Remote } from "./participant.js" */
+/** @import { Remote } from "./local.js" */
 /** @import { Received } from "./queue.js" */
 /** @import { Status } from "./status.js" */
 
-// Credits go out when half of a window is used up, or after this time (ms): a publisher that waits for a
-// slow program then goes on at that program's pace.
+// Give credits when half of a window is used, or after this time (ms), so that a publisher follows the pace of a slow
+// subscription.
 const PAUSE = 50;
 
 /**
- * A publisher: the last sequence number it sent, what was taken of it since it got credits and when that
- * was, and whether it lives, which is not known before it says something if it has to say so by itself.
+ * A publisher: the last sequence number, the records and bytes taken since it got credits, the time when it got them,
+ * and whether it is alive. Of a publisher with manual liveliness that is unknown until it publishes or asserts it.
  * @typedef {{remote?: Remote, last: number, records: number, bytes: number, credited: number,
  *   alive?: boolean, lease?: Watch}} Source
  */
@@ -27,18 +27,18 @@ export class Reader {
   #qos;
   #status;
   #credit;
-  /** By the publisher's name in the page. @type {Map<number, Source>} */
+  /** By the publisher's gid. @type {Map<number, Source>} */
   #sources = new Map();
   #deadline;
-  /** Whether the program is given a message. @type {((message: Uint8Array) => boolean) | undefined} */
+  /** Whether a message is for the program. @type {((message: Uint8Array) => boolean) | undefined} */
   filter;
-  /** How many messages never reached the program, because it was too slow for them. */
+  /** The number of messages that never reached the program, because it was too slow. */
   missed = 0;
 
   /**
    * @param {Qos} qos
    * @param {Status} status
-   * @param {(writer: number, records: number, bytes: number) => void} credit tell a publisher what was taken
+   * @param {(writer: number, records: number, bytes: number) => void} credit tells a publisher what was taken
    */
   constructor(qos, status, credit) {
     this.#qos = qos;
@@ -50,34 +50,37 @@ export class Reader {
 
   /** @param {Remote} remote */
   match(remote) {
-    const source = this.#source(remote.name);
+    const source = this.#source(remote.gid);
     source.remote = remote;
     const { manual, lease } = remote.qos;
     if (lease === Infinity) return;
     source.lease = new Watch(manual ? lease : Infinity, () => this.#setAlive(source, false), false);
-    // Its messages may have come before the news that it is there.
+    // Its messages may arrive before the news of the match.
     if (!manual || source.last > 0) this.#live(source);
   }
 
-  /** @param {number} name of the publisher */
-  unmatch(name) {
-    const source = this.#sources.get(name);
+  /** @param {number} gid of the publisher */
+  unmatch(gid) {
+    const source = this.#sources.get(gid);
     if (!source) return;
     source.lease?.close();
     this.#setAlive(source, undefined);
-    this.#sources.delete(name);
+    this.#sources.delete(gid);
   }
 
-  /** Forget all publishers of a worker that is gone: some messages may have come after `unmatch`. @param {number} peer */
+  /**
+   * Forget the publishers of a worker that is gone, whose last messages arrived after `unmatch`.
+   * @param {number} peer
+   */
   forget(peer) {
-    for (const name of this.#sources.keys()) {
-      if (fromPageId(name).peer === peer) this.#sources.delete(name);
+    for (const gid of this.#sources.keys()) {
+      if (splitGid(gid).peer === peer) this.#sources.delete(gid);
     }
   }
 
-  /** A publisher lives, though it has nothing to say. @param {number} name */
-  hear(name) {
-    this.#live(this.#source(name));
+  /** A publisher has asserted its liveliness. @param {number} gid */
+  hear(gid) {
+    this.#live(this.#source(gid));
   }
 
   /** @param {Received} sample */
@@ -98,7 +101,7 @@ export class Reader {
     this.missed += replaced ? 1 : 0;
   }
 
-  /** The oldest message, which stays. */
+  /** Return the oldest message, which stays. */
   peek() {
     this.#expire();
     return this.#queue.peek();
@@ -117,17 +120,17 @@ export class Reader {
     for (const { lease } of this.#sources.values()) lease?.close();
   }
 
-  /** @param {number} name */
-  #source(name) {
-    let source = this.#sources.get(name);
+  /** @param {number} gid */
+  #source(gid) {
+    let source = this.#sources.get(gid);
     if (!source) {
       source = { last: 0, records: 0, bytes: 0, credited: 0 };
-      this.#sources.set(name, source);
+      this.#sources.set(gid, source);
     }
     return source;
   }
 
-  /** Give credits, many at once. @param {Received} sample that left the queue */
+  /** Count a message for which the publisher gets credit, many at once. @param {Received} sample that left the queue */
   #consumed({ writer, message }) {
     const source = this.#sources.get(writer);
     if (!source) return;

@@ -1,5 +1,5 @@
 // @ts-check
-// What has happened at an endpoint, as the events of ROS 2 tell it: counts, and how they changed.
+// The events of an endpoint, as ROS 2 counts them.
 
 /** @import { Policy } from "../protocol.js" */
 
@@ -7,8 +7,8 @@
  * @typedef {"deadline" | "liveliness" | "incompatible" | "matched" | "lost" | "type"} EventKind
  * @typedef {{kind: EventKind, total: number, totalChange: number, current: number,
  *   currentChange: number, policy: Policy | ""}} Event
- *   `matched` counts endpoints, `liveliness` of a subscription publishers: those not alive in `total`, those
- *   alive in `current`; `policy` is the last that did not suit
+ *   `matched` counts endpoints. `liveliness` of a subscription counts publishers: in `total` those that are not alive,
+ *   in `current` those that are. `policy` is the last incompatible one
  */
 
 export class Status {
@@ -16,7 +16,7 @@ export class Status {
   #events = new Map();
   #changed;
 
-  /** @param {() => void} changed called at each event */
+  /** @param {() => void} changed called after each event */
   constructor(changed) {
     this.#changed = changed;
   }
@@ -37,7 +37,7 @@ export class Status {
     this.#changed();
   }
 
-  /** What there is to tell of one kind, and how it changed since it was taken the last time. @param {EventKind} kind */
+  /** Return the event of a kind if it has changed since the last call. @param {EventKind} kind */
   take(kind) {
     const event = this.#events.get(kind);
     if (!event || (event.totalChange === 0 && event.currentChange === 0)) return undefined;

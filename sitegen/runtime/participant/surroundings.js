@@ -1,19 +1,18 @@
 // @ts-check
-// What a worker knows of everybody else in the graph: nothing until its program asks, then all that
-// happens.
+// What a worker knows of other workers' endpoints. The page reports them from the first query of the program on.
 
-import { pageId } from "../protocol.js";
+import { gidOf } from "../protocol.js";
 
 /** @import { Endpoint, FromWorker, Neighbour } from "../protocol.js" */
 
 export class Surroundings {
   #post;
-  /** By the name that it has in the page. @type {Map<number, Neighbour>} */
+  /** By gid. @type {Map<number, Neighbour>} */
   #neighbours = new Map();
   #asked = false;
-  /** Whether the page has told who is there. */
+  /** Whether the page has answered. */
   known = false;
-  /** How often something changed, here or elsewhere. */
+  /** The number of changes of the graph, including those of this worker. */
   changes = 0;
 
   /** @param {(message: FromWorker) => void} post to the page */
@@ -22,8 +21,7 @@ export class Surroundings {
   }
 
   /**
-   * The endpoints of everybody else; undefined while the page has not answered.
-   * The first call asks it, and from then on it tells of each change.
+   * Return the endpoints of all other workers, or undefined while the page has not answered.
    * @returns {Iterable<Neighbour> | undefined}
    */
   look() {
@@ -37,9 +35,9 @@ export class Surroundings {
     this.known = true;
     this.changes += 1;
     for (const { peer, endpoint } of come) {
-      const name = pageId(peer, endpoint.id);
-      this.#neighbours.set(name, { name, endpoint });
+      const gid = gidOf(peer, endpoint.id);
+      this.#neighbours.set(gid, { gid, endpoint });
     }
-    for (const { peer, id } of gone) this.#neighbours.delete(pageId(peer, id));
+    for (const { peer, id } of gone) this.#neighbours.delete(gidOf(peer, id));
   }
 }

@@ -1,14 +1,14 @@
 // @ts-check
-// Waiting: what a program does until a message, a signal or a time comes.
+// Suspend a program until a message or a signal arrives or a time has passed.
 
-// Browsers make nested timers wait at least this long (ms); timers set by a message are not nested.
+// Browsers delay nested timers by at least this time (ms). Timers set in a message handler are not nested.
 const TIMER_CLAMP = 5;
 
 export class Waiting {
   /** @type {Set<() => void>} */
   #waiters = new Set();
   #signal = 0;
-  /** How often something happened. */
+  /** The number of wake-ups. */
   wakes = 0;
   #turn = new MessageChannel();
   /** @type {(() => void)[]} */
@@ -19,8 +19,8 @@ export class Waiting {
   }
 
   /**
-   * Resolve when something happened, at the latest after `milliseconds`: 0 lets the event loop turn
-   * once, a negative number sets no limit. The value is a signal that came, or 0.
+   * Resolve at the next wake-up, or after `milliseconds`: 0 yields to the event loop once, a negative number sets no
+   * limit. The value is the pending signal, or 0.
    * @param {number} milliseconds @returns {Promise<number>}
    */
   wait(milliseconds) {
@@ -56,7 +56,7 @@ export class Waiting {
     for (const done of [...this.#waiters]) done();
   }
 
-  /** Let the next wait, or the present one, end with `signal`. @param {number} signal */
+  /** End the present wait, or else the next one, with `signal`. @param {number} signal */
   raise(signal) {
     this.#signal = signal;
     this.wake();

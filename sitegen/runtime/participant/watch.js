@@ -1,9 +1,9 @@
 // @ts-check
-// A period in which something has to happen, and what is to be done when it has not: deadlines, leases.
+// Watch that something happens in each period, for deadlines and leases.
 
 import { now } from "../protocol.js";
 
-// Timers know no longer time (ms).
+// The longest time of a timer (ms).
 const LONGEST = 0x7fffffff;
 
 export class Watch {
@@ -15,11 +15,11 @@ export class Watch {
   #timer;
 
   /**
-   * It rests until the first `touch`.
-   * @param {number} period in ms; with Infinity it always rests
-   * @param {(periods: number) => void} late called after so many periods without `touch`; more than one where
-   *   the worker could not look before
-   * @param {boolean} repeats whether each further period counts too, or it rests until the next `touch`
+   * Begin at the first `touch`.
+   * @param {number} period in ms; Infinity watches nothing
+   * @param {(periods: number) => void} late called with the number of periods without `touch`: more than one if the
+   *   worker was busy
+   * @param {boolean} repeats whether to go on after that, or to pause until the next `touch`
    */
   constructor(period, late, repeats) {
     this.#period = period;
@@ -27,10 +27,10 @@ export class Watch {
     this.#repeats = repeats;
   }
 
-  /** It has happened. */
+  /** What is watched has happened. */
   touch() {
     if (this.#period === Infinity) return;
-    // A timer for each message would cost more than the message: the one that runs looks here.
+    // A timer for each message would cost more than the message, so the running timer checks this time.
     this.#last = now();
     if (this.#timer === undefined) this.#arm();
   }

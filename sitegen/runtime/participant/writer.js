@@ -1,25 +1,25 @@
 // @ts-check
-// The sending side of a publisher: what it keeps, and how far each of its readers has got.
+// The sending side of a publisher: its history, and how much of it each reader has got.
 //
-// A reader gives credits: no more than a window is under way to it. What it has no room for stays here,
-// where quality of service says how much that may be.
+// At most a window of messages is in transit to a reader, which gives credits for what it has taken. Further messages
+// wait in the history, whose size the quality of service limits.
 
 import { HEAD_SIZE, now } from "../protocol.js";
 import { Watch } from "./watch.js";
 
 /** @import { Qos } from "../protocol.js" */
-/** @import { Remote } from "./participant.js" */
+/** @import { Remote } from "./local.js" */
 /** @import { Status } from "./status.js" */
 
 /**
  * @typedef {{sequence: number, timestamp: number, size: number, message: Uint8Array}} Sample
  * @typedef {{remote: Remote, next: number, records: number, bytes: number}} Flow to one reader: the
- *   sequence number it gets next, and what is under way
+ *   next sequence number, and the records and bytes in transit
  */
 
-/** What may be under way to one reader. More does not make it faster, and cannot be taken back. */
+/** How much may be in transit to one reader. More would not be faster, and cannot be taken back. */
 export const WINDOW = { records: 1024, bytes: 32 * 1024 * 1024 };
-// What a publisher that keeps all holds for readers without room; Fast DDS has 5000.
+// The largest history with keepAll. Fast DDS keeps 5000 messages.
 const KEPT = { records: 5000, bytes: 64 * 1024 * 1024 };
 
 export class Writer {
@@ -27,7 +27,7 @@ export class Writer {
   #send;
   /** @type {Flow[]} */
   #flows = [];
-  /** Without gaps, and up to the newest message unless empty. @type {Sample[]} */
+  /** Consecutive messages, the newest at the end. @type {Sample[]} */
   #history = [];
   #bytes = 0;
   #sequence = 0;
@@ -37,8 +37,8 @@ export class Writer {
   /**
    * @param {Qos} qos
    * @param {Status} status
-   * @param {(remote: Remote, sample: Sample, last: boolean) => void} send a copy of the message to a reader,
-   *   or the message itself if it is the last that needs it
+   * @param {(remote: Remote, sample: Sample, last: boolean) => void} send sends a reader a copy of the message, or the
+   *   message itself if this is the `last` reader that needs it
    */
   constructor(qos, status, send) {
     this.#qos = qos;
@@ -48,12 +48,12 @@ export class Writer {
     this.#lease = new Watch(qos.manual ? qos.lease : Infinity, lost, false);
   }
 
-  /** Whether a reader that must get all has not got all yet. */
+  /** Whether a reliable reader has not got all messages yet. */
   get behind() {
     return this.#flows.some((flow) => this.#owes(flow) && flow.next <= this.#sequence);
   }
 
-  /** Begin to send to a reader, with what is kept if both are transient local. @param {Remote} remote */
+  /** Begin to send to a reader, with the history if both are transient local. @param {Remote} remote */
   match(remote) {
     this.#expire();
     const durable = this.#qos.transientLocal && remote.qos.transientLocal;
@@ -63,15 +63,15 @@ export class Writer {
     this.#advance(flow);
   }
 
-  /** @param {number} name of the reader */
-  unmatch(name) {
-    this.#flows = this.#flows.filter((flow) => flow.remote.name !== name);
+  /** @param {number} gid of the reader */
+  unmatch(gid) {
+    this.#flows = this.#flows.filter((flow) => flow.remote.gid !== gid);
     this.#trim();
   }
 
   /**
-   * Send a copy of `message` to all readers that have room, and keep one for the others. False if all
-   * has to be kept and there is no room for it: then nothing was done.
+   * Send a copy of `message` to all readers that have room, and keep one for the others. Return false, without doing
+   * anything, if the history is full and must not lose messages.
    * @param {Uint8Array} message
    */
   publish(message) {
@@ -93,18 +93,18 @@ export class Writer {
     return true;
   }
 
-  /** It lives, though it has nothing to say. Returns the readers that have to be told. */
+  /** Assert liveliness, and return the readers to be told. */
   assert() {
     this.#lease.touch();
     return this.#flows.map((flow) => flow.remote);
   }
 
   /**
-   * A reader has taken so much of what it got, and has room for more.
-   * @param {number} name of the reader @param {number} records @param {number} bytes
+   * A reader has taken messages, and has room for more.
+   * @param {number} gid of the reader @param {number} records @param {number} bytes
    */
-  credit(name, records, bytes) {
-    const flow = this.#flows.find(({ remote }) => remote.name === name);
+  credit(gid, records, bytes) {
+    const flow = this.#flows.find(({ remote }) => remote.gid === gid);
     if (!flow) return;
     flow.records = Math.max(0, flow.records - records);
     flow.bytes = Math.max(0, flow.bytes - bytes);
@@ -118,12 +118,12 @@ export class Writer {
     this.#lease.close();
   }
 
-  /** Whether a reader must get every message. @param {Flow} flow */
+  /** Whether no message to a reader may be lost. @param {Flow} flow */
   #owes({ remote }) {
     return this.#qos.reliable && remote.qos.reliable;
   }
 
-  /** Send what is kept, as far as there is room. @param {Flow} flow */
+  /** Send from the history what a reader has room for. @param {Flow} flow */
   #advance(flow) {
     const first = this.#sequence + 1 - this.#history.length;
     while (hasRoom(flow)) {
@@ -143,7 +143,7 @@ export class Writer {
     this.#send(flow.remote, sample, last);
   }
 
-  /** Whether its oldest message may not be lost, and somebody has not got it yet. */
+  /** Whether the oldest message must be kept, because a reader has not got it yet. */
   #mustKeep() {
     const { keepAll, reliable } = this.#qos;
     if (!keepAll || !reliable) return false;
@@ -151,14 +151,14 @@ export class Writer {
     return this.#flows.some((flow) => this.#owes(flow) && flow.next <= oldest);
   }
 
-  /** @param {number} more messages than may be kept */
+  /** Whether the history is larger than allowed. @param {number} more additional messages that are allowed */
   #exceeds(more) {
     const { keepAll, depth } = this.#qos;
     if (!keepAll) return this.#history.length >= Math.max(depth, 1) + more;
     return this.#history.length >= KEPT.records + more || this.#bytes >= KEPT.bytes;
   }
 
-  /** Keep a copy, with room before it for the head that it is sent with. @param {Sample} sample */
+  /** Add a copy to the history, with room for a head before it. @param {Sample} sample */
   #keep({ sequence, timestamp, size, message }) {
     const record = new Uint8Array(HEAD_SIZE + size);
     record.set(message, HEAD_SIZE);
@@ -167,7 +167,7 @@ export class Writer {
     while (this.#history.length > 1 && this.#exceeds(1) && !this.#mustKeep()) this.#forget();
   }
 
-  /** Forget the oldest. Who has not got it yet goes on with the next. */
+  /** Drop the oldest message. Readers that have not got it continue with the next. */
   #forget() {
     const oldest = this.#history.shift();
     if (!oldest) return;
@@ -175,7 +175,7 @@ export class Writer {
     for (const flow of this.#flows) flow.next = Math.max(flow.next, oldest.sequence + 1);
   }
 
-  /** Forget what has grown too old. */
+  /** Drop messages whose lifespan is over. */
   #expire() {
     const { lifespan } = this.#qos;
     if (lifespan === Infinity) return;
@@ -183,7 +183,7 @@ export class Writer {
     while (this.#history[0] && this.#history[0].timestamp < born) this.#forget();
   }
 
-  /** Forget what everybody has got. */
+  /** Drop messages that all readers have got. */
   #trim() {
     if (this.#qos.transientLocal || this.#history.length === 0) return;
     const needed = Math.min(...this.#flows.map((flow) => flow.next));

@@ -1,5 +1,5 @@
 // @ts-check
-// CodeMirror for Python, in the colours of the theme.
+// CodeMirror for Python, with the colours of the theme.
 
 import {
   bracketMatching, Decoration, defaultKeymap, drawSelection, EditorState, EditorView, highlightActiveLine,
@@ -32,7 +32,7 @@ const COLOURS = HighlightStyle.define([
   { tag: tags.meta, color: "var(--code-meta)" },
 ]);
 
-/** Shows which line is wrong, 0 for none. @type {import("@codemirror/state").StateEffectType<number>} */
+/** Marks a line as wrong; 0 removes the mark. @type {import("@codemirror/state").StateEffectType<number>} */
 const mark = StateEffect.define();
 const marked = StateField.define({
   create: () => Decoration.none,
@@ -52,8 +52,8 @@ const marked = StateField.define({
 });
 
 /**
- * Show an editor in `element`. It lives in a shadow root, where its styles are style sheets of their own: a page's
- * policy allows no others.
+ * Show an editor in a shadow root of `element`. There CodeMirror uses constructed style sheets, which the page's
+ * Content-Security-Policy allows; inline styles are blocked.
  * @param {HTMLElement} element @param {string} text @param {string} label
  * @param {(text: string) => void} changed
  */

@@ -23,7 +23,7 @@ export function button(text, className, press) {
   return element;
 }
 
-/** A labelled checkbox. @param {string} text @param {(on: boolean) => void} change */
+/** Create a labelled checkbox. @param {string} text @param {(on: boolean) => void} change */
 export function toggle(text, change) {
   const box = create("input", "");
   box.type = "checkbox";
@@ -31,7 +31,11 @@ export function toggle(text, change) {
   return create("label", "ros-toggle", box, text);
 }
 
-/** Set text only if it differs, which would end a selection and be announced again. @param {Element} element @param {string} text */
+/**
+ * Set the text of an element if it differs. Setting the same text would remove the visitor's selection and make screen
+ * readers announce it again.
+ * @param {Element} element @param {string} text
+ */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -1,12 +1,12 @@
 // @ts-check
-// Know whether anybody can see a part of the page, so that it works only then.
+// Let a part of the page work only while it is visible.
 
 /**
- * Call `begin` when `element` comes into sight, and what it returned when it goes: scrolled away, in
- * a <details> that was closed, in a tab that is hidden.
+ * Call `begin` when `element` becomes visible, and the function it returned when the element is scrolled out of view,
+ * its <details> is closed or its tab is hidden.
  * @param {Element} element
  * @param {() => () => void} begin
- * @returns {() => void} end it for good
+ * @returns {() => void} stop observing
  */
 export function whileSeen(element, begin) {
   let inView = false;

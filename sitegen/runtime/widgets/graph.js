@@ -1,5 +1,5 @@
 // @ts-check
-// The nodes and topics of the page as a drawing, in the manner of rqt_graph.
+// A drawing of the nodes and topics of the page, as in rqt_graph.
 
 import { isHidden, isShown } from "../graphNames.js";
 import { Drawing, shape } from "../ui/drawing.js";
@@ -10,11 +10,11 @@ import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
-// Of the names' letters, which all have one width, and of what is around them; in pixels.
+// In pixels: the width of a letter of the monospaced font, and the size of a box around the letters.
 const LETTER = 8.5;
 const PADDING = 28;
 const HEIGHT = 38;
-// In an area narrower than this the graph runs downwards.
+// In a narrower area (pixels) the graph is drawn from top to bottom.
 const NARROW = 600;
 
 /** @typedef {{name: string, isNode: boolean}} Box @typedef {{from: string, to: string}} Arrow */
@@ -35,7 +35,8 @@ export function mount(element, ros) {
     look();
   });
   const controls = create("div", "ros-tools", all, drawing.buttons);
-  element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls), drawing.element, hint);
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls);
+  element.replaceChildren(bar, drawing.element, hint);
   drawing.svg.setAttribute("aria-label", inWords([], []));
 
   const look = () => {
@@ -69,7 +70,7 @@ export function mount(element, ros) {
   };
 }
 
-/** A box's key: a node and a topic may have one name. @param {Box} box */
+/** Return the key of a box: a node and a topic may have the same name. @param {Box} box */
 function keyOf({ name, isNode }) {
   return `${isNode ? "node" : "topic"} ${name}`;
 }
@@ -98,7 +99,7 @@ function partsOf(ros, hidden) {
 }
 
 /**
- * Draw into `layer` and return how large the drawing is.
+ * Draw the graph into `layer` and return its size.
  * @param {SVGElement} layer @param {Box[]} boxes @param {Arrow[]} arrows @param {string} direction
  */
 function draw(layer, boxes, arrows, direction) {
@@ -151,7 +152,7 @@ function arrowhead() {
   return definitions;
 }
 
-/** What a drawing says to those who do not see it. @param {Box[]} boxes @param {Arrow[]} arrows */
+/** Describe the graph for screen readers. @param {Box[]} boxes @param {Arrow[]} arrows */
 function inWords(boxes, arrows) {
   const sentences = arrows.map(({ from, to }) =>
     from.startsWith("node ")

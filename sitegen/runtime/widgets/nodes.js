@@ -1,5 +1,5 @@
 // @ts-check
-// What runs in the page: each program, and what its nodes have to do with the others.
+// The programs of the page, and the topics and services that their nodes use.
 
 import { isShown } from "../graphNames.js";
 import { arrange, create, setText, toggle } from "../ui/elements.js";
@@ -8,7 +8,7 @@ import { say, states } from "../ui/words.js";
 
 /** @import { EndpointKind, NodeHandle, Ros } from "../protocol.js" */
 
-// How often times and memory are written, in milliseconds.
+// The time between updates of running times and memory (ms).
 const REFRESH = 1000;
 /** @type {[EndpointKind, string][]} */
 const RELATIONS = [
@@ -99,7 +99,7 @@ function createEntry(ros, node) {
 }
 
 /**
- * The description of a node of the graph: that which stands there already if nothing changed.
+ * Return the element that describes a node of the graph: the present one if nothing has changed.
  * @param {Element} list @param {string} name @param {{verb: string, names: string[]}[]} relations
  */
 function describe(list, name, relations) {

@@ -11,7 +11,7 @@ import { HEADINGS, Row } from "./topics/row.js";
 /** @import { Ros } from "../protocol.js" */
 /** @import { Topic } from "./topics/row.js" */
 
-// How often rates are written, in milliseconds.
+// The time between updates of the rates (ms).
 const REFRESH = 500;
 const NONE = say("No topics now. They appear when nodes start.");
 const ALL_HIDDEN = say("Only hidden topics now.");
@@ -53,7 +53,8 @@ class TopicTable {
     this.#look();
   });
   #body = create("tbody", "");
-  #table = create("table", "ros-table", create("thead", "", create("tr", "", ...HEADINGS.map(createHeading))), this.#body);
+  #head = create("thead", "", create("tr", "", ...HEADINGS.map(createHeading)));
+  #table = create("table", "ros-table", this.#head, this.#body);
   #hint = create("p", "ros-hint");
   #echo;
   elements;
@@ -142,6 +143,7 @@ function listed(topics, show, hidden) {
   const none = { types: [], publishers: [], subscriptions: [], missed: 0, mismatches: [] };
   if (show) return show.map((name) => topics.find((topic) => topic.name === name) ?? { name, ...none });
   // Topics that only panels use are not part of the robot.
-  const used = topics.filter(({ publishers, subscriptions }) => [...publishers, ...subscriptions].some((node) => !isHidden(node)));
+  const used = topics.filter(({ publishers, subscriptions }) =>
+    [...publishers, ...subscriptions].some((node) => !isHidden(node)));
   return hidden ? used : used.filter(({ name }) => isShown(name));
 }

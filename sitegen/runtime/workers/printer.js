@@ -1,13 +1,13 @@
 // @ts-check
-// What a program prints, on its way to the consoles: many lines in one message.
+// Send the output of a program to the page, in batches.
 
 import { now } from "../protocol.js";
 
 /** @import { FromWorker, Line, Severity } from "../protocol.js" */
 
 const BATCH = 256;
-// A program that prints and never waits shows so many of its lines at once in so many milliseconds, and those
-// that come faster together. So it has shown what it printed when it begins to compute without a pause.
+// In each period of PAUSE ms, the first AT_ONCE lines are sent immediately and further ones in batches. So the output
+// of a program is visible before it begins to compute without waiting.
 const AT_ONCE = 20;
 const PAUSE = 50;
 
@@ -15,7 +15,7 @@ export class Printer {
   #post;
   /** @type {Line[]} */
   #lines = [];
-  /** When the present milliseconds began, and how often it posted since. */
+  /** The beginning of the present period, and the number of messages since. */
   #since = 0;
   #posts = 0;
 
@@ -35,12 +35,12 @@ export class Printer {
   }
 
   /**
-   * Print a line of the log in the format of ROS.
+   * Print a log message in the format of ROS.
    * @param {Severity} severity @param {string} logger @param {string} text
    * @param {number} stamp ms since 1970, the same as in the message on /rosout
    */
   log(severity, logger, text, stamp) {
-    // Whole milliseconds apart: with them, a double has no room for nanoseconds.
+    // Separate the whole milliseconds: a double has no room for them and for nanoseconds.
     const whole = Math.floor(stamp);
     const nanoseconds = String(BigInt(whole) * 1_000_000n + BigInt(Math.round((stamp - whole) * 1e6)));
     const seconds = `${nanoseconds.slice(0, -9)}.${nanoseconds.slice(-9)}`;

@@ -337,7 +337,7 @@ def test_who_looks_is_told_who_is_there_and_who_comes_and_goes(play: Any) -> Non
     assert play("""
       const [a, b, c] = [join(), join(), join()];
       const names = () =>
-        a.participant.look().map(({ name, endpoint }) => [name % 2 ** 32, endpoint.name]);
+        a.participant.look().map(({ gid, endpoint }) => [gid % 2 ** 32, endpoint.name]);
       const own = publisher(a, {}, "/own");
       const first = publisher(b, {}, "/first");
       const before = names();

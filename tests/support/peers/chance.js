@@ -2,7 +2,7 @@
 // be true of it when it has come to rest.
 
 import { complaints, graph, random, start, until } from "./peers.js";
-import { fromPageId, pageId } from "./runtime/protocol.js";
+import { splitGid, gidOf } from "./runtime/protocol.js";
 
 const PEERS = 12;
 const TOPICS = 8;
@@ -18,7 +18,7 @@ export async function play(seed, steps) {
   const oneOf = (list) => list[below(list.length)];
   /** Each has its endpoints by id. */
   const peers = new Set();
-  /** The endpoints that there ever were, by their names in the page. */
+  /** The endpoints that there ever were, by gid. */
   const all = new Map();
 
   const qos = () => ({
@@ -47,7 +47,7 @@ export async function play(seed, steps) {
       // Endpoints of a worker are numbered in the order of their coming.
       peer.made += 1;
       peer.endpoints.set(peer.made, endpoint);
-      all.set(pageId(peer.id, peer.made), endpoint);
+      all.set(gidOf(peer.id, peer.made), endpoint);
       peer.ask("create", endpoint);
     },
     destroy(peer) {
@@ -89,45 +89,45 @@ async function judge(peers, all) {
   const wrong = [];
   const check = (right, text) => right || wrong.push(text);
   const living = [...peers].flatMap((peer) =>
-    [...peer.endpoints].map(([id, endpoint]) => ({ ...endpoint, name: pageId(peer.id, id) })));
+    [...peer.endpoints].map(([id, endpoint]) => ({ ...endpoint, gid: gidOf(peer.id, id) })));
   const publishers = living.filter(({ kind }) => kind === "publisher");
   const subscriptions = living.filter(({ kind }) => kind === "subscription");
-  const state = ({ kind, name }) => {
-    const { peer, id } = fromPageId(name);
+  const state = ({ kind, gid }) => {
+    const { peer, id } = splitGid(gid);
     return told.get(peer)[`${kind}s`].get(id);
   };
   let [bad, heard] = [0, 0];
 
   for (const { faults } of told.values()) wrong.push(...faults);
   const known = graph.endpoints().map(({ id, kind, name }) => `${id} ${kind} ${name}`);
-  const real = living.map(({ name, kind, topic }) => `${fromPageId(name).id} ${kind} ${topic}`);
+  const real = living.map(({ gid, kind, topic }) => `${splitGid(gid).id} ${kind} ${topic}`);
   check(String(known.sort()) === String(real.sort()), `the graph has ${known}, not ${real}`);
 
   for (const s of subscriptions) {
     const { writers, matched } = state(s);
     const suiting = publishers.filter((p) => meet(p, s));
     bad += publishers.filter((p) => p.topic === s.topic).length - suiting.length;
-    check(matched === suiting.length, `${s.name} matches ${matched} of ${suiting.length}`);
+    check(matched === suiting.length, `${s.gid} matches ${matched} of ${suiting.length}`);
     for (const [writer, { first, last, count }] of writers) {
       heard += count;
       const p = all.get(writer);
-      check(meet(p, s), `${s.name} heard ${writer}, which does not suit`);
+      check(meet(p, s), `${s.gid} heard ${writer}, which does not suit`);
       if (strict(p) && strict(s)) {
-        check(count === last - first + 1, `${s.name} heard ${count} of ${writer}, from ${first} to ${last}`);
+        check(count === last - first + 1, `${s.gid} heard ${count} of ${writer}, from ${first} to ${last}`);
       }
     }
     for (const p of suiting) {
       const { number, began, waiting } = state(p);
-      check(waiting === 0, `${p.name} still waits with ${waiting}`);
-      const before = began.get(s.name);
+      check(waiting === 0, `${p.gid} still waits with ${waiting}`);
+      const before = began.get(s.gid);
       const kept = p.qos.transientLocal && s.qos.transientLocal ? (p.qos.keepAll ? KEPT : p.qos.depth) : 0;
       const first = Math.max(before - kept, 0) + 1;
       if (first > number) {
-        check(!writers.has(p.name), `${s.name} heard ${p.name}, which said nothing since`);
+        check(!writers.has(p.gid), `${s.gid} heard ${p.gid}, which said nothing since`);
         continue;
       }
-      const got = writers.get(p.name) ?? { first: 0, last: 0 };
-      const text = `${s.name} heard ${p.name} from ${got.first} to ${got.last}, not from ${first} to ${number}`;
+      const got = writers.get(p.gid) ?? { first: 0, last: 0 };
+      const text = `${s.gid} heard ${p.gid} from ${got.first} to ${got.last}, not from ${first} to ${number}`;
       // The messages of several publishers push each other out of a queue.
       const crowded = !s.qos.keepAll && [...all.values()].filter((e) => meet(e, s)).length > 1;
       if (!crowded) check(got.last === number, text);
@@ -137,7 +137,7 @@ async function judge(peers, all) {
   for (const p of publishers) {
     const suiting = subscriptions.filter((s) => meet(p, s));
     const { matched } = state(p);
-    check(matched === suiting.length, `${p.name} matches ${matched} of ${suiting.length}`);
+    check(matched === suiting.length, `${p.gid} matches ${matched} of ${suiting.length}`);
   }
   const mismatches = graph.topics().flatMap((topic) => topic.mismatches);
   check(mismatches.length === bad, `${mismatches.length} mismatches instead of ${bad}`);

@@ -4,11 +4,11 @@
 // kept in `faults`; what may be missing depends on both sides, so the test looks at what was heard.
 
 import { Participant } from "./runtime/participant/participant.js";
-import { DEFAULT_QOS, pageId } from "./runtime/protocol.js";
+import { DEFAULT_QOS, gidOf } from "./runtime/protocol.js";
 
 /** @type {Participant} */
 let participant;
-// The worker's name in the page.
+// The worker's id in the page.
 let self = 0;
 /** By id: how much was published, what waits because there was no room, and how much was published as each
  * reader matched. */
@@ -29,10 +29,10 @@ const COMMANDS = {
     const full = { ...DEFAULT_QOS, ...qos };
     const id = participant.create(kind, `/peer_${kind}`, topic, "test/msg/Numbers", full);
     if (kind === "publisher") {
-      const began = new Map([...subscriptions.keys()].map((reader) => [pageId(self, reader), 0]));
+      const began = new Map([...subscriptions.keys()].map((reader) => [gidOf(self, reader), 0]));
       publishers.set(id, { number: 0, waiting: [], began });
     } else if (kind === "subscription") {
-      for (const { began, number } of publishers.values()) began.set(pageId(self, id), number);
+      for (const { began, number } of publishers.values()) began.set(gidOf(self, id), number);
       subscriptions.set(id, { writers: new Map(), count: 0 });
     }
     return id;
@@ -96,7 +96,7 @@ onmessage = async ({ data }) => {
   } else {
     if (data.op === "match") {
       const publisher = publishers.get(data.local);
-      publisher?.began.set(pageId(data.peer, data.remote), publisher.number);
+      publisher?.began.set(gidOf(data.peer, data.remote), publisher.number);
     }
     participant.receive(data);
   }

@@ -52,7 +52,7 @@ class Endpoint(Destroyable):
 
     def gid(self) -> bytes:
         """Return the gid of the endpoint, 16 bytes."""
-        return gid_bytes(ros_host.nameOf(self.id))
+        return gid_bytes(ros_host.gid(self.id))
 
     def matched(self) -> int:
         """Return the number of matched endpoints."""
@@ -64,7 +64,7 @@ class Endpoint(Destroyable):
 
 
 def gid_bytes(gid: int) -> bytes:
-    """Return a gid, a number in the page, as the 16 bytes that rclpy expects."""
+    """Return a gid, a number, as the 16 bytes that rclpy expects."""
     return struct.pack("<d8x", gid)
 
 

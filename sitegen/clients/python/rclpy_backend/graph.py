@@ -59,7 +59,7 @@ def _entries(*kinds: str) -> list[_Entry]:
     while (found := ros_host.look()) is None:
         blocking.wait(None)
     every = (
-        _Entry(int(one.name), one.endpoint.kind, one.endpoint.node, *_named(one.endpoint))
+        _Entry(int(one.gid), one.endpoint.kind, one.endpoint.node, *_named(one.endpoint))
         for one in found
     )
     return [entry for entry in every if entry.kind in kinds]

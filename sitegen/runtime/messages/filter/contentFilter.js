@@ -1,19 +1,21 @@
 // @ts-check
-// Content filters: the expressions of DDS that say which messages a subscription is given.
+// Content filters: DDS expressions that select the messages of a subscription.
 
 import { Fields } from "./fields.js";
 
 /** @import { Sort, Value } from "./fields.js" */
 
-/** A value of a message or of the expression. @typedef {{sort: Sort, of: (values: Values) => Value | undefined}} Operand */
-/** @typedef {(Value | undefined)[]} Values */
-/** @typedef {(values: Values) => boolean} Condition */
+/**
+ * @typedef {{sort: Sort, of: (values: Values) => Value | undefined}} Operand a field or a literal
+ * @typedef {(Value | undefined)[]} Values
+ * @typedef {(values: Values) => boolean} Condition
+ */
 
 const TOKEN = /\s*(?:(<=|>=|<>|!=|[=<>()])|('(?:[^'\\]|\\.)*')|%(\d{1,2})(?!\w)|([-+]?(?:0[xX][\da-fA-F]+|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(?!\w))|([A-Za-z_][\w.[\]]*))/y;
 const RESERVED = /^(AND|OR|NOT|BETWEEN|LIKE|MATCH)$/i;
 /** @type {Record<string, (a: any, b: any) => boolean>} */
 const COMPARE = {
-  "=": (a, b) => a == b, // a whole number of 64 bits is not of the same type as others
+  "=": (a, b) => a == b, // == because 64-bit integers are BigInt
   "<>": (a, b) => a != b,
   "!=": (a, b) => a != b,
   "<": (a, b) => a < b,
@@ -23,11 +25,11 @@ const COMPARE = {
 };
 
 /**
- * A function that says whether a message passes.
- * Throws an Error that says what is wrong with the expression or its parameters.
+ * Return a function that tells whether a message passes the filter. Throws an Error that says what is wrong with the
+ * expression or its parameters.
  * @param {string} definition of the message's type, see Fields
  * @param {string} expression such as "pose.x BETWEEN %0 AND %1 OR NOT name LIKE 'turtle%'"
- * @param {string[]} parameters what stands for %0, %1, …: literals, as in the expression
+ * @param {string[]} parameters the literals that replace %0, %1, …
  * @returns {(message: Uint8Array) => boolean}
  */
 export function contentFilter(definition, expression, parameters) {
@@ -37,7 +39,7 @@ export function contentFilter(definition, expression, parameters) {
     try {
       return condition(fields.values(message));
     } catch {
-      return true; // it is not of this type, which the program will say
+      return true; // the message is of another type, which the program will report
     }
   };
 }
@@ -135,7 +137,7 @@ class Parser {
     return this.#tokens[this.#at] ?? "";
   }
 
-  /** Go on behind `word` if it is next. @param {string} word */
+  /** Skip `word` if it is the next token; return whether it was. @param {string} word */
   #skip(word) {
     if (this.#peek().toUpperCase() !== word) return false;
     this.#at += 1;
@@ -180,7 +182,7 @@ function literal(token) {
   return undefined;
 }
 
-/** Return `right`, which must be something that `left` can be compared with. @param {Operand} left @param {Operand} right */
+/** Return `right` if it can be compared with `left`, else throw. @param {Operand} left @param {Operand} right */
 function alike(left, right) {
   if (left.sort !== right.sort) throw new Error(`a ${left.sort} cannot be compared with a ${right.sort}`);
   return right;
@@ -195,8 +197,8 @@ function both(left, right, compare) {
 }
 
 /**
- * Whether all of a text is as a regular expression says, or as one with wildcards: % and * for any number of
- * characters, _ and ? for one.
+ * Return a condition that matches a whole text with a regular expression or, if `wild`, with a pattern: % and * match
+ * any number of characters, _ and ? match one.
  * @param {Operand} text @param {Operand} like @param {boolean} wild @returns {Condition}
  */
 function pattern(text, like, wild) {

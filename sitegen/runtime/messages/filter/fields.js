@@ -1,12 +1,12 @@
 // @ts-check
-// Some fields of messages, read from their CDR without reading the rest.
+// Read single fields of messages in CDR.
 
 /**
- * A field as type descriptions number its type: a scalar, plus 48 for an array, 96 for a bounded sequence
- * and 144 for an unbounded one. `nested` is the message it is of, `capacity` the length of an array.
+ * A field. `kind` is a number of type_description_interfaces: a scalar, plus 48 for an array, 96 for a bounded sequence
+ * or 144 for an unbounded one. `nested` is the name of a nested message, `capacity` the length of an array.
  * @typedef {{name: string, kind: number, nested: string, capacity: number}} Field
  */
-/** What a value can be compared with. @typedef {"number" | "text" | "bool"} Sort */
+/** Values of the same sort can be compared. @typedef {"number" | "text" | "bool"} Sort */
 /** @typedef {number | bigint | string | boolean} Value */
 
 const NESTED = 1;
@@ -34,16 +34,16 @@ const READ = {
 };
 
 export class Fields {
-  /** By the name of the message; that of the message itself is empty. @type {Map<string, Field[]>} */
+  /** By the name of the message type, empty for that of the message itself. @type {Map<string, Field[]>} */
   #types = new Map();
-  /** Where each value goes, by its path. @type {Map<string, number>} */
+  /** The index of each value, by path. @type {Map<string, number>} */
   #slots = new Map();
-  /** All that lead to one of them. @type {Set<string>} */
+  /** The paths of all values and of the messages and arrays around them. @type {Set<string>} */
   #ways = new Set();
 
   /**
-   * @param {string} definition a field in each line: its name, its type, the message it nests or "-", the
-   *   length of an array. The fields of a nested message follow its name in a line that begins with "=".
+   * @param {string} definition a field per line: its name, kind, nested message or "-", and the length of an array. A
+   *   line that begins with "=" has the name of a nested message, whose fields follow.
    */
   constructor(definition) {
     let name = "";
@@ -57,8 +57,8 @@ export class Fields {
   }
 
   /**
-   * Where `values` will have the field of `path`, such as pose.position.x or ranges[0], and what it is.
-   * Throws an Error that says why there is none.
+   * Return the index in `values` of the field at `path`, such as pose.position.x or ranges[0], and its sort. Throws an
+   * Error if there is no such field.
    * @param {string} path @returns {{slot: number, sort: Sort}}
    */
   find(path) {
@@ -89,7 +89,7 @@ export class Fields {
   }
 
   /**
-   * The values of all that was found, undefined for an element behind the end of a sequence.
+   * Return the values of all fields that were found; undefined beyond the end of a sequence.
    * @param {Uint8Array} message @returns {(Value | undefined)[]}
    */
   values(message) {
@@ -101,9 +101,10 @@ export class Fields {
   }
 
   /**
-   * @param {DataView} view @param {number} at @param {string} type @param {string} way to it
+   * @param {DataView} view @param {number} at @param {string} type
+   * @param {string} way its path, "?" if none of its fields is needed
    * @param {(Value | undefined)[]} values
-   * @returns {number} where it ends
+   * @returns {number} the offset of its end
    */
   #walk(view, at, type, way, values) {
     for (const { name, kind, nested, capacity } of this.#types.get(type) ?? []) {

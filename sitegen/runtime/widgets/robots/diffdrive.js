@@ -1,5 +1,5 @@
 // @ts-check
-// A robot with two driven wheels, drawn from its commands or from the odometry of another.
+// A robot with two driven wheels: it obeys Twist commands, or shows the odometry of another robot.
 
 import { shape } from "../../ui/drawing.js";
 import { obey, TWIST } from "./parts/commands.js";
@@ -15,7 +15,7 @@ const ODOMETRY = "nav_msgs/msg/Odometry";
 const START = { x: 0, y: 0, heading: 0 };
 
 /**
- * With `odometry` it stands where that topic says; else it drives as `twist` commands.
+ * Show the pose that `odometry` publishes, or without that a robot that obeys `twist`.
  * @param {Ros} ros
  * @param {{twist: string, odometry?: string | null}} options
  * @param {() => void} changed

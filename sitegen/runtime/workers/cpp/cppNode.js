@@ -1,5 +1,5 @@
 // @ts-check
-// The worker of a compiled node: load its program, enter it, report how it ended.
+// The worker of a compiled node: load the program, run it, report its end.
 
 import { cppHost } from "./cppHost.js";
 import { keyboardHost } from "./keyboardHost.js";
@@ -9,9 +9,9 @@ import { Printer } from "../printer.js";
 
 /** @import { FromWorker, ToWorker } from "../../protocol.js" */
 
-// So many frames of a stack are kept; browsers keep ten.
+// The number of stack frames to keep; the default of browsers is ten.
 const DEPTH = 100;
-// What a program that was built without its lines cannot tell.
+// For programs without a line table.
 const ADVICE = "    (run 'sitegen build --debug' to see where)";
 
 /** @param {FromWorker} message */
@@ -19,17 +19,17 @@ const post = (message) => postMessage(message);
 const printer = new Printer(post);
 /** @type {Participant | undefined} */
 let participant;
-/** What was typed and not yet read; none of them is the end. @type {Uint8Array[]} */
+/** Input that was typed and not read yet; an empty item is the end of input. @type {Uint8Array[]} */
 const typed = [];
 /** @type {Promise<any> | undefined} */
 let script;
-/** The address of its lines, of a program built with --debug. @type {string | undefined} */
+/** The address of the line table of a program built with --debug. @type {string | undefined} */
 let lines;
 
 /** @param {MessageEvent<ToWorker>} event */
 onmessage = (event) => {
   if (event.data.op === "load") {
-    // Its program is still being compiled; a script that cannot be had is told when it starts.
+    // The WebAssembly is still being compiled. A script that cannot be loaded is reported at the start.
     script = import(place(event.data.script));
     script.catch(() => {});
   } else if (event.data.op === "start") {
@@ -54,7 +54,7 @@ async function run(node, graph) {
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
   const ended = (error) => {
-    // With fibers, exit() throws its status and does not tell it by onExit.
+    // With Asyncify, exit() in a fiber throws its status instead of calling onExit.
     const status = /** @type {{name?: string, status?: number}} */ (error);
     if (status?.name === "ExitStatus") {
       end(status.status ?? 0, failure, whence);
@@ -73,7 +73,7 @@ async function run(node, graph) {
   const program = await load({
     ros: { ...cppHost(graph, printer, args, fail, ended, grown), ...keyboardHost(typed, printer, post) },
     noInitialRun: true,
-    // Its WebAssembly is here already; a script without an address of its own could not name it.
+    // The page has loaded the WebAssembly. A script in a single-file page could not resolve its name.
     locateFile: (/** @type {string} */ name) => name,
     /** @param {string} line */
     print: (line) => printer.print("stdout", line),
@@ -98,7 +98,7 @@ async function run(node, graph) {
     if (node.engine === "jspi") {
       await WebAssembly.promising(program.rosFunction(program._ros_main_pointer()))();
     } else {
-      program._ros_main(); // returns at the first wait; after that, `ended` and onExit hear of it
+      program._ros_main(); // returns at the first wait; later, `ended` or onExit is called
     }
   } catch (error) {
     ended(error);
@@ -108,8 +108,8 @@ async function run(node, graph) {
 let over = false;
 
 /**
- * Report the end of the program, once: exit() also throws, after it called onExit.
- * @param {number} code @param {string} error @param {string} [stack] where that was
+ * Report the end of the program, once: exit() calls onExit and then throws.
+ * @param {number} code @param {string} error @param {string} [stack] of the error
  */
 async function end(code, error, stack = "") {
   if (over) return;
@@ -120,7 +120,7 @@ async function end(code, error, stack = "") {
   post({ op: "exit", code, error: told });
 }
 
-/** @param {string} stack @param {string} address of the lines */
+/** @param {string} stack @param {string} address of the line table */
 async function where(stack, address) {
   try {
     const { traceOf } = await import(place("workers/cpp/stackTrace.js"));
@@ -133,9 +133,9 @@ async function where(stack, address) {
 /** @param {unknown} error */
 function describe(error) {
   if (!(error instanceof Error)) return String(error);
-  // Each browser has words of its own for it.
+  // Each browser has another message for this error.
   if (/call stack|recursion/.test(error.message)) return "stack overflow: too many nested calls";
-  // Emscripten adds advice for those who built the program.
+  // Emscripten adds advice that does not apply here.
   if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
   return `${error.name}: ${error.message}`;
 }

@@ -1,5 +1,5 @@
 // @ts-check
-// The host functions by which a compiled program reads what is typed.
+// The host functions by which a compiled program reads its standard input.
 
 /** @import { FromWorker, Keyboard } from "../../protocol.js" */
 /** @import { Printer } from "../printer.js" */
@@ -8,7 +8,7 @@
 const KEYBOARDS = ["lines", "hidden", "keys", "raw"];
 
 /**
- * @param {Uint8Array[]} typed and not yet read; an empty one is the end
+ * @param {Uint8Array[]} typed input that was not read yet; an empty item is the end of input
  * @param {Printer} printer
  * @param {(message: FromWorker) => void} post to the page
  */
@@ -16,7 +16,7 @@ export function keyboardHost(typed, printer, post) {
   /** @type {Keyboard | undefined} */
   let told;
   return {
-    /** @param {number} number of how it reads */
+    /** @param {number} number an index of KEYBOARDS */
     reading(number) {
       const keyboard = KEYBOARDS[number] ?? "lines";
       if (keyboard === told) return;

@@ -1,30 +1,30 @@
 // @ts-check
-// Where a compiled program was: the stack of an error in the browser's words, in those of its author.
+// Translate the stack of a browser's error into functions, files and lines of a compiled program.
 
 /**
- * The lines of a program. `at` has three numbers for each stretch of it: where it begins, counted from the
- * one before (bytes), a file by its number, or -1 where it is not the author's, and a line.
+ * The line table of a program. `at` has three numbers for each range: the distance of its beginning from that of the
+ * range before (bytes), the index of a file, -1 for files of others, and the line.
  * @typedef {{files: string[], at: number[]}} Lines
- * @typedef {{name: string, at: number}} Frame with the place in the program (bytes), -1 where that is not told
+ * @typedef {{name: string, at: number}} Frame with the position in the program (bytes), -1 if unknown
  */
 
-// Chromium, Firefox, WebKit: the last has no places.
+// Chromium, Firefox and WebKit, which has no positions.
 const FORMS = [
   /^ *at (?<name>.*) \(\S+:wasm-function\[\d+\]:0x(?<at>[0-9a-f]+)\)$/,
   /^(?<name>.*)@\S+:wasm-function\[\d+\]:0x(?<at>[0-9a-f]+)$/,
   /^.*wasm-function\[(?<name>.*)\]@\[wasm code\]$/,
 ];
-// What the compiler and the library put between functions of the author and those that they call.
+// Functions of the compiler and the library between those of the author and those that they call.
 const MACHINERY = /^(std::|_|ros_|abort|exit)|::__invoke\(/;
 const GLUE = /^(dynCall|invoke|legalstub)/;
 const MAIN = /^(__original_main|__main_argc_argv|main\(.*\))$/;
-// A lambda by the function that it is in, which is a lambda itself or nothing if that has no name.
+// A lambda and the function around it, which may be a lambda itself, or missing if it has no name.
 const LAMBDA = /^(?:(?<inside>.*)::)?(?:\$_\d+|'lambda\d*'\(.*\)(?: const)?)::operator\(\)\(.*\)(?: const)?$/;
 const STRING = /std::basic_string<char, std::char_traits<char>, std::allocator<char> ?>/g;
 
 /**
- * Return the frames of the author's files, innermost first, each a line of text; between them what they
- * call of a library, by name.
+ * Return the frames in the author's files, innermost first, as lines of text, with the names of the library functions
+ * that they call.
  * @param {string} stack of an error @param {Lines} lines
  */
 export function traceOf(stack, lines) {
@@ -50,7 +50,7 @@ export function traceOf(stack, lines) {
   return told.map(({ text, times }) => `    at ${text}${often(times)}`).join("\n");
 }
 
-/** @param {string} stack @returns {Frame[]} those in WebAssembly */
+/** @param {string} stack @returns {Frame[]} frames in WebAssembly */
 function frames(stack) {
   return stack.split("\n").flatMap((line) => {
     const groups = FORMS.map((form) => form.exec(line)?.groups).find((found) => found);
@@ -60,7 +60,7 @@ function frames(stack) {
   });
 }
 
-/** A function's name as its author knows it. @param {string} name @returns {string} */
+/** Return the name of a function as in the source. @param {string} name @returns {string} */
 function plain(name) {
   if (MAIN.test(name)) return "main";
   const lambda = LAMBDA.exec(name);
@@ -68,7 +68,7 @@ function plain(name) {
   return name.replaceAll("(anonymous namespace)::", "").replace(STRING, "std::string").replace(/^void /, "");
 }
 
-/** The file and line of a place in the program. @param {number} place @param {Lines} lines */
+/** Return the file and line of a position in the program, or "". @param {number} place @param {Lines} lines */
 function placeOf(place, { files, at }) {
   let begin = 0;
   let found = "";

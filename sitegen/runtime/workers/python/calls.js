@@ -1,14 +1,14 @@
 // @ts-check
-// Calls from a worker that stands still until they are answered, in memory that both sides have.
+// Synchronous calls from a blocked worker to another one, whose answers are written to shared memory.
 //
-//   0  int32  state   of the answer, see below
-//   4  int32  text    bytes of JSON
-//   8  int32  bytes   bytes of the one Uint8Array that the answer may have
+//   0  int32  state   of the answer, one of the constants below
+//   4  int32  text    size of the answer as JSON
+//   8  int32  bytes   size of the Uint8Array in the answer, of which there is at most one
 //   12 text and bytes
 
 /**
- * @typedef {{memory: SharedArrayBuffer} | {call: string, args: any[], told: boolean}} FromCaller a place for
- *   answers, larger than the one before; or a call, which is only `told` when nobody waits for its answer
+ * @typedef {{memory: SharedArrayBuffer} | {call: string, args: any[], told: boolean}} FromCaller memory for answers,
+ *   larger than before; or a call, whose caller does not wait for the answer if it is only `told`
  */
 
 const HEAD = 12;
@@ -28,12 +28,12 @@ export class Caller {
     post({ memory: this.#memory });
   }
 
-  /** Have something called, and go on. @param {string} call @param {any[]} args */
+  /** Call a function without waiting for it. @param {string} call @param {any[]} args */
   tell(call, args) {
     this.#post({ call, args, told: true });
   }
 
-  /** Have something called, and stand still until it returns. @param {string} call @param {any[]} args @returns {any} */
+  /** Call a function and block until it returns. @param {string} call @param {any[]} args @returns {any} */
   ask(call, args) {
     this.#wait({ call, args, told: false });
     let head = new Int32Array(this.#memory, 0, 3);
@@ -44,7 +44,7 @@ export class Caller {
     }
     const [state, text = 0, size = 0] = head;
     if (!text) return undefined;
-    // Copies: decoders take no shared memory, and the next answer will stand there.
+    // Copy, because decoders do not accept shared memory and the next answer overwrites this one.
     const json = new TextDecoder().decode(new Uint8Array(this.#memory, HEAD, text).slice());
     const bytes = new Uint8Array(this.#memory, HEAD + text, size).slice();
     const value = JSON.parse(json, (_, part) => read(part, bytes));
@@ -65,10 +65,10 @@ export class Answers {
   #functions;
   /** @type {SharedArrayBuffer | undefined} */
   #memory;
-  /** @type {[state: number, text: Uint8Array, bytes: Uint8Array] | undefined} what had no room */
+  /** @type {[state: number, text: Uint8Array, bytes: Uint8Array] | undefined} an answer that was too large */
   #rest;
 
-  /** @param {Record<string, (...args: any[]) => any>} functions that may be called */
+  /** @param {Record<string, (...args: any[]) => any>} functions by name */
   constructor(functions) {
     this.#functions = functions;
   }
@@ -118,7 +118,7 @@ export class Answers {
   }
 }
 
-/** What JSON has no word for. @param {any} part */
+/** Replace a value that JSON cannot represent. @param {any} part */
 function written(part) {
   if (part instanceof Uint8Array) return { is: "bytes" };
   return part === Infinity ? { is: "infinity" } : part;

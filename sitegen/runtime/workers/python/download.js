@@ -1,32 +1,32 @@
 // @ts-check
-// What a worker loads, counted: how far it is, and what is wrong in words.
+// Download files for a worker, with progress reports and readable errors.
 
 /** @import { FromWorker } from "../../protocol.js" */
 
-// So often (ms) is told how far it is.
+// The time between progress reports (ms).
 const PAUSE = 200;
-// Another one stands in for it while Python's loader runs.
+// The browser's function, which is replaced while Pyodide's loader runs.
 const browsers = globalThis.fetch;
 
 export class Download {
-  /** Who is told. @type {Set<(message: FromWorker) => void>} */
+  /** The receivers of reports. @type {Set<(message: FromWorker) => void>} */
   #posts = new Set();
   #loaded = 0;
   #total = 0;
   #lastPost = 0;
   /** @type {(error: Error) => void} */
   #fail = () => {};
-  /** Rejects with the first thing that could not be loaded. @type {Promise<never>} */
+  /** Rejects with the first error. @type {Promise<never>} */
   failed = new Promise((_, reject) => {
     this.#fail = reject;
   });
 
   constructor() {
-    this.failed.catch(() => {}); // told when a node starts
+    this.failed.catch(() => {}); // reported when a node starts
   }
 
   /**
-   * Tell how far it is from now on.
+   * Begin to report progress.
    * @param {number} total bytes, not compressed @param {(message: FromWorker) => void} post
    */
   expect(total, post) {
@@ -35,13 +35,13 @@ export class Download {
     this.#tell(true);
   }
 
-  /** Tell no more. @param {(message: FromWorker) => void} post */
+  /** Stop reporting progress. @param {(message: FromWorker) => void} post */
   forget(post) {
     this.#posts.delete(post);
   }
 
   /**
-   * Stands in for fetch(). The answer is the browser's own, so that it may keep what it compiles of it.
+   * Replace fetch(). The response is the browser's own, so that it can cache compiled WebAssembly.
    * @param {RequestInfo | URL} input @param {RequestInit} [init] @returns {Promise<Response>}
    */
   fetch = async (input, init) => {
@@ -52,7 +52,7 @@ export class Download {
     return response;
   };
 
-  /** @param {URL} url @param {number} [status] of the server's answer, if one came @returns {never} */
+  /** @param {URL} url @param {number} [status] of the response, if there was one @returns {never} */
   lack(url, status) {
     this.#giveUp(
       status
@@ -68,7 +68,10 @@ export class Download {
     throw error;
   }
 
-  /** Say why a module could not be imported, which the browser tells nobody. @param {URL} url @returns {Promise<never>} */
+  /**
+   * Find out why a module could not be imported, which browsers do not report, and throw an Error.
+   * @param {URL} url @returns {Promise<never>}
+   */
   async lackModule(url) {
     const response = await browsers(url, { method: "HEAD" }).catch(() => undefined);
     const type = response?.headers.get("content-type") ?? "no media type";
@@ -86,7 +89,7 @@ export class Download {
     }
   }
 
-  /** @param {boolean} now whatever was told just before */
+  /** @param {boolean} now whether to ignore the time since the last report */
   #tell(now) {
     if (!this.#total || (!now && performance.now() - this.#lastPost < PAUSE)) return;
     this.#lastPost = performance.now();
@@ -95,7 +98,7 @@ export class Download {
   }
 }
 
-/** The name of a file. @param {URL} url */
+/** Return the name of a file. @param {URL} url */
 function nameOf({ pathname }) {
   return pathname.slice(pathname.lastIndexOf("/") + 1);
 }

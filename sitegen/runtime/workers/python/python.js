@@ -1,5 +1,5 @@
 // @ts-check
-// Python in a worker: loaded once, with the files of each program unpacked beside each other.
+// The Python interpreter of a worker. It is loaded once, and the files of all programs are unpacked in it.
 
 import { Download } from "./download.js";
 import { setAside } from "./stacks.js";
@@ -7,25 +7,25 @@ import { setAside } from "./stacks.js";
 /** @import { FromWorker, Interpret } from "../../protocol.js" */
 /** @import { Printer } from "../printer.js" */
 
-// As rclpy_backend/program.py has it.
+// As in rclpy_backend/program.py.
 const PREFIX = "/ros";
 
 export class Python {
   #download = new Download();
   #loading = this.#load(new URL("../../vendor/pyodide/", import.meta.url));
-  /** What was unpacked, by its address. @type {Set<string>} */
+  /** The addresses of archives that were unpacked. @type {Set<string>} */
   #unpacked = new Set();
-  /** The functions that run programs, and that are called before. @type {any} */
+  /** The Python functions that run a program and prepare for it. @type {any} */
   #run;
   /** @type {any} */
   #begin;
 
   constructor() {
-    this.#loading.catch(() => {}); // told when a node starts
+    this.#loading.catch(() => {}); // reported when a node starts
   }
 
   /**
-   * Bring a program and what it imports.
+   * Load a program and its dependencies.
    * @param {Interpret} node @param {Printer} printer @param {(message: FromWorker) => void} post to the page
    */
   async prepare({ program, edits, byte }, printer, post) {
@@ -36,9 +36,9 @@ export class Python {
     this.#download.forget(post);
     for (const [place, text] of Object.entries(edits)) {
       python.FS.writeFile(`${PREFIX}/${place}`, text);
-      this.#unpacked.delete(program.bundles.at(-1) ?? ""); // the next node has its files as they were
+      this.#unpacked.delete(program.bundles.at(-1) ?? ""); // so that the next node gets the original files
     }
-    // What the interpreter writes by itself; programs have streams of their own.
+    // For output of the interpreter itself; programs have their own streams.
     for (const set of [python.setStdout, python.setStderr]) {
       set.call(python, { batched: (/** @type {string} */ line) => printer.print("stderr", line) });
     }
@@ -48,8 +48,8 @@ export class Python {
   }
 
   /**
-   * Run it to its end, which is its exit code: with a stack of its own, a promise for it.
-   * @param {Interpret} node that was prepared @param {{stacks: boolean}} host see pythonHost.js
+   * Run a program that was prepared, and return its exit code; with stacks, a promise for that.
+   * @param {Interpret} node @param {{stacks: boolean}} host see pythonHost.js
    */
   async run({ name, program, arguments: args }, host) {
     const python = await this.#loading;
@@ -66,7 +66,7 @@ export class Python {
   /** @param {URL} folder */
   async #load(folder) {
     const browsers = globalThis.fetch;
-    // Python's own loader says nothing when a file is missing.
+    // Pyodide's loader does not report missing files.
     globalThis.fetch = this.#download.fetch;
     try {
       const loader = new URL("pyodide.mjs", folder);
@@ -75,14 +75,14 @@ export class Python {
       const sys = python.pyimport("sys");
       sys.path.insert(0, `${PREFIX}/python`);
       setAside(python);
-      sys.dont_write_bytecode = true; // the next visitor has another interpreter
+      sys.dont_write_bytecode = true; // no other interpreter would read it
       return python;
     } finally {
       globalThis.fetch = browsers;
     }
   }
 
-  /** @param {string} url @returns {Promise<ArrayBuffer> | undefined} undefined if it is there already */
+  /** @param {string} url @returns {Promise<ArrayBuffer> | undefined} undefined if it was unpacked */
   #fetched(url) {
     if (this.#unpacked.has(url)) return undefined;
     return this.#download.fetch(url).then((response) => response.arrayBuffer());

@@ -1,6 +1,6 @@
 // @ts-check
-// The worker of Python nodes: load Python and the files of their packages, call their entry points, report
-// how each ended. A node that has the worker for itself talks through it, those that share it through ports.
+// The worker of Python nodes: load Python and the packages, call the entry points, report the end of each node. A node
+// with a worker of its own communicates through it; nodes of a group have a port each.
 
 import { heard } from "../../interrupt.js";
 import { Participant } from "../../participant/participant.js";
@@ -13,15 +13,15 @@ import { answersOf } from "./remoteParticipant.js";
 /** @import { FromWorker, Interpret, ToWorker, Typed } from "../../protocol.js" */
 /** @typedef {{postMessage(message: FromWorker): void, onmessage: ((event: MessageEvent) => any) | null}} Way */
 
-// Without, Python stands still where it waits, in a worker of its own.
+// Without JSPI, Python blocks while it waits, in a worker of its own.
 const stacks = "Suspending" in WebAssembly && "promising" in WebAssembly;
-// Python comes while the page is still busy with its widgets.
+// Load Python while the page is still mounting its widgets.
 const python = stacks ? new Python() : undefined;
 const still = stacks ? undefined : new Worker(new URL("pythonSync.js", import.meta.url), { type: "module" });
 
 serve(/** @type {Way} */ (/** @type {unknown} */ (self)));
 
-/** Run the node that asks for it. @param {Way} way to the page */
+/** Run the node that `way`, to the page, requests. @param {Way} way */
 function serve(way) {
   const post = (/** @type {FromWorker} */ message) => way.postMessage(message);
   const printer = new Printer(post);
@@ -57,7 +57,10 @@ function serve(way) {
     end(await python?.run(node, host) ?? 1, "");
   }
 
-  /** Run it in the worker that stands still, and be its part of the graph. @param {Worker} worker @param {Interpret} node @param {Participant} graph */
+  /**
+   * Run the node in a blocking worker, with its participant here.
+   * @param {Worker} worker @param {Interpret} node @param {Participant} graph
+   */
   function watch(worker, node, graph) {
     const answers = new Answers(answersOf(graph, typed));
     worker.onmessage = ({ data }) => {

@@ -1,6 +1,6 @@
 // @ts-check
-// A Python node in a browser without JavaScript Promise Integration. What Python waits for, this worker waits
-// for, and hears nothing meanwhile: so its place in the graph is in the worker that started it, pythonNode.js.
+// A Python node in a browser without JavaScript Promise Integration. While Python waits, this worker is blocked and
+// receives nothing, so its participant is in the worker that started it, pythonNode.js.
 
 import { Caller } from "./calls.js";
 import { Printer } from "../printer.js";

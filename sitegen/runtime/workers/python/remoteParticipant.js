@@ -1,6 +1,6 @@
 // @ts-check
-// A participant of the graph in another worker, for a program that stands still while it waits: what is asked
-// here is answered there, where ports and timers go on.
+// The participant of a program that blocks its worker while it waits. It lives in another worker, where ports and
+// timers continue to work, and is called synchronously.
 
 import { heard } from "../../interrupt.js";
 
@@ -10,12 +10,12 @@ import { heard } from "../../interrupt.js";
 /** @import { Hosted } from "./pythonHost.js" */
 
 const ASKED = /** @type {const} */ ([
-  "create", "publish", "behind", "request", "matched", "has", "filled", "take", "look", "nameOf", "takeEvent",
+  "create", "publish", "behind", "request", "matched", "has", "filled", "take", "look", "gid", "takeEvent",
 ]);
 const TOLD = /** @type {const} */ (["destroy", "assertLiveliness", "respond", "wake"]);
 
 /**
- * A participant that asks another worker.
+ * Return a participant that calls the one in another worker.
  * @param {Caller} caller @param {Uint8Array | undefined} byte by which the page interrupts @returns {Hosted}
  */
 export function remoteParticipant(caller, byte) {
@@ -35,14 +35,14 @@ export function remoteParticipant(caller, byte) {
   };
 }
 
-/** What it asks for. @param {Participant} participant @param {Typed[]} typed */
+/** Return the functions that it calls. @param {Participant} participant @param {Typed[]} typed */
 export function answersOf(participant, typed) {
   /** @type {[string, Function][]} */
   const named = [...ASKED, ...TOLD].map((name) => [name, participant[name].bind(participant)]);
   let seen = participant.wakes;
   /** @param {number} milliseconds */
   const wait = async (milliseconds) => {
-    // Things happen here between two questions, too: the program looked before, and would wait for what is there.
+    // Do not wait if something has happened since the last wait: the program may have checked before that.
     const signal = await participant.wait(participant.wakes === seen ? milliseconds : 0);
     seen = participant.wakes;
     return signal;

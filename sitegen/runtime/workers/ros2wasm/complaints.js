@@ -1,7 +1,7 @@
 // @ts-check
-// What is wrong with a script, told in the console of its node: each thing once.
+// Report the errors of a script in the console of its node, each once.
 
-// A script that does everything wrong shall not fill the console.
+// The largest number of reports, so that a script cannot fill the console.
 const MOST = 50;
 
 export class Complaints {
@@ -14,7 +14,7 @@ export class Complaints {
     this.#tell = tell;
   }
 
-  /** Tell `text`, unless something was told about `what` already. @param {string} what @param {string} text */
+  /** Report `text`, unless there was a report about `what` before. @param {string} what @param {string} text */
   add(what, text) {
     if (this.#told.has(what) || this.#told.size > MOST) return;
     this.#told.add(what);
@@ -22,7 +22,7 @@ export class Complaints {
   }
 }
 
-/** What a script sent, for the middle of a line. @param {unknown} value */
+/** Return a short description of a value that a script sent. @param {unknown} value */
 export function shown(value) {
   if (typeof value === "object" && value) return Array.isArray(value) ? "a list" : "an object";
   const line = String(value).replace(/[\x00-\x1f\x7f]/g, " ");

@@ -1,5 +1,5 @@
 // @ts-check
-// What a script has in the graph: its messages are YAML on its side and CDR on the other.
+// The endpoints of a script in the graph. The script has its messages in YAML, the graph in CDR.
 
 import { Codec } from "../../messages/codec.js";
 import { isPlain, toYaml } from "../../messages/yaml.js";
@@ -12,16 +12,15 @@ import { topicsOf } from "./names.js";
 /** @import { Complaints } from "./complaints.js" */
 
 /**
- * An endpoint as its script sees it: `send` takes a message that goes out on one of the topics `out`,
- * `take` gives the oldest that came in on those of `in`, undefined if there is none. `look` is for
- * changes of the graph.
+ * An endpoint as its script sees it. `send` sends a message that the script published on one of the topics `out`;
+ * `take` returns the oldest message for the topics `in`, or undefined. `look` is called after changes of the graph.
  * @typedef {{id: number, out: string[], in: string[], send(yaml: string): void,
  *   take(): string | undefined, look(): void}} Endpoint
  * @typedef {"publisher" | "subscription" | "service" | "client"} Kind
  */
 
-// Their middleware does not tell what its nodes ask for. To offer the usual and to ask for less finds the
-// most others. The usual depth is that of their stacks.
+// The protocol of ROS2WASM has no QoS. Offering the default and requesting best effort is compatible with most others.
+// The default depth is that of ROS2WASM's queues.
 /** @type {Record<Kind, Qos>} */
 const QOS = {
   publisher: DEFAULT_QOS,
@@ -77,8 +76,8 @@ export class Endpoints {
   }
 
   /**
-   * Its script does not say which request a response answers. So it gets the next request after it
-   * answered the last, and each answer goes to the client who asked.
+   * The script does not say which request it answers. So it gets the next request only after it has answered the last
+   * one.
    * @param {number} id @param {string} name @param {string} type @returns {Endpoint}
    */
   #service(id, name, type) {
@@ -112,7 +111,7 @@ export class Endpoints {
   }
 
   /**
-   * Its script asks whether a server is there or not, so requests wait for one.
+   * The script does not check for a server, so requests wait for one.
    * @param {number} id @param {string} name @param {string} type @returns {Endpoint}
    */
   #client(id, name, type) {
@@ -167,8 +166,8 @@ export class Endpoints {
 }
 
 /**
- * Scripts send line ends as they are. Where they were made ", ", as their page did, they are put back:
- * nothing else is lost than such a text of its own.
+ * Parse YAML in which line ends may have been replaced by ", ", as in the pages of ROS2WASM. This misreads texts of
+ * such messages that contain ", " themselves.
  * @param {string} yaml @param {string} type @param {Record<string, MessageType>} types
  */
 function read(yaml, type, types) {
@@ -185,8 +184,8 @@ function read(yaml, type, types) {
 }
 
 /**
- * Scripts make line ends of each ", ", so a text must not hold one as it is. In double quotes the space
- * has another name, the same in YAML and JSON.
+ * Format a text without ", ", which scripts replace by a line end. In double quotes, the space has an escape sequence
+ * that is valid in YAML and JSON.
  * @param {string} text
  */
 function quote(text) {

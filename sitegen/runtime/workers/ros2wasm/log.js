@@ -1,9 +1,9 @@
 // @ts-check
-// What a script of the ROS2WASM project sends to the console: a line as ROS prints it on a terminal.
+// Parse the console output of a script, which is formatted as on a terminal.
 
 /** @import { Line, Severity } from "../../protocol.js" */
 
-// Colours, and other characters that tell a terminal something.
+// Colours and other control sequences of terminals.
 const ESCAPES = /\x1b\[[\d;]*[A-Za-z]|[\x00-\x08\x0b-\x1f\x7f]/g;
 const LOGGED = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[(\d+)\.(\d{1,9})\] \[([^\]]*)\]: ([^]*)$/;
 const NAMED = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\]/;
@@ -11,7 +11,7 @@ const NAMED = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\]/;
 const LEVELS = { DEBUG: 10, INFO: 20, WARN: 30, ERROR: 40, FATAL: 50 };
 
 /**
- * The lines of what a script sent, without the characters around them.
+ * Return the lines of a text, without control sequences.
  * @param {string} text @returns {Line[]}
  */
 export function toLines(text) {
@@ -21,7 +21,7 @@ export function toLines(text) {
   return plain.split("\n").map((line) => ({ severity, text: line }));
 }
 
-/** The same as a message for /rosout, if it was logged and not only printed. @param {string} text */
+/** Return the message for /rosout, if the text was logged and not only printed. @param {string} text */
 export function toLog(text) {
   const [, severity, sec, fraction, name, msg] = LOGGED.exec(text.replace(ESCAPES, "")) ?? [];
   if (!severity || !fraction) return null;

@@ -1,18 +1,18 @@
 // @ts-check
-// The names of the ROS2WASM project: which topics make up a service, and what each node has for itself.
+// The naming of ROS2WASM: the topics of services, and the infrastructure of nodes.
 
 import { infrastructureOf } from "../../graphNames.js";
 
-// A service is two topics to its middleware; the second form is that of its first versions.
+// A service consists of two topics; the form with the underscore is that of early versions.
 const PART = /^\/(request|response)_?(\/.+)$/;
 
-/** The name in the graph that a script means by `topic`. @param {string} topic */
+/** Return the absolute name of a topic. @param {string} topic */
 export function absolute(topic) {
   return topic.startsWith("/") ? topic : `/${topic}`;
 }
 
 /**
- * The service that a topic belongs to, if it may be of one, and whether requests travel on it.
+ * Return the service that a topic may belong to, and whether the topic is for requests; else null.
  * @param {string} name
  */
 export function partOf(name) {
@@ -21,7 +21,7 @@ export function partOf(name) {
 }
 
 /**
- * All names of the topic for requests, or for responses, of a service: its own is one of them.
+ * Return all names of the topic for the requests, or the responses, of a service, including the service's own.
  * @param {string} service @param {boolean} isRequest
  */
 export function topicsOf(service, isRequest) {
@@ -30,8 +30,7 @@ export function topicsOf(service, isRequest) {
 }
 
 /**
- * Whether a topic or service is one that each node has for its log and its parameters, and the node's
- * name where it tells.
+ * Return whether a topic or service is for the log or the parameters of a node, with the node's name if it has one.
  * @param {string} name @returns {{node: string} | null}
  */
 export function ownOf(name) {

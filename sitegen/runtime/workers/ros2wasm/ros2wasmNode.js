@@ -1,6 +1,6 @@
 // @ts-check
-// The worker of a node that the ROS2WASM project compiled: the script runs in a worker of its own, as it
-// is, and this one speaks for it in the graph.
+// The worker of a node that the ROS2WASM project compiled. Its script runs unchanged in another worker, which this one
+// represents in the graph.
 
 import { Participant } from "../../participant/participant.js";
 import { Printer } from "../printer.js";
@@ -16,7 +16,7 @@ const printer = new Printer(post);
 let participant;
 /** @type {Script | undefined} */
 let script;
-/** What runs the script. @type {Worker | undefined} */
+/** The worker that runs the script. @type {Worker | undefined} */
 let worker;
 
 /** @param {MessageEvent<ToWorker>} event */
@@ -24,7 +24,7 @@ onmessage = (event) => {
   if (event.data.op === "adopt") {
     run(event.data);
   } else if (event.data.op === "stop") {
-    end(0, ""); // scripts know no signals
+    end(0, ""); // scripts do not support signals
   } else {
     participant?.receive(event.data);
     script?.look();
@@ -37,7 +37,7 @@ function run({ id, name, program }) {
   const graph = new Participant(id, post);
   participant = graph;
   const complaints = new Complaints((text) => printer.print("warn", `${name}: ${text}`));
-  // As a classic script, which these are: they assign to variables that they do not declare.
+  // A classic worker, because the scripts assign to undeclared variables.
   const own = new Worker(program.script, { name });
   worker = own;
   const answer = (/** @type {{topic: string, message: string}} */ message) => own.postMessage(message);
@@ -55,7 +55,7 @@ function run({ id, name, program }) {
 
 let flushing = false;
 
-/** Lines that come together go to the page together. */
+/** Send the lines of one task to the page together. */
 function flushSoon() {
   if (flushing) return;
   flushing = true;

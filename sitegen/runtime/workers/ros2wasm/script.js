@@ -1,5 +1,5 @@
 // @ts-check
-// What a script of the ROS2WASM project says, and what that means in the graph.
+// Translate between the commands of a ROS2WASM script and the graph.
 
 import { ROSOUT } from "../../graphNames.js";
 import { shown } from "./complaints.js";
@@ -16,12 +16,12 @@ import { DEFAULT_QOS } from "../../protocol.js";
 /** @import { Endpoint, Kind } from "./endpoints.js" */
 
 /**
- * Somebody who takes part: what a script registered under a gid. It holds an endpoint of the graph, or
- * none.
+ * A participant that a script has registered under a gid of its own. `endpoint` is the key of its endpoint in the
+ * graph, empty if it has none.
  * @typedef {{gid: unknown, role: string, name: string, endpoint: string}} Registered
  */
 
-/** What must be text in each command. @type {Map<unknown, ("topic" | "message" | "role")[]>} */
+/** The properties of each command that must be text. @type {Map<unknown, ("topic" | "message" | "role")[]>} */
 const COMMANDS = new Map([
   ["register", ["topic", "role"]],
   ["deregister", ["topic", "role"]],
@@ -38,11 +38,11 @@ const KINDS = new Map([
 ]);
 const ACTIONS = ["action_server", "action_client"];
 const LOG = "rcl_interfaces/msg/Log";
-// As other nodes have it: the log keeps lines for those who come late.
+// The QoS of /rosout in ROS 2: latecomers receive the latest lines.
 const LOG_QOS = { ...DEFAULT_QOS, depth: 1000, transientLocal: true };
-// A script keeps one message of a topic, which the next replaces, read or not; until it has read one it
-// asks for more every 10 ms. What it asked before an answer reached it gets no other, therefore: after
-// an answer its topic rests for this long (ms).
+// A script requests a message every 10 ms until it finds one, and keeps only one per topic, which the next one
+// replaces, read or not. So requests that it sent before an answer arrived must not get another answer: after each
+// answer, requests for the topic are ignored for this time (ms).
 const REST = 5;
 
 export class Script {
@@ -58,13 +58,13 @@ export class Script {
   #held = new Map();
   /** @type {Registered[]} */
   #registered = [];
-  /** What was registered and has no endpoint. @type {Set<string>} */
+  /** Topics and services that were registered and have no endpoint. @type {Set<string>} */
   #without = new Set();
-  /** The endpoints that messages go out by, and come in by, by topic. @type {Map<string, Endpoint>} */
+  /** The endpoints that send and receive, by topic. @type {Map<string, Endpoint>} */
   #outlets = new Map();
   /** @type {Map<string, Endpoint>} */
   #inlets = new Map();
-  /** The nodes in the graph, the last one being that of what is registered next; and their log. */
+  /** The ids of the nodes in the graph, by name; the node that registers now; the publisher of the log. */
   #nodes = new Map();
   #node = "";
   #log = 0;
@@ -74,7 +74,7 @@ export class Script {
 
   /**
    * @param {Participant} participant
-   * @param {string} name of the node, where the script does not tell another
+   * @param {string} name of the node, unless the script has another
    * @param {Ros2wasmEntry} program
    * @param {(message: {topic: string, message: string}) => void} answer to the script
    * @param {Printer} printer
@@ -92,7 +92,7 @@ export class Script {
     this.#turn.port1.onmessage = ({ data: name }) => this.#resting.delete(name);
   }
 
-  /** Take what the script posted. @param {any} data */
+  /** Handle a message of the script. @param {any} data */
   receive(data) {
     const { command, topic, message, role, gid } = Object(data);
     const texts = { topic, message, role };
@@ -148,7 +148,7 @@ export class Script {
   }
 
   /**
-   * Which endpoint somebody who registered stands for: none where `type` is empty.
+   * Return the endpoint that a registration stands for; it has none if `type` is empty.
    * @param {string} name @param {string} role @returns {{kind: Kind, of: string, type: string}}
    */
   #meaning(name, role) {
@@ -187,7 +187,7 @@ export class Script {
   }
 
   /**
-   * Scripts name the topic that they registered last, whatever they take back; their gids are right.
+   * Scripts send the topic that they registered last instead of the one to deregister; the gid is correct.
    * @param {string} name @param {string} role @param {unknown} gid
    */
   #deregister(name, role, gid) {
@@ -226,13 +226,13 @@ export class Script {
     if (message === undefined) return;
     this.#answer({ topic, message });
     this.#resting.add(name);
-    // A turn later, so that it ends after all that came meanwhile.
+    // A message queues behind the requests that have arrived in the meantime.
     setTimeout(() => this.#turn.port2.postMessage(name), REST);
   }
 
   /** @param {string} name @param {string} did @param {string} role */
   #tellUnknown(name, did, role) {
-    if (this.#without.has(name)) return; // told when it was registered
+    if (this.#without.has(name)) return; // reported when it was registered
     this.#complaints.add(`unknown ${role} ${name}`, `${did} ${shown(name)} and is no ${role} of it`);
   }
 
@@ -244,7 +244,7 @@ export class Script {
     this.#participant.flush();
   }
 
-  /** Let what comes belong to a node of the graph. @param {string} node */
+  /** Assign the next registrations to a node. @param {string} node */
   #enterNode(node) {
     this.#node = node;
     if (this.#nodes.has(node)) return;
@@ -252,7 +252,7 @@ export class Script {
     this.#log ||= this.#participant.create("publisher", node, ROSOUT, LOG, LOG_QOS);
   }
 
-  /** A program whose last participant is gone has no node any more. */
+  /** Remove all nodes, because nothing is registered any more. */
   #leaveNodes() {
     for (const id of [...this.#nodes.values(), this.#log]) this.#participant.destroy(id);
     this.#nodes.clear();

@@ -1,18 +1,18 @@
 // @ts-check
-// Obey Twist messages, and stop whenever nobody commands any more.
+// Obey Twist messages, and stop when they end.
 
 import { say } from "../../../ui/words.js";
 
 /** @import { Ros } from "../../../protocol.js" */
 
 export const TWIST = "geometry_msgs/msg/Twist";
-// A robot without a command for this time (ms) stops, as the controllers of ROS do.
+// A robot stops after this time (ms) without a command, like the controllers of ROS.
 const PATIENCE = 1000;
 
 /**
- * Call `drive` with speed (linear.x) and turning rate (angular.z) of each command, and `halt` with the
- * reason when there is none any more: for a second none came, no publisher is left on the topic, the
- * page is hidden or closed. Returns a function that ends it, with a last `halt`.
+ * Call `drive` with the speed (linear.x) and the turning rate (angular.z) of each command. Call `halt` with the reason
+ * when a second has passed without a command, the topic has no publisher, or the page is hidden or closed. Return a
+ * function that ends this, with a last `halt`.
  * @param {Ros} ros
  * @param {string} topic
  * @param {(speed: number, turn: number) => void} drive
@@ -32,7 +32,7 @@ export function obey(ros, topic, drive, halt) {
   const commanded = () =>
     ros.graph.topics().some(({ name, publishers }) => name === topic && publishers.length > 0);
   const unsubscribe = ros.subscribe(topic, TWIST, ({ linear, angular }) => {
-    // What was on its way when the publisher ended, or the page was hidden, comes too late.
+    // Ignore messages that were in transit when the publisher ended or the page was hidden.
     if (document.visibilityState === "hidden" || !commanded()) return;
     if (!Number.isFinite(linear.x) || !Number.isFinite(angular.z)) {
       stop(say("a command was not a number"));

@@ -1,25 +1,25 @@
 // @ts-check
-// A floor seen from above, with a robot that leaves a trace. The view follows the robot.
+// A floor seen from above, with a robot and its trace. The view follows the robot.
 
 import { shape } from "../../../ui/drawing.js";
 
 /** @import { Pose } from "./motion.js" */
 
-// So much of the floor is always seen (m), more of it where the drawing is wide or high, and the robot
-// may go this far from the middle of the view. There is ground for every shape that a page has.
+// In metres: the side of the square that is always visible, the largest distance of the robot from the centre of the
+// view, and the size of the ground, which fills wide and high views, too.
 const SEEN = 0.9;
 const REACH = 0.25;
 const GROUND = 12;
 const TILE = 0.1;
-// The trace is this fine (m) and this long (points).
+// The distance between points of the trace (m), and their largest number.
 const STEP = 0.01;
 const LENGTH = 1500;
 
 let floors = 0;
 
 /**
- * @param {string} label what is drawn, for those who do not see it
- * @param {Element} body of the robot, in metres, its front to the right
+ * @param {string} label for screen readers
+ * @param {Element} body of the robot, in metres, facing right
  */
 export function createFloor(label, body) {
   const id = `ros-tiles-${++floors}`;
@@ -29,7 +29,7 @@ export function createFloor(label, body) {
   const trace = shape("polyline", { class: "ros-trace" });
   const robot = shape("g", {}, body);
   const start = shape("path", { class: "ros-origin", d: "M -0.05 0 H 0.05 M 0 -0.05 V 0.05" });
-  // y goes up in the world of ROS, and down in that of drawings.
+  // The y axis points up in ROS and down in SVG.
   const world = shape("g", {}, ground, start, trace, robot);
   const element = shape("svg", {
     class: "ros-floor", role: "img", "aria-label": label,

@@ -1,18 +1,18 @@
 // @ts-check
-// Where a robot on wheels comes to.
+// The motion of a robot on wheels.
 
 import { say } from "../../../ui/words.js";
 
 /** @typedef {{x: number, y: number, heading: number}} Pose metres, and radians counter-clockwise from x */
 
 /**
- * Drive for some time, at a speed (m/s) and a turning rate (rad/s) that stay the same: along an arc.
+ * Return the pose after driving along an arc, at a constant speed (m/s) and turning rate (rad/s).
  * @param {Pose} pose @param {number} speed @param {number} turn @param {number} seconds
  * @returns {Pose}
  */
 export function drive({ x, y, heading }, speed, turn, seconds) {
   const angle = turn * seconds;
-  // The chord of the arc; for small angles it is the arc itself.
+  // The chord of the arc; for very small angles its length is that of the arc.
   const chord = speed * seconds * (Math.abs(angle) < 1e-6 ? 1 : Math.sin(angle / 2) / (angle / 2));
   return {
     x: x + chord * Math.cos(heading + angle / 2),
@@ -21,7 +21,7 @@ export function drive({ x, y, heading }, speed, turn, seconds) {
   };
 }
 
-/** A pose to be read. @param {Pose} pose */
+/** Return a pose as readings. @param {Pose} pose */
 export function describe({ x, y, heading }) {
   const turn = Math.atan2(Math.sin(heading), Math.cos(heading));
   return [
@@ -30,7 +30,7 @@ export function describe({ x, y, heading }) {
   ];
 }
 
-/** A number without a negative zero. @param {number} value @param {number} digits */
+/** Format a number, without negative zero. @param {number} value @param {number} digits */
 export function plain(value, digits) {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? text.replace("-", "") : text;

@@ -1,37 +1,37 @@
 // @ts-check
-// A LEGO Move Hub over Web Bluetooth: what is needed of the LEGO Wireless Protocol 3.
+// A LEGO Move Hub over Web Bluetooth, with the LEGO Wireless Protocol 3.
 
 import { say } from "../../../ui/words.js";
 
 const SERVICE = "00001623-1212-efde-1623-785feabcde23";
 const CHARACTERISTIC = "00001624-1212-efde-1623-785feabcde23";
-// Messages begin with their length, a zero and one of these.
+// Message types. A message begins with its length, a zero and the type.
 const PROPERTY = 0x01;
 const ATTACHED = 0x04;
 const INPUT_FORMAT = 0x41;
 const VALUE = 0x45;
 const OUTPUT = 0x81;
-// Properties, and what is asked about them.
+// Properties of the hub, and the request to report them.
 const BUTTON = 0x02;
 const BATTERY = 0x06;
 const REPORT = 0x02;
-// Ports of the hub, and the sensors that say themselves where they are.
+// Ports of the hub, and types of sensors, whose ports the hub reports.
 const MOTORS = [0x00, 0x01];
 const LIGHT = 0x32;
 const COLOR_DISTANCE = { type: 0x25, mode: 0x08 };
 const TILT = { type: 0x28, mode: 0x00 };
-// Begin at once, whatever the port does, and tell when it is done; write to the device directly.
+// Execute immediately and report the end; write directly to the device.
 const AT_ONCE = 0x11;
 const DIRECT = 0x51;
-// The motors are written this often (ms) at most: a radio takes its time, and what waits is late.
+// The shortest time between commands to the motors (ms), because the radio is slow and commands must not queue.
 const PACE = 50;
 const TRIES = 3;
-// How long (ms) the last messages may take.
+// The time for the last messages before the connection ends (ms).
 const FAREWELL = 500;
 
 /**
- * What a hub tells: the charge of its battery (%), whether its button is pressed, what it sees, how it
- * is tilted (radians), and that the connection has ended.
+ * Reports of a hub: the charge of its battery (%), its button, the distance (m), the tilt (radians), and the loss of
+ * the connection.
  * @typedef {{
  *   battery(percent: number): void,
  *   button(pressed: boolean): void,
@@ -42,7 +42,7 @@ const FAREWELL = 500;
  * @typedef {Awaited<ReturnType<typeof connect>>} MoveHub
  */
 
-/** Why this page cannot reach a hub, or "". */
+/** Return why this page cannot connect to a hub, or "". */
 export function obstacle() {
   if (!window.isSecureContext) {
     return say("Browsers allow Bluetooth only on https:// pages and on this computer. " +
@@ -56,8 +56,8 @@ export function obstacle() {
 }
 
 /**
- * Let the visitor choose a hub, and connect to it. Must be called by a click. Rejects with an Error
- * that says what happened and what to do.
+ * Let the visitor choose a hub, and connect to it. Browsers allow this only in a click handler. Rejects with an Error
+ * that says what went wrong and what to do.
  * @param {Listener} listener
  */
 export async function connect(listener) {
@@ -65,7 +65,7 @@ export async function connect(listener) {
     navigator.bluetooth?.requestDevice({ filters: [{ services: [SERVICE] }] }),
     say("No hub was chosen. Press the green button on the hub so that its light blinks, then connect again."),
   );
-  // Before anything can fail: what fails later must not leave a connection behind.
+  // Defined first, because an error in any later step must end the connection.
   const closing = new AbortController();
   const disconnect = () => {
     closing.abort();
@@ -93,11 +93,11 @@ export async function connect(listener) {
     return {
       name: device.name || "Move Hub",
       ...createMotors(out),
-      /** @param {number} color its number, from 0 (off) to 10 */
+      /** @param {number} color from 0 (off) to 10 */
       light(color) {
         out.put(`port ${LIGHT}`, output(LIGHT, color));
       },
-      /** End the connection, after what waits: the motors may have to be stopped. */
+      /** End the connection after the last messages, which may stop the motors. */
       async disconnect() {
         out.close();
         await Promise.race([out.empty(), new Promise((resolve) => setTimeout(resolve, FAREWELL))]);
@@ -111,7 +111,7 @@ export async function connect(listener) {
 }
 
 /**
- * The motors A and B. Only the newest power counts, and only what changes is sent.
+ * The motors A and B. Only the latest power is sent, and only if it has changed.
  * @param {ReturnType<typeof createOutbox>} out
  */
 function createMotors(out) {
@@ -136,7 +136,7 @@ function createMotors(out) {
       wanted = [a, b];
       timer ??= setTimeout(write, Math.max(0, last + PACE - performance.now()));
     },
-    /** Stop now: not after what waits, nor after a pause. */
+    /** Stop immediately, before messages that wait. */
     halt() {
       wanted = [0, 0];
       write(true);
@@ -145,7 +145,7 @@ function createMotors(out) {
 }
 
 /**
- * Write messages one at a time, as Bluetooth wants it. Of those for one `place` only the newest waits.
+ * Write messages one after another, as Web Bluetooth requires. Of those for one `place`, only the latest waits.
  * @param {BluetoothCharacteristic} characteristic @param {BluetoothDevice} device
  */
 function createOutbox(characteristic, device) {
@@ -168,13 +168,13 @@ function createOutbox(characteristic, device) {
         await characteristic.writeValueWithoutResponse(message);
         failed = 0;
       } catch {
-        // A motor that missed its stop goes on, so it is told again, unless there is news for it.
+        // Try again, unless there is a newer message: a motor that missed its stop would run on.
         if (!waiting.has(place)) waiting.set(place, message);
         if (++failed >= TRIES) waiting.clear();
       }
     }
     writing = false;
-    // A hub that takes nothing is as good as gone, and the visitor has to know.
+    // The hub does not respond: report the connection as lost.
     if (failed >= TRIES && device.gatt.connected) device.gatt.disconnect();
   };
   return {
@@ -185,7 +185,7 @@ function createOutbox(characteristic, device) {
       waiting.delete(place);
       if (urgent) {
         waiting = new Map([[place, message], ...waiting]);
-        // A page that closes does not come back to what waits: try past the message on its way, too.
+        // A page that is closing has no time to wait for the message in transit.
         if (writing) passing = Promise.allSettled([passing, characteristic.writeValueWithoutResponse(message)]);
       } else {
         waiting.set(place, message);
@@ -193,7 +193,7 @@ function createOutbox(characteristic, device) {
       if (!writing) last = send();
     },
     empty: () => last,
-    /** Take no more; with `gone` what waits is lost. */
+    /** Accept no more messages; with `gone`, drop those that wait. */
     close(gone = false) {
       closed = true;
       if (gone) waiting.clear();
@@ -214,7 +214,7 @@ function read(message, listener, out) {
       if (type === sensor.type) out.put(`mode ${port}`, inputFormat(port, sensor.mode, true));
     }
   }
-  // The tilt sensor is a part of the hub, what is at another port is what was plugged in.
+  // The tilt sensor is built in; the other sensor is plugged into one of the other ports.
   if (kind === VALUE && port === 0x3a) {
     listener.tilt((signed(4) * Math.PI) / 180, (signed(5) * Math.PI) / 180);
   } else if (kind === VALUE) {
@@ -223,7 +223,8 @@ function read(message, listener, out) {
 }
 
 /**
- * The sensor counts inches and a part of one, sees ten at most, and its glass is 2 cm behind its front.
+ * Convert a reading to metres. The sensor reports inches and the denominator of a fraction, up to ten inches, from a
+ * lens 2 cm behind its front.
  * @param {number} inches @param {number} part
  */
 function distance(inches, part) {
@@ -236,13 +237,16 @@ function output(port, value) {
   return [OUTPUT, port, AT_ONCE, DIRECT, 0x00, value & 0xff];
 }
 
-/** Take a mode, and report each change or none. @param {number} port @param {number} mode @param {boolean} report */
+/**
+ * Set the mode of a port, with or without reports of changes.
+ * @param {number} port @param {number} mode @param {boolean} report
+ */
 function inputFormat(port, mode, report) {
   return [INPUT_FORMAT, port, mode, 1, 0, 0, 0, report ? 1 : 0];
 }
 
 /**
- * Say in our words why a step failed.
+ * Wait for a step; if it fails, throw an Error with `text`.
  * @template T @param {Promise<T> | undefined} promise @param {string} text @returns {Promise<T>}
  */
 async function step(promise, text) {

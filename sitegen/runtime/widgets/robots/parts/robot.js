@@ -1,9 +1,9 @@
 // @ts-check
-// What every robot kind is for the widget that shows it.
+// The interface between the widget and each kind of robot.
 
 /**
- * What a robot kind is made with `create(ros, options, changed)`: it calls `changed` when there is
- * something new to draw or to read.
+ * Each kind exports `create(ros, options, changed)`, which returns a Robot. The robot calls `changed` when its drawing
+ * or its readings must be updated.
  * @typedef {{
  *   title: string,
  *   inputs: Input[],
@@ -14,7 +14,7 @@
  *   note(): Note,
  *   reset(): void,
  *   close(): void,
- * }} Robot where `advance` draws what that time brought, and returns whether it is still moving
+ * }} Robot `advance` moves and draws the robot, and returns whether it is still moving
  * @typedef {{topic: string, type: string}} Input
  * @typedef {{name: string, text: string, level?: number, color?: string}} Reading
  *   a level from -1 to 1 is shown as a bar, a colour as a dot

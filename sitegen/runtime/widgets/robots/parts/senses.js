@@ -1,5 +1,5 @@
 // @ts-check
-// What Vernie senses: shown, and published where the page knows the type.
+// The sensors of Vernie: readings, and topics if the page knows their types.
 
 import { plain } from "./motion.js";
 import { say } from "../../../ui/words.js";
@@ -10,12 +10,12 @@ import { say } from "../../../ui/words.js";
 const FLOAT = "std_msgs/msg/Float32";
 const VECTOR = "geometry_msgs/msg/Vector3";
 const BOOL = "std_msgs/msg/Bool";
-// A hand before its eyes is this far away (m), and this often (ms) the drawn robot says so.
+// The distance of the simulated hand (m), and the time between its messages (ms).
 const HAND = 0.05;
 const EYES = 200;
 
 /**
- * Topics below `name`: distance, tilt and button. `seen` tells whether the distance is published.
+ * Publish distance, tilt and button below the topic `name`. `seen` tells whether the distance is published.
  * @param {Ros} ros @param {string} name @param {() => void} changed
  */
 export function createSenses(ros, name, changed) {
@@ -24,7 +24,7 @@ export function createSenses(ros, name, changed) {
   const distance = advertise("distance", FLOAT);
   const tilt = advertise("tilt", VECTOR);
   const pressed = advertise("button", BOOL);
-  /** What the hub said last, by its name. @type {Map<string, string>} */
+  /** The last readings of the hub, by name. @type {Map<string, string>} */
   const said = new Map();
   /** @type {ReturnType<typeof setInterval> | undefined} */
   let timer;
@@ -49,7 +49,7 @@ export function createSenses(ros, name, changed) {
     /** @returns {Reading[]} */
     readings: () => [...said].map(([sense, text]) => ({ name: sense, text })),
     clear: () => said.clear(),
-    /** Let the drawn robot see a hand, or nothing. @param {boolean} held */
+    /** Let the simulated robot see a hand, or nothing. @param {boolean} held */
     hold(held) {
       clearInterval(timer);
       distance?.publish({ data: held ? HAND : Infinity });

@@ -20,7 +20,10 @@ export class Connection {
   trouble = "";
   button = button(say("Connect"), "ros-connect", () => (this.hub ? this.#end("") : this.#begin()));
 
-  /** @param {Sensors} sensors @param {() => void} changed called when connecting begins, succeeds or fails, and when a connection ends */
+  /**
+   * @param {Sensors} sensors
+   * @param {() => void} changed called when connecting begins, succeeds or fails, and when a connection ends
+   */
   constructor(sensors, changed) {
     this.#sensors = sensors;
     this.#changed = changed;

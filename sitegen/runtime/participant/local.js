@@ -1,0 +1,98 @@
+// @ts-check
+// An endpoint of this worker: which endpoints match it, what it sends and which messages wait at it.
+
+import { Queue } from "./queue.js";
+import { Reader } from "./reader.js";
+import { Status } from "./status.js";
+import { Writer } from "./writer.js";
+
+/** @import { Endpoint, Policy, Qos } from "../protocol.js" */
+/** @import { Received } from "./queue.js" */
+/** @import { Sample } from "./writer.js" */
+
+/**
+ * @typedef {{gid: number, peer: number, id: number, qos: Qos}} Remote an endpoint that matches a local one: its
+ *   worker, and its id there
+ * @typedef {{
+ *   changed(): void,
+ *   send(remote: Remote, sample: Sample, last: boolean): void,
+ *   credit(writer: number, records: number, bytes: number): void,
+ * }} Actions what an endpoint calls: after an event; to send a message, as Writer says; to give a publisher credits
+ */
+
+export class Local {
+  endpoint;
+  /** @type {Remote[]} */
+  remotes = [];
+  status;
+  /** Of a publisher. @type {Writer | undefined} */
+  writer;
+  /** Of a subscription. @type {Reader | undefined} */
+  reader;
+  /** Of a service or a client. @type {Queue | undefined} */
+  #queue;
+  /** The number of requests that a client has sent. */
+  requests = 0;
+
+  /** @param {Endpoint} endpoint @param {Actions} actions */
+  constructor(endpoint, { changed, send, credit }) {
+    this.endpoint = endpoint;
+    const { kind, qos } = endpoint;
+    this.status = new Status(changed);
+    if (kind === "publisher") {
+      this.writer = new Writer(qos, this.status, send);
+    } else if (kind === "subscription") {
+      this.reader = new Reader(qos, this.status, credit);
+    } else if (kind === "service" || kind === "client") {
+      // The number of requests and responses is limited by the callers that wait for them.
+      this.#queue = new Queue(Infinity);
+    }
+  }
+
+  /** @param {Remote} remote */
+  match(remote) {
+    this.remotes.push(remote);
+    this.status.add("matched", 1, 1);
+    this.reader?.match(remote);
+    this.writer?.match(remote);
+  }
+
+  /** @param {number} gid of the other endpoint */
+  unmatch(gid) {
+    const at = this.remotes.findIndex((remote) => remote.gid === gid);
+    if (at < 0) return;
+    this.remotes.splice(at, 1);
+    this.reader?.unmatch(gid);
+    this.writer?.unmatch(gid);
+    this.status.add("matched", 0, -1);
+  }
+
+  /** Another endpoint would match, but for `policy`. @param {Policy} policy */
+  mismatch(policy) {
+    this.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
+  }
+
+  /** Add a message that arrived. Return whether the program missed a message. @param {Received} sample */
+  push(sample) {
+    this.#queue?.push(sample);
+    if (!this.reader) return false;
+    const { missed } = this.reader;
+    this.reader.push(sample);
+    return this.reader.missed > missed;
+  }
+
+  /** The oldest message that waits, which stays. */
+  peek() {
+    return (this.reader ?? this.#queue)?.peek();
+  }
+
+  /** Remove the oldest message and return it. */
+  take() {
+    return this.reader ? this.reader.take() : this.#queue?.shift();
+  }
+
+  close() {
+    this.writer?.close();
+    this.reader?.close();
+  }
+}
