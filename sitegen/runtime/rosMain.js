@@ -14,9 +14,9 @@ import { mount as mountConsole } from "./widgets/console.js";
 
 /** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
-// The theme may have written there what is being read.
-const opened = performance.getEntriesByType("navigation")[0]?.name ?? location.href;
-const fragment = new URL(opened).hash || location.hash;
+// The theme may have written there what is being read. Firefox does not tell the address of a file.
+const opened = performance.getEntriesByType("navigation")[0]?.name ?? "";
+const fragment = opened.includes("#") ? opened.slice(opened.indexOf("#")) : location.hash;
 /** Resolves when all elements of the page are there: this file may be sooner. @type {Promise<void>} */
 const parsed = new Promise((resolve) => {
   if (document.readyState === "loading") document.addEventListener("readystatechange", () => resolve(), { once: true });
