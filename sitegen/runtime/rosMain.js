@@ -13,9 +13,10 @@ import { mount as mountConsole } from "./widgets/console.js";
 
 /** @import { NodeEntry, PageEntry, WidgetEntry } from "./protocol.js" */
 
-// Read from the navigation, because the theme may have changed the address when the visitor scrolled.
-const opened = performance.getEntriesByType("navigation")[0]?.name ?? location.href;
-const fragment = new URL(opened).hash || location.hash;
+// Read from the navigation, because the theme may have changed the address when the visitor scrolled. Firefox does
+// not tell the address of a page that was opened as a file.
+const opened = performance.getEntriesByType("navigation")[0]?.name ?? "";
+const fragment = opened.includes("#") ? opened.slice(opened.indexOf("#")) : location.hash;
 /** Resolves when the page has all its elements; this module may run before that. @type {Promise<void>} */
 const parsed = new Promise((resolve) => {
   if (document.readyState === "loading") document.addEventListener("readystatechange", () => resolve(), { once: true });

@@ -403,7 +403,7 @@ def test_a_page_from_a_subfolder_of_a_server(
     shutil.copytree(RUNTIME, dist / "runtime")
     (dist / "runtime/rosMain.js").write_text(
         'const page = await fetch(document.getElementById("ros-page").href);\n'
-        "document.body.dataset.nodes = Object.keys((await page.json()).nodes).join();\n"
+        "document.documentElement.dataset.nodes = Object.keys((await page.json()).nodes).join();\n"
     )
     (dist / "nodes/cpp_pubsub").mkdir(parents=True)
     for name in ("talker.jspi.js", "talker.jspi.wasm"):
@@ -414,7 +414,7 @@ def test_a_page_from_a_subfolder_of_a_server(
     tab.goto(url)
     tab.wait_for_function("document.querySelector('main img').complete")
     tab.get_by_role("link", name="Next").click()
-    tab.wait_for_selector("body[data-nodes=talker]")
+    tab.wait_for_selector("html[data-nodes=talker]")
     assert tab.is_hidden("#file-note")
     tab.get_by_role("link", name="Previous").click()
     tab.wait_for_url(url)
