@@ -66,7 +66,8 @@ def _build(arguments: argparse.Namespace) -> None:
     if arguments.single_file:
         from sitegen.commands.single import build_single
 
-        build_single(folder, arguments.single_file, output=output, report=report)
+        page, with_python = arguments.single_file, arguments.with_python
+        build_single(folder, page, output=output, report=report, with_python=with_python)
         return
     from sitegen.cache import unchanged
     from sitegen.cache.folder import cache_folder

@@ -78,6 +78,8 @@ def parse(argv: Sequence[str] | None) -> argparse.Namespace:
     for name, default in (("debug", False), ("color", "auto")):
         vars(arguments).setdefault(name, default)
     if arguments.command == "build" and not arguments.single_file:
+        if arguments.with_python:
+            build.error("argument --with-python: needs --single-file PAGE")
         arguments.output = arguments.output or arguments.folder / "dist"
         if arguments.folder.resolve().is_relative_to(arguments.output.resolve()):
             build.error("argument --output: would replace the folder that contains site.yaml")
@@ -152,6 +154,11 @@ def _add_builds(add: Add) -> Parser:
         "--single-file",
         metavar="PAGE",
         help="write one page as a single HTML file that needs no server (--output names it)",
+    )
+    build.add_argument(
+        "--with-python",
+        action="store_true",
+        help="with --single-file: embed Python, so that Python nodes run in the file",
     )
     build.add_argument(
         "--verbose", action="store_true", help="list all pages and nodes, however many"

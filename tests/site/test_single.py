@@ -139,14 +139,36 @@ def test_the_same_page_is_the_same_file(site: Path) -> None:
     assert (site / "index.html").read_bytes() == first
 
 
+def test_python_nodes_are_left_out_with_a_word(
+    alone: Page, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "file.html"
+    assert main(["build", str(ROOT), "--single-file", "demo06", "--output", str(file)]) == 0
+    said = capsys.readouterr().out
+    assert re.search(r"left out: talker; --with-python embeds Python \(\d+\.\d MB", said)
+    assert file.stat().st_size < 2_000_000
+    alone.goto(file.as_uri())
+    expect(alone.locator(".admonition")).to_contain_text("does not run talker, which needs Python")
+    expect(alone.locator("[data-ros-widget=console]")).to_have_count(1)
+    Panel(alone, "listener").start()
+
+
+def test_python_runs_in_a_file_when_asked(
+    alone: Page, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "file.html"
+    words = ["--single-file", "demo06", "--with-python", "--output", str(file)]
+    assert main(["build", str(ROOT), *words]) == 0
+    assert re.search(r"Python for talker: \d+\.\d MB of the file", capsys.readouterr().out)
+    alone.goto(file.as_uri())
+    for name in ("listener", "talker"):
+        Panel(alone, name).start()
+    Panel(alone, "listener").wait_for("I heard: 'Hello")
+
+
 def test_what_cannot_be_a_file_is_said(
     site: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["build", str(ROOT), "--single-file", "demo06"]) == 1
-    said = capsys.readouterr().err
-    assert (
-        "demos/demo06/page.md:6: nodes.talker: does not work in a single file: Python nodes" in said
-    )
     assert main(["build", str(site), "--single-file", "guide/strat"]) == 1
     assert "did you mean 'guide/start/'?" in capsys.readouterr().err
     (site / "index.html").write_text("mine")

@@ -6,11 +6,17 @@ import base64
 import gzip
 import json
 import posixpath
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from sitegen.site.single.imports import imports
 
-TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm"}
+TYPES = {
+    ".js": "text/javascript",
+    ".json": "application/json",
+    ".mjs": "text/javascript",
+    ".wasm": "application/wasm",
+    ".zip": "application/zip",
+}
 
 # Gives the bytes of a file inside `dist/`.
 Read = Callable[[str], bytes]
@@ -44,7 +50,15 @@ def bundle(
     ]
     about = {"files": files, "entries": list(entries), "workers": loads}
     head = json.dumps(about, separators=(",", ":")).encode()
-    content = b"".join([len(head).to_bytes(4, "big"), head, *parts.values()])
+    return _packed(b"".join([len(head).to_bytes(4, "big"), head, *parts.values()]))
+
+
+def packed_size(contents: Iterable[bytes]) -> int:
+    """Return how many bytes of the page its files `contents` take."""
+    return len(_packed(b"".join(contents)))
+
+
+def _packed(content: bytes) -> str:
     return base64.b64encode(gzip.compress(content, mtime=0)).decode()
 
 

@@ -27,6 +27,9 @@ URL = re.compile(r"""url\(\s*["']?([^"')]+)["']?\s*\)""")
 HERE = "site:/"
 # What stands for the policy until it is known.
 POLICY = "sitegen:policy"
+# Python itself, and the workers that load it.
+PYTHON = "runtime/vendor/pyodide/"
+PYTHON_WORKERS = "runtime/workers/python/"
 # What there is no use for without a server.
 DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
 
@@ -181,12 +184,19 @@ class _Writer(HTMLParser):
             return bundle([], self.entries, {}, b"", self._read)
         run = json.loads(self._read(entry.path))
         programs = []
+        python: list[str] = []
         for node in run["nodes"].values():
-            for build in node["builds"].values():
+            for build in node.get("builds", {}).values():
                 for name, address in build.items():
                     path = self._path(address) or ""
                     programs.append(path)
                     build[name] = f"sitegen:{path}"
+            if "python" in node:
+                archives = [self._path(address) or "" for address in node["python"]["bundles"]]
+                python += archives
+                node["python"]["bundles"] = [f"sitegen:{path}" for path in archives]
+        if python:
+            python += (path for path in self.artifacts if path.startswith(PYTHON))
         modules = [path for path in self.artifacts if path.startswith("runtime/")]
         modules = [path for path in modules if path.endswith(".js")]
         workers = [path for path in modules if path.startswith("runtime/workers/")]
@@ -195,7 +205,12 @@ class _Writer(HTMLParser):
         # A worker has a bundle of its own, with what it loads only when a program asks for it.
         later = [path for path in modules if path.startswith("runtime/messages/filter/")]
         begun = [path for path in workers if path.endswith("Node.js")]
-        starts = {path: [*scripts, *later] for path in begun}
+        starts = {
+            path: list(dict.fromkeys(python))
+            if path.startswith(PYTHON_WORKERS)
+            else [*scripts, *later]
+            for path in begun
+        }
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
         return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
 

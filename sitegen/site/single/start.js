@@ -4,7 +4,10 @@
 // it imports, as "sitegen:path", and their addresses are put in. A worker makes blobs of its own: Chromium
 // lets none of a file's workers load what the page has made.
 
-/** @typedef {Record<string, {type: string, content: string | Uint8Array<ArrayBuffer>}>} Contents by path in the site */
+/**
+ * By path in the site; what is no text is bytes, or in workers base64 of them.
+ * @typedef {Record<string, {type: string, content: string | Uint8Array<ArrayBuffer>, coded?: boolean}>} Contents
+ */
 
 const scope = /** @type {typeof globalThis & {sitegenFiles: Record<string, string>}} */ (globalThis);
 const packed = document.getElementById("sitegen-files")?.textContent ?? "";
@@ -30,10 +33,12 @@ for (const { path, type, size } of files) {
 function unpack(contents) {
   /** @type {Record<string, string>} */
   const addresses = {};
-  for (const [path, { type, content }] of Object.entries(contents)) {
-    const body = typeof content === "string"
-      ? content.replace(/"(sitegen:[^"]+)"/g, (whole, name) => (name in addresses ? `"${addresses[name]}"` : whole))
-      : content;
+  for (const [path, { type, content, coded }] of Object.entries(contents)) {
+    const body = typeof content !== "string"
+      ? content
+      : coded
+        ? Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))
+        : content.replace(/"(sitegen:[^"]+)"/g, (whole, name) => (name in addresses ? `"${addresses[name]}"` : whole));
     addresses[`sitegen:${path}`] = URL.createObjectURL(new Blob([body], { type }));
   }
   return addresses;
@@ -57,8 +62,21 @@ function boot(unpack, contents, entry) {
 }
 
 scope.sitegenFiles = unpack(contents);
+/** Write a file as JSON can have it. @param {string} path @returns {Promise<[string, Contents[string] | undefined]>} */
+async function written(path) {
+  const file = contents[path];
+  if (!file || typeof file.content === "string") return [path, file];
+  const blob = new Blob([file.content]);
+  const address = await new Promise((resolve) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(reader.result);
+    reader.readAsDataURL(blob);
+  });
+  return [path, { type: file.type, content: address.slice(address.indexOf(",") + 1), coded: true }];
+}
+
 for (const [entry, paths] of Object.entries(workers)) {
-  const own = Object.fromEntries(paths.map((path) => [path, contents[path]]));
+  const own = Object.fromEntries(await Promise.all(paths.map(written)));
   const text = `(${boot})(${unpack}, ${JSON.stringify(own)}, ${JSON.stringify(entry)});`;
   scope.sitegenFiles[`sitegen:${entry}`] = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
 }

@@ -1,6 +1,8 @@
 // @ts-check
 // Download files for a worker, with progress reports and readable errors.
 
+import { place } from "../../place.js";
+
 /** @import { FromWorker } from "../../protocol.js" */
 
 // The time between progress reports (ms).
@@ -45,8 +47,9 @@ export class Download {
    * @param {RequestInfo | URL} input @param {RequestInit} [init] @returns {Promise<Response>}
    */
   fetch = async (input, init) => {
-    const url = new URL(input instanceof Request ? input.url : input, import.meta.url);
-    const response = await browsers(input, init).catch(() => this.lack(url));
+    // In a page that is a single file, what has a name there has another address.
+    const url = new URL(place(input instanceof Request ? input.url : String(input)));
+    const response = await browsers(input instanceof Request ? input : url, init).catch(() => this.lack(url));
     if (!response.ok) this.lack(url, response.status);
     this.#count(response.clone()).catch(() => this.lack(url)).catch(() => {});
     return response;

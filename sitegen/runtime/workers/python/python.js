@@ -1,6 +1,7 @@
 // @ts-check
 // The Python interpreter of a worker. It is loaded once, and the files of all programs are unpacked in it.
 
+import { moduleWorkers, place } from "../../place.js";
 import { Download } from "./download.js";
 import { setAside } from "./stacks.js";
 
@@ -12,7 +13,7 @@ const PREFIX = "/ros";
 
 export class Python {
   #download = new Download();
-  #loading = this.#load(new URL("../../vendor/pyodide/", import.meta.url));
+  #loading = this.#load();
   /** The addresses of archives that were unpacked. @type {Set<string>} */
   #unpacked = new Set();
   /** The Python functions that run a program and prepare for it. @type {any} */
@@ -63,15 +64,14 @@ export class Python {
     );
   }
 
-  /** @param {URL} folder */
-  async #load(folder) {
+  async #load() {
     const browsers = globalThis.fetch;
     // Pyodide's loader does not report missing files.
     globalThis.fetch = this.#download.fetch;
     try {
-      const loader = new URL("pyodide.mjs", folder);
-      const { loadPyodide } = await import(loader.href).catch(() => this.#download.lackModule(loader));
-      const python = await Promise.race([loadPyodide({ indexURL: folder.href }), this.#download.failed]);
+      const loader = place("vendor/pyodide/pyodide.mjs");
+      const { loadPyodide } = await import(loader).catch(() => this.#download.lackModule(new URL(loader)));
+      const python = await Promise.race([loadPyodide(await options()), this.#download.failed]);
       const sys = python.pyimport("sys");
       sys.path.insert(0, `${PREFIX}/python`);
       setAside(python);
@@ -95,6 +95,13 @@ export class Python {
     python.unpackArchive(content, "zip", { extractDir: PREFIX });
     this.#unpacked.add(url);
   }
+}
+
+/** Where Python's own loader finds its files. In a page that is a single file, it could not import its module. */
+async function options() {
+  if (moduleWorkers) return { indexURL: place("vendor/pyodide/") };
+  const module = await import(place("vendor/pyodide/pyodide.asm.mjs"));
+  return { indexURL: "sitegen:runtime/vendor/pyodide/", createPyodideModule: module.default };
 }
 
 /** @param {unknown} error */
