@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from browser import Serve
+from browser import Built, Serve
+from paths import ROOT
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 
@@ -113,7 +114,7 @@ def test_nothing_of_it_is_loaded_before(tab: Tab, site: Path, serve: Serve) -> N
     tab.on("request", lambda request: loaded.append(request.url.rpartition("/")[2]))
     tab.goto(serve(site))
     tab.wait_for_load_state("networkidle")
-    parts = {"search.js", "search.css", "searchIndex.js", "minisearch.js", "search.en.json"}
+    parts = {"search.js", "search.css", "searchIndex.js", "search.en.json"}
     assert not parts & set(loaded)
     tab.get_by_role("button", name="Search").click()
     found(tab, "install")
@@ -126,3 +127,62 @@ def test_each_language_has_its_own(tab: Tab, site: Path, serve: Serve) -> None:
     tab.get_by_role("searchbox").fill("roboter")
     expect(tab.get_by_role("status")).to_have_text("1 Treffer")
     assert tab.locator("dialog li b").all_inner_texts() == ["Start"]
+
+
+# What readers of this site's own pages ask for, and the page that must come first.
+ASKED = {
+    "publish a message": "docs/widgets/",
+    "edit code": "demo08/",
+    "edit the code": "demo08/",
+    "start a node": "demo02/",
+    "dark mode": "docs/themes/",
+    "tutorial": "docs/tutorial/",
+    "turtle": "demo09/",
+    "turtlesim": "demo09/",
+    "python prompt": "demo07/",
+    "python and c++": "demo06/",
+    "robot dance": "demo04/",
+    "a real robot": "demo04/",
+    "launch file": "docs/launch/",
+    "how do i use a launch file": "docs/launch/",
+    "github pages": "docs/publish/",
+    "publish on github": "docs/publish/",
+    "share a link": "docs/sharing/",
+    "embed a page": "docs/sharing/",
+    "own theme": "docs/themes/",
+    "colors of the theme": "docs/themes/",
+    "tabs": "docs/widgets/",
+    "columns": "docs/widgets/",
+    "editor": "docs/widgets/",
+    "console": "docs/widgets/",
+    "parameters": "docs/site-yaml/",
+    "packages from pypi": "docs/python/",
+    "numpy": "docs/python/",
+    "isolated pages": "docs/python/",
+    "sitegen serve": "docs/commands/",
+    "which browsers": "docs/browsers/",
+    "safari": "docs/browsers/",
+    "navigation": "docs/writing/",
+    "several languages": "docs/writing/",
+    "mermaid diagram": "docs/writing/",
+    "architecture": "docs/architecture/",
+    "quality of service": "docs/what-runs/",
+}
+
+
+def test_what_readers_ask_for_comes_first(tab: Tab, built: Built, serve: Serve) -> None:
+    tab.goto(serve(built(ROOT)))
+    # With no query, the dialog lists the pages.
+    tab.keyboard.press("Control+k")
+    links = tab.locator("dialog li a")
+    expect(links.nth(1)).to_contain_text("A node that says hello")
+    first = tab.evaluate(
+        """async (queries) => {
+          const { engine, index } = document.querySelector("dialog.search").dataset;
+          const { loadIndex } = await import(new URL(engine, location.href).href);
+          const { search } = await loadIndex(new URL(index, location.href));
+          return queries.map((query) => search(query)[0]?.href.replace(/#.*/, ""));
+        }""",
+        list(ASKED),
+    )
+    assert dict(zip(ASKED, first, strict=True)) == ASKED

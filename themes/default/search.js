@@ -1,7 +1,7 @@
 // The dialog of the search: what is typed, what is found, and the keys to go through it.
 
 /** @typedef {{ href: string, title: string, heading?: string, excerpt: string }} Found */
-/** @typedef {{ search: (query: string) => Found[], words: (query: string) => string[] }} Index */
+/** @typedef {{ search: (query: string) => Found[], pages: () => Found[], words: (query: string) => string[] }} Index */
 
 const SHOWN = 20;
 
@@ -48,7 +48,7 @@ function listen(dialog, loading) {
     const query = input.value;
     const index = await loading;
     if (turn !== latest) return;
-    const found = query.trim() ? index.search(query).slice(0, SHOWN) : [];
+    const found = query.trim() ? index.search(query).slice(0, SHOWN) : index.pages();
     const words = index.words(query);
     list.replaceChildren(...found.map((each) => line(each, words, dialog.dataset.home ?? "")));
     status.textContent = query.trim() ? counted(found.length, dialog.dataset) : "";

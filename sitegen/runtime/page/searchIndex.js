@@ -16,33 +16,70 @@ function words(text) {
   return text.toLowerCase().match(WORD) ?? [];
 }
 
+// Words that say nothing about what is wanted, in the languages of the texts.
+const STOP_WORDS = new Set(
+  ("a an and are as at be by can do does for from how i if in into is it its me my of on or so that the their this to use " +
+   "was what when where which who why will with you your " +
+   "auf aus bei das dem den der des die ein eine einem einen einer es für geht ich im in ist kann man mit oder sich so " +
+   "und von was wie wo zu zum zur").split(" "),
+);
+
+/** The words of a query that count, or all if none does. @param {string} query */
+function wanted(query) {
+  const all = words(query);
+  const some = all.filter((word) => !STOP_WORDS.has(word));
+  return some.length ? some : all;
+}
+
 /**
- * Load an index. Its `search` returns the best results first. All words must occur; the last one may be incomplete, and
- * longer ones may be misspelled by a letter.
+ * Load an index. Its `search` returns the best results first, `pages` all pages in their order. Most words of a query
+ * must occur; the last one may be incomplete, and longer ones may be misspelled by a letter.
  *
  * @param {URL} url
  */
 export async function loadIndex(url) {
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url} cannot be loaded: ${answer.status}`);
-  const index = MiniSearch.loadJSON(await answer.text(), {
+  const text = await answer.text();
+  const index = MiniSearch.loadJSON(text, {
     fields: ["title", "heading", "text"],
-    storeFields: ["href", "title", "heading", "excerpt"],
+    storeFields: ["href", "title", "heading", "excerpt", "weight"],
     tokenize: words,
     processTerm: (term) => term,
     searchOptions: {
-      boost: { title: 4, heading: 3 },
-      combineWith: "AND",
+      boost: { title: 8, heading: 6 },
+      combineWith: "OR",
       fuzzy: (term) => (term.length > 4 ? 0.2 : false),
       prefix: true,
+      // A word of the query that occurs as it is says more than one that begins or is spelled like it.
+      weights: { fuzzy: 0.2, prefix: 0.4 },
+      boostDocument: (_id, _term, stored) => Number(stored?.weight ?? 1),
     },
   });
   return {
-    words,
+    words: wanted,
     /**
      * @param {string} query
      * @returns {Found[]}
      */
-    search: (query) => /** @type {any[]} */ (index.search(query)),
+    search: (query) => {
+      const terms = new Set(wanted(query));
+      const enough = Math.max(1, Math.round(0.6 * terms.size));
+      const found = /** @type {any[]} */ (index.search([...terms].join(" ")));
+      /** @param {any} hit how much it says, less if words are missing */
+      const worth = ({ score, queryTerms }) => score * (new Set(queryTerms).size / terms.size) ** 2;
+      const kept = found.filter(({ queryTerms }) => new Set(queryTerms).size >= enough);
+      return kept.sort((a, b) => worth(b) - worth(a));
+    },
+    /** @returns {Found[]} */
+    pages: () => {
+      /** @type {(Found & {weight: number})[]} */
+      const passages = Object.values(JSON.parse(text).storedFields);
+      const pages = new Map(passages.toReversed().map((passage) => {
+        const href = passage.href.replace(/#.*/, "");
+        return [href, { ...passage, href, heading: undefined }];
+      }));
+      return [...pages.values()].sort((a, b) => b.weight - a.weight);
+    },
   };
 }

@@ -8,16 +8,17 @@ from __future__ import annotations
 import html
 import json
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from sitegen.model import Artifact, Page, Site
+from sitegen.model import Artifact, NavItem, Page, Site
 from sitegen.site.prose import plain
 
 # As searchIndex.js splits what a visitor asks for.
 WORD = re.compile(r"[^\W_]+")
 FIELDS = ("title", "heading", "text")
 EXCERPT = 160
+LEAST = 0.5
 _PART = re.compile(r'<h[1-6](?=[^>]*\sid="([^"]+)")[^>]*>(.*?)</h[1-6]>', re.DOTALL)
 _NOT_SAID = re.compile(r"<(math|svg)\b.*?</\1>", re.DOTALL)
 
@@ -54,28 +55,55 @@ def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Passage]]]) -> li
     """Return an index for each language that a site has pages in, of their passages."""
     if not wanted(site):
         return []
+    weights = _weights(site)
     by_language: dict[str, list[tuple[Page, Passage]]] = {}
     for page, its_passages in found:
         rows = by_language.setdefault(page.language or site.language, [])
         rows += ((page, section) for section in its_passages)
-    return [Artifact(path(language), _index(rows)) for language, rows in by_language.items()]
+    return [
+        Artifact(path(language), _index(rows, weights)) for language, rows in by_language.items()
+    ]
 
 
-def _index(rows: Iterable[tuple[Page, Passage]]) -> bytes:
+def _weights(site: Site) -> Mapping[str, float]:
+    """Return how much a hit in each page counts, by its path in the first language.
+
+    Authors put first what readers need first, so that is the order of the navigation: from 1 for
+    the first page to LEAST for the last one and for those that are not in it.
+    """
+    order = list(_listed(site.nav)) or [page.path for page in site.pages]
+    step = (1 - LEAST) / max(len(order) - 1, 1)
+    return {path: round(1 - number * step, 3) for number, path in enumerate(order)}
+
+
+def _listed(items: Iterable[NavItem]) -> Iterator[str]:
+    for item in items:
+        if item.page is not None:
+            yield item.page
+        yield from _listed(item.inside)
+
+
+def _index(rows: Iterable[tuple[Page, Passage]], weights: Mapping[str, float]) -> bytes:
     terms: dict[str, dict[int, dict[int, int]]] = {}
     ids: dict[int, str] = {}
     lengths: dict[int, list[int]] = {}
-    stored: dict[int, dict[str, str]] = {}
+    stored: dict[int, dict[str, str | float]] = {}
+    begun: set[str] = set()
     for number, (page, section) in enumerate(rows):
         href = page.path + (f"#{section.id}" if section.id else "")
         ids[number] = href
         heading = "" if section.heading == page.title else section.heading
+        original = page.path if page.original is None else page.original
         shown = {"href": href, "title": page.title, "excerpt": _excerpt(section.text)}
-        stored[number] = {**shown, **({"heading": heading} if heading else {})}
+        weight = weights.get(original, LEAST)
+        stored[number] = {**shown, "weight": weight, **({"heading": heading} if heading else {})}
         lengths[number] = []
         # A page's title counts where it begins only, or all its passages would come first.
-        title = page.title if not heading else ""
-        for field, text in enumerate((title, heading, section.text)):
+        first = page.path not in begun
+        title = page.title if first else ""
+        begun.add(page.path)
+        said = f"{page.description} {section.text}" if first else section.text
+        for field, text in enumerate((title, heading, said)):
             words = WORD.findall(text.lower())
             lengths[number].append(len(set(words)))
             for word in words:
