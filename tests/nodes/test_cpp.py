@@ -310,8 +310,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
     ]
     assert need == (
-        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which is not "
-        "available in the browser"
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which has no build for the page"
     )
     assert vision == (
         "src/half_vision/CMakeLists.txt: 'half_vision' needs 'OpenCV', "
@@ -378,7 +377,7 @@ def test_wrong_definitions_are_told_by_file_and_line(workspace: Workspace) -> No
         "srv/Half.srv:1: service needs 1 line '---', found 0",
         "srv/Whole.srv:4: no type 'strin'; did you mean 'string'?",
         "action/Long.action:4: action needs 2 lines '---', found 3",
-        "CMakeLists.txt: rosidl_generate_interfaces() names 'msg/Nam.msg', which does "
+        "CMakeLists.txt: rosidl_generate_interfaces() lists 'msg/Nam.msg', which does "
         "not exist; did you mean 'msg/Name.msg'?",
     ]
 

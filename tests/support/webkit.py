@@ -74,6 +74,8 @@ class WindowPanel:
     def __init__(self, window: Window, node: str) -> None:
         self._window = window
         self._panel = f'section[aria-label="{node}"]'
+        # In a stage, it is apart from the buttons.
+        self._log = f'[role=log][aria-label="{node}"]'
 
     def press(self, button: str) -> None:
         self._window.click(f"{self._panel} .ros-{button.lower()}")
@@ -89,7 +91,7 @@ class WindowPanel:
         self._window.wait_for(f"{self._panel} [aria-live=polite]", state)
 
     def lines(self) -> list[str]:
-        console = self._window.find(f"{self._panel} [role=log]")
+        console = self._window.find(self._log)
         lines: list[str] = self._window.evaluate(
             "(log) => [...log.children].map((row) => row.textContent)", console
         )

@@ -16,12 +16,16 @@ async function begin(about) {
     // The first one of all has no older one to replace.
     if (registration.waiting && registration.active) offer(registration, about);
   };
-  registration.addEventListener("updatefound", () => {
-    registration.installing?.addEventListener("statechange", look);
-  });
+  const follow = () => registration.installing?.addEventListener("statechange", look);
+  registration.addEventListener("updatefound", follow);
+  // The browser may have found a new version before this module ran.
+  follow();
   look();
+  // Browsers look for a new version when they find the time, which may be after the visit.
+  const update = () => registration.update().catch(() => {});
+  if (registration.active) update();
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "visible") registration.update().catch(() => {});
+    if (document.visibilityState === "visible") update();
   });
   // Every page of the old version has to go with it.
   if (serviceWorker.controller) {

@@ -64,12 +64,14 @@ export async function loadIndex(url) {
      */
     search: (query) => {
       const terms = new Set(wanted(query));
-      const enough = Math.max(1, Math.round(0.6 * terms.size));
       const found = /** @type {any[]} */ (index.search([...terms].join(" ")));
-      /** @param {any} hit how much it says, less if words are missing */
-      const worth = ({ score, queryTerms }) => score * (new Set(queryTerms).size / terms.size) ** 2;
-      const kept = found.filter(({ queryTerms }) => new Set(queryTerms).size >= enough);
-      return kept.sort((a, b) => worth(b) - worth(a));
+      const count = (/** @type {any} */ { queryTerms }) => new Set(queryTerms).size;
+      // Of two words both must be there, if that is so anywhere.
+      const most = terms.size > 2 ? Math.round(0.6 * terms.size) : terms.size;
+      const enough = Math.min(most, Math.max(0, ...found.map(count)));
+      /** How much a hit says: less if words are missing. @param {any} hit */
+      const worth = (hit) => hit.score * (count(hit) / terms.size) ** 2;
+      return found.filter((hit) => count(hit) >= enough).sort((a, b) => worth(b) - worth(a));
     },
     /** @returns {Found[]} */
     pages: () => {
