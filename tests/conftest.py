@@ -9,7 +9,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import Built, Scripted, Serve, opened, own_serving, running, serving
+from browser import WITHOUT_JSPI, Built, Scripted, Serve, opened, own_serving, running, serving
 from distribution import distribution
 from panel import Panel, Played
 from paths import ROOT
@@ -24,8 +24,6 @@ from sitegen.report import Report
 
 # How the ROS2WASM project builds.
 ROS2WASM = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
-# A browser that lacks JSPI gets the other build of each node.
-WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
 # A slow machine is no fault of what is tested: what is waited for may take its time.
 expect.set_options(timeout=60_000)

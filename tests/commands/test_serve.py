@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from browser import Built
+from browser import WITHOUT_JSPI, Built
 from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Browser, Page, expect
@@ -59,9 +59,6 @@ def wait_until(condition: Callable[[], bool]) -> None:
     while not condition():
         assert time.monotonic() < end
         time.sleep(0.02)
-
-
-WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;"
 
 
 class Serving:
@@ -233,15 +230,20 @@ def edited_site(tmp_path: Path) -> Path:
     return site
 
 
-def test_an_edit_of_text_leaves_nodes_and_panels_alone(
-    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
-) -> None:
-    served = serving(edited_site(tmp_path))
+def talking(tab: Page, served: Serving) -> tuple[Panel, str]:
+    """Open the page and start the talker; return its panel and the first line there."""
     tab.goto(served.url)
     talker = Panel(tab, "talker")
     talker.start()
     talker.wait_for("Hello, world! 1'")
-    before = talker.lines()[0]
+    return talker, talker.lines()[0]
+
+
+def test_an_edit_of_text_leaves_nodes_and_panels_alone(
+    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(edited_site(tmp_path))
+    talker, before = talking(tab, served)
     field = tab.get_by_role("region", name="Publish").get_by_role("textbox").last
     field.fill("half written")
     tab.evaluate("window.still = true; scrollTo(0, 40)")
@@ -269,11 +271,7 @@ def test_widgets_and_nodes_come_and_go_beside_those_that_run(
     tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
 ) -> None:
     served = serving(edited_site(tmp_path))
-    tab.goto(served.url)
-    talker = Panel(tab, "talker")
-    talker.start()
-    talker.wait_for("Hello, world! 1'")
-    before = talker.lines()[0]
+    talker, before = talking(tab, served)
     tab.evaluate("window.still = true")
     more = "```ros\n- buttons: listener\n- console: listener\n- graph:\n```\n\n"
     served.write(

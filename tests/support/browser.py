@@ -32,6 +32,8 @@ class Scripted(Protocol):
     def evaluate(self, expression: str, /) -> Any: ...
 
 
+# A browser that lacks JSPI gets the other build of each node.
+WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;\n"
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium-headless-shell")
 # All of it: without its window, it keeps no pages that were left.
 WHOLE_CHROMIUM = "/usr/bin/chromium"

@@ -16,8 +16,7 @@ from urllib.parse import urlsplit
 from sitegen.build import Made, make
 from sitegen.commands.serve.edited import edited
 from sitegen.errors import SiteError
-from sitegen.model import Artifact
-from sitegen.nodes.prebuilt.archive import ENGINES
+from sitegen.model import BROWSERS, Artifact
 from sitegen.options import Options
 from sitegen.report import Report, count
 from sitegen.site.pages import search
@@ -98,7 +97,7 @@ class LiveSite:
             kind, lines = self._news[-1] if self._news else ("", ())
         file, _, line = text.rpartition(":")
         shown = kind == "wrong" and any(each.startswith(f"{text}:") for each in lines)
-        path = self._folder / file
+        path = (self._folder / file).resolve()
         return (path, int(line)) if shown and line.isdecimal() and path.is_file() else None
 
     def news(self, engine: str) -> Iterator[str]:
@@ -108,7 +107,7 @@ class LiveSite:
         """
         with self._changed:
             seen = len(self._news)
-        if engine in ENGINES and engine not in self._options.engines:
+        if engine in BROWSERS and engine not in self._options.engines:
             threading.Thread(target=self._add, args=(engine,), daemon=True).start()
         with self._changed:
             if self._news and self._news[-1][0] == "wrong":
@@ -129,7 +128,7 @@ class LiveSite:
             if engine in engines:
                 return
             self._options = replace(self._options, engines=(*engines, engine))
-            self._report.say("building for a browser without JavaScript Promise Integration")
+            self._report.say(f"building for {BROWSERS[engine]}, since one needs it")
             self._made = None
             self._rebuild(())
 

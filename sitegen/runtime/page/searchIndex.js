@@ -40,8 +40,8 @@ function wanted(query) {
 export async function loadIndex(url) {
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url} cannot be loaded: ${answer.status}`);
-  const text = await answer.text();
-  const index = MiniSearch.loadJSON(text, {
+  const stored = await answer.json();
+  const index = MiniSearch.loadJS(stored, {
     fields: ["title", "heading", "text"],
     storeFields: ["href", "title", "heading", "excerpt", "weight"],
     tokenize: words,
@@ -76,7 +76,7 @@ export async function loadIndex(url) {
     /** @returns {Found[]} */
     pages: () => {
       /** @type {(Found & {weight: number})[]} */
-      const passages = Object.values(JSON.parse(text).storedFields);
+      const passages = Object.values(stored.storedFields);
       const pages = new Map(passages.toReversed().map((passage) => {
         const href = passage.href.replace(/#.*/, "");
         return [href, { ...passage, href, heading: undefined }];

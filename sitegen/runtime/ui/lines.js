@@ -82,9 +82,6 @@ class Lines {
     }, { signal });
     this.#node.addEventListener("clear", () => this.#clear(), { signal });
     this.#node.addEventListener("state", () => this.#showHint(), { signal });
-    this.#node.addEventListener("progress", (event) => {
-      this.#showProgress(/** @type {CustomEvent<{loaded: number, total: number}>} */ (event).detail);
-    }, { signal });
     this.#resized.observe(this.#log);
   }
 
@@ -128,14 +125,6 @@ class Lines {
   #showHint() {
     this.#hint.textContent = this.#hints[this.#node.state] ?? "";
     this.#hint.hidden = this.#log.hasChildNodes();
-  }
-
-  /** @param {{loaded: number, total: number}} progress in bytes */
-  #showProgress({ loaded, total }) {
-    const [done, all] = [loaded, total].map((bytes) => (bytes / 1e6).toFixed(1));
-    this.#hint.textContent = loaded < total ? say("Loading Python: {} of {} MB", done, all) : say("Starting Python…");
-    this.#hint.hidden = false;
-    this.#tail.follow();
   }
 }
 

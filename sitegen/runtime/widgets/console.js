@@ -1,7 +1,7 @@
 // @ts-check
 // The output of a node with its state, and an input field if the program reads its standard input.
 
-import { create } from "../ui/elements.js";
+import { button, create } from "../ui/elements.js";
 import { showLines } from "../ui/lines.js";
 import { NodeStateView } from "../ui/nodeState.js";
 import { place } from "../place.js";
@@ -24,7 +24,9 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   const { signal } = listening;
   const state = new NodeStateView(node, signal);
   const title = create("div", "ros-node", create("span", "ros-name", name), state.label);
-  element.replaceChildren(create("div", "ros-bar", title));
+  // Beside buttons, which have their own, the theme hides the bar.
+  const clear = button(say("Clear"), "ros-clear", () => node.clear());
+  element.replaceChildren(create("div", "ros-bar", title, create("div", "ros-controls", clear)));
   const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
   const endLines = showLines(element, node, limit, {
     stopped: hasButtons ? say("Press Start to run {}", name) : say("Not running"),

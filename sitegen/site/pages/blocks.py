@@ -36,7 +36,7 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Place:
+class ShownCell:
     """A cell of a layout, ready to be shown: `title` and `size` are those of the Cell.
 
     `id` is that of its tab, if it has one.
@@ -55,7 +55,7 @@ class Block:
     html: str = ""
     panels: tuple[Panel, ...] = ()
     layout: str = ""
-    cells: tuple[Place, ...] = ()
+    cells: tuple[ShownCell, ...] = ()
 
 
 def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Block]:
@@ -79,7 +79,7 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
     def laid_out(part: Layout) -> Block:
         number = next(numbers)
         cells = tuple(
-            Place(tuple(made(cell.content)), cell.title, cell.size, f"layout-{number}-{index}")
+            ShownCell(tuple(made(cell.content)), cell.title, cell.size, f"layout-{number}-{index}")
             for index, cell in enumerate(part.cells, start=1)
         )
         return Block(layout=part.kind, cells=cells)

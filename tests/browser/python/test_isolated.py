@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import Serve, serving
+from browser import WITHOUT_JSPI, Serve, serving
 from native import Native
 from panel import Panel, expect_nothing_left
 from playwright.sync_api import Browser, Page, expect
@@ -22,7 +22,6 @@ from sitegen.report import Report
 from tests.native.test_rclpy import SITE, printed, run
 from tests.site.test_offline import READY, until
 
-WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;\n"
 PROMPT = """
   - path: prompt/
     title: Prompt

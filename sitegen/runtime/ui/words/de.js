@@ -21,7 +21,6 @@ export const words = {
   "Loading Python": "Python wird geladen",
   "loading Python: {} of {} MB": "lädt Python: {} von {} MB",
   "starting Python": "startet Python",
-  "Loading Python: {} of {} MB": "Python wird geladen: {} von {} MB",
   "This page reloads once to enable shared memory.":
     "Diese Seite wird noch einmal geladen, damit sie Speicher mit ihren Knoten teilen kann.",
   "Run": "Ausführen",
@@ -31,7 +30,6 @@ export const words = {
   "changed by the link: read it before you run it": "vom Link geändert: lesen, bevor es ausgeführt wird",
   "Press Esc, then Tab to leave the editor.": "Esc, dann Tab verlässt den Editor.",
   "error in line {}": "Fehler in Zeile {}",
-  "Starting Python…": "Python startet …",
   "Running, no output yet": "Läuft, noch ist nichts ausgegeben",
   "Stopping…": "Stoppt …",
   "Failed": "Fehlgeschlagen",
