@@ -49,8 +49,9 @@ def take(tab: Page, demo: str, url: str) -> None:
         tab.locator("main").get_by_text(text).first.wait_for(state="attached")
     else:
         # The turtle has drawn its star when its program has ended.
-        tab.locator(".ros-state[data-state=stopped]").first.wait_for()
-        tab.wait_for_timeout(12_000)
+        for state in ("running", "stopped"):
+            star = f'section[aria-label="star"] .ros-state[data-state={state}]'
+            tab.locator(star).first.wait_for(timeout=60_000)
     top = tab.locator(part).first.bounding_box()
     assert top
     corner = {"x": top["x"], "y": top["y"] + tab.evaluate("scrollY")}

@@ -58,6 +58,10 @@ def test_button_and_effect_are_seen_together(tab: Page, url: str) -> None:
     tab.get_by_text("Console output").click()
     expect(talker.console).to_be_visible()
     talker.wait_for("Hello, world! 2")
+    talker.stop()
+    consoles = tab.get_by_role("region", name="talker: Console output")
+    consoles.get_by_role("button", name="Clear").click()
+    expect(talker.console).to_be_empty()
 
 
 def test_a_chosen_tab_travels_in_links(tab: Page, url: str) -> None:

@@ -139,7 +139,11 @@ def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: st
     assert caught.value.lines == [f"site.yaml:5: editor: {expected}"]
 
 
-def test_a_slash_is_typed_and_searches_nowhere(editor: Editor) -> None:
+def test_a_slash_is_typed_and_opens_no_search(tab: Page, serve: Serve, built: Built) -> None:
+    # The demo alone has one page, and so no search.
+    tab.goto(f"{serve(built(ROOT))}demo08/")
+    editor = Editor(tab)
+    expect(tab.locator(".search-button")).to_be_visible()
     editor.replace("STEP = 1", "STEP = 10 / 2")
     expect(editor.code).to_contain_text("STEP = 10 / 2")
-    expect(editor.page.locator("dialog.search")).to_be_hidden()
+    expect(tab.locator("dialog.search")).to_be_hidden()
