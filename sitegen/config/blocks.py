@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 ROS = re.compile(r"(```|~~~)[`~ \t{.]*ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
+# A fence anywhere: also in a list, a tab or a quotation.
+INNER_FENCE = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 NEARLY_ROS = re.compile(r"[{.]*\s*ros[12]?[\s}]*(?!\S)", re.I)
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
@@ -54,6 +56,23 @@ def split(text: str) -> Iterator[Block]:
     if inside:
         yield Block("\n".join(body), number + 1 - len(body), "ros", closed=False)
     yield from _prose(prose, number + 1)
+
+
+def misplaced(text: str) -> Iterator[int]:
+    """Yield the lines (from 0) where a `ros` block begins in a list, a tab or a quotation."""
+    if not ROS.search(text):
+        return
+    fence = ""
+    for number, line in enumerate(text.split("\n")):
+        match = INNER_FENCE.match(line)
+        if not match:
+            continue
+        if not fence:
+            fence = match["fence"]
+            if match["info"] == "ros":
+                yield number
+        elif match["fence"].startswith(fence) and not match["info"]:
+            fence = ""
 
 
 def front_matter(text: str) -> tuple[Block, Block]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen.config.blocks import Block, split
+from sitegen.config.blocks import Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
@@ -46,6 +46,13 @@ class Reader:
         for block in split(text):
             location = replace(start, line=start.line + block.line)
             if block.info is None:
+                for line in misplaced(block.text):
+                    place = replace(location, line=location.line + line)
+                    message = (
+                        "a block of widgets cannot stand in a list, a tab or a quotation; "
+                        "begin its lines at the margin, or show it as code in a longer fence"
+                    )
+                    self.problems.add(place, "ros", message)
                 yield Markdown(block.text, folder, location)
             else:
                 yield from self._block(block, location)

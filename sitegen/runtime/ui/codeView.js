@@ -55,9 +55,9 @@ const marked = StateField.define({
  * Show an editor in a shadow root of `element`. There CodeMirror uses constructed style sheets, which the page's
  * Content-Security-Policy allows; inline styles are blocked.
  * @param {HTMLElement} element @param {string} text @param {string} label
- * @param {(text: string) => void} changed
+ * @param {(text: string) => void} changed @param {() => void} run called for Ctrl-Enter
  */
-export function codeView(element, text, label, changed) {
+export function codeView(element, text, label, changed, run) {
   const root = element.attachShadow({ mode: "open" });
   const view = new EditorView({
     root,
@@ -67,7 +67,7 @@ export function codeView(element, text, label, changed) {
       extensions: [
         lineNumbers(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(),
         indentUnit.of("    "), python(), syntaxHighlighting(COLOURS), LOOK, marked,
-        keymap.of([...defaultKeymap, ...historyKeymap, indentWithTab]),
+        keymap.of([...runKeys(run), ...defaultKeymap, ...historyKeymap, indentWithTab]),
         EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) changed(update.state.doc.toString());
@@ -87,4 +87,15 @@ export function codeView(element, text, label, changed) {
     focus: () => view.focus(),
     destroy: () => view.destroy(),
   };
+}
+
+/** The keys that run the code; Cmd-Enter is what people on a Mac press. @param {() => void} run */
+function runKeys(run) {
+  return ["Ctrl-Enter", "Cmd-Enter"].map((key) => ({
+    key,
+    run() {
+      run();
+      return true;
+    },
+  }));
 }

@@ -71,7 +71,8 @@ class Editor {
     const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
     const state = new NodeStateView(node, this.#listening.signal);
     element.replaceChildren(this.#createBar(file), state.meter, code, hint);
-    this.#view = codeView(code, this.#text, say("Python source {}", file), (text) => this.#typed(text));
+    const label = say("Python source {}", file);
+    this.#view = codeView(code, this.#text, label, (text) => this.#typed(text), () => this.#run());
     this.#listen();
     this.#show();
   }
@@ -91,6 +92,7 @@ class Editor {
     this.#status.setAttribute("role", "status");
     const title = create("div", "ros-node", create("span", "ros-name", file), this.#status);
     const run = button(say("Run"), "ros-start", () => this.#run());
+    run.title = say("Ctrl-Enter in the editor does the same");
     const controls = create("div", "ros-controls", run, this.#reset);
     controls.setAttribute("role", "group");
     controls.setAttribute("aria-label", file);

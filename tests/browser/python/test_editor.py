@@ -51,8 +51,9 @@ def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> Non
     expect(editor.state).to_have_text("unchanged")
     editor.replace("STEP = 1", "STEP = 100")
     expect(editor.state).to_have_text("changed")
-    editor.run()
+    editor.page.keyboard.press("Control+Enter")
     editor.node.wait_for("Now it is 200")
+    assert "STEP = 100" in editor.code.inner_text().split("\n")
     # Esc, then Tab leaves; Tab alone indents.
     editor.code.focus()
     editor.page.keyboard.press("Escape")

@@ -65,9 +65,20 @@ def test_blocks_go_on_until_they_are_complete(prompt: Prompt) -> None:
     prompt.last("20")
     prompt.line.fill("if last:")
     prompt.line.press("Shift+Enter")
+    expect(prompt.panel.locator(".ros-sign")).to_have_text(">>>\n...", use_inner_text=True)
     prompt.line.press_sequentially("    print('yes')")
     prompt.line.press("Enter")
     prompt.last("yes")
+
+
+def test_tab_completes_and_leaves_after_esc(prompt: Prompt) -> None:
+    prompt.line.fill("rclpy.create_nod")
+    prompt.line.press("Tab")
+    expect(prompt.line).to_have_value("rclpy.create_node(")
+    prompt.line.press("Escape")
+    prompt.line.press("Tab")
+    expect(prompt.line).not_to_be_focused()
+    expect(prompt.line).to_have_value("rclpy.create_node(")
 
 
 def test_what_was_typed_comes_back(prompt: Prompt) -> None:

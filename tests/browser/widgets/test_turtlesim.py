@@ -75,12 +75,19 @@ def test_the_window_shows_turtles_and_keys_drive_them(tab: Page, url: str) -> No
     tab.goto(f"{url}one/")
     window = tab.locator(".ros-robot")
     expect(window).to_contain_text("no publishers")
+    drawing = window.get_by_role("application", name="The turtlesim window")
+    status = drawing.get_by_role("status")
+    expect(status).to_have_text("The turtle appears when turtlesim starts.")
+    drawing.focus()
+    tab.keyboard.press("ArrowUp")
+    expect(status).to_have_text("No turtle to drive. Start turtlesim first.")
     turtlesim = Panel(tab, "turtlesim")
     turtlesim.start()
     expect(window.locator(".ros-turtle")).to_have_count(1)
+    expect(status).to_be_hidden()
     expect(reading(window, "Position")).to_have_text("5.54, 5.54")
     assert drawn(window, 6, 5.54)[3] == 0
-    window.get_by_role("img").focus()
+    drawing.focus()
     tab.keyboard.press("ArrowUp")
     expect(reading(window, "Speed")).to_have_text("2.00")
     expect(reading(window, "Speed")).to_have_text("0.00")
@@ -92,6 +99,7 @@ def test_the_window_shows_turtles_and_keys_drive_them(tab: Page, url: str) -> No
     assert drawn(window, 6, 5.54)[3] == 0
     turtlesim.stop()
     expect(window.locator(".ros-turtle")).to_have_count(0)
+    expect(status).to_have_text("The turtle appears when turtlesim starts.")
 
 
 def test_a_launch_file_brings_the_windows_of_its_turtles(tab: Page, url: str) -> None:

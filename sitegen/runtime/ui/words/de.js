@@ -28,6 +28,12 @@ export const words = {
   "unchanged": "wie es war",
   "changed": "geändert",
   "changed by the link: read it before you run it": "vom Link geändert: lesen, bevor es ausgeführt wird",
+  "Ctrl-Enter in the editor does the same": "Strg-Enter im Editor tut dasselbe",
+  "Press Esc, then Tab to leave the prompt.": "Esc, dann Tab verlässt die Eingabezeile.",
+  "The turtle appears when turtlesim starts.": "Die Schildkröte erscheint, wenn turtlesim startet.",
+  "No turtle to drive. Call the service spawn first.":
+    "Keine Schildkröte zum Fahren. Zuerst den Service spawn aufrufen.",
+  "No turtle to drive. Start turtlesim first.": "Keine Schildkröte zum Fahren. Zuerst turtlesim starten.",
   "Press Esc, then Tab to leave the editor.": "Esc, dann Tab verlässt den Editor.",
   "error in line {}": "Fehler in Zeile {}",
   "Running, no output yet": "Läuft, noch ist nichts ausgegeben",

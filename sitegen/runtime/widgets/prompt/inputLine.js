@@ -21,6 +21,10 @@ export class InputLine {
   element = create("form", "ros-line", this.#sign, this.#input);
   /** Whether Python waits for a line. */
   ready = false;
+  /** What is shown in front of the first row. */
+  #first = ">>>";
+  /** Whether Tab moves the focus, as it does after Esc. */
+  #leaving = false;
 
   /** @param {Actions} actions */
   constructor(actions) {
@@ -30,6 +34,7 @@ export class InputLine {
     input.rows = 1;
     input.spellcheck = false;
     input.setAttribute("aria-label", say("Python"));
+    input.title = say("Press Esc, then Tab to leave the prompt.");
     input.setAttribute("autocapitalize", "off");
     input.setAttribute("autocomplete", "off");
     this.element.addEventListener("submit", (event) => event.preventDefault());
@@ -51,8 +56,9 @@ export class InputLine {
 
   /** Accept the next line. @param {string} sign shown in front of it */
   expect(sign) {
-    setText(this.#sign, sign);
+    this.#first = sign;
     this.ready = true;
+    this.#fit();
   }
 
   /** The word before the cursor, possibly empty. */
@@ -70,6 +76,8 @@ export class InputLine {
   #press(event) {
     const { key, shiftKey, ctrlKey, altKey, metaKey } = event;
     if (event.isComposing || altKey || metaKey) return false;
+    const leaving = this.#leaving;
+    if (key !== "Shift") this.#leaving = key === "Escape";
     const { value, selectionStart, selectionEnd } = this.#input;
     if (key === "Enter" && !shiftKey && !ctrlKey) {
       this.#enter();
@@ -80,7 +88,7 @@ export class InputLine {
     } else if (key === "c" && ctrlKey && selectionStart === selectionEnd) {
       this.#put("");
       this.#actions.interrupt();
-    } else if (key === "Tab" && !shiftKey && !ctrlKey && this.ready && value.trim()) {
+    } else if (key === "Tab" && !leaving && !shiftKey && !ctrlKey && this.ready && value.trim()) {
       // Tab indents where no word begins. In an empty line it moves the focus, as everywhere else.
       if (this.word) this.#actions.complete(this.word);
       else this.insert("    ");
@@ -112,6 +120,9 @@ export class InputLine {
   }
 
   #fit() {
-    this.#input.rows = Math.min(this.#input.value.split("\n").length, MOST_ROWS);
+    const rows = Math.min(this.#input.value.split("\n").length, MOST_ROWS);
+    this.#input.rows = rows;
+    // As in a terminal, "..." stands before each further line. A program that reads its input has no sign.
+    setText(this.#sign, [this.#first, ...Array(rows - 1).fill(this.#first && "...")].join("\n"));
   }
 }

@@ -2,7 +2,7 @@
 // The window of turtlesim: turtles, the lines that they draw, and buttons to drive one of them.
 
 import { shape } from "../../ui/drawing.js";
-import { create as make } from "../../ui/elements.js";
+import { create as make, setNote } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 import { plain } from "./parts/motion.js";
 import { createPad, Driver } from "./turtlesim/driving.js";
@@ -40,6 +40,8 @@ class Turtlesim {
   #chosen = "";
   #choice = make("select", "");
   #driver;
+  /** What the window says while there is no turtle. */
+  #empty = make("p", "ros-empty");
   #unsubscribe = () => {};
   // Clear the window when the node is gone: its successor begins with an empty one.
   #graphChanged = () => {
@@ -57,12 +59,18 @@ class Turtlesim {
     this.#changed = changed;
     this.inputs = [{ topic, type: WINDOW }];
     const view = shape("svg", { viewBox: `0 0 ${SIZE} ${SIZE}`, "aria-hidden": "true" }, this.#layer);
-    this.drawing = make("div", "ros-turtles", this.#paper.canvas, view);
+    this.drawing = make("div", "ros-turtles", this.#paper.canvas, view, this.#empty);
+    this.#empty.setAttribute("role", "status");
+    this.#invite();
     this.drawing.tabIndex = 0;
-    this.drawing.setAttribute("role", "img");
+    // An application gets the arrow keys from screen readers, an image does not.
+    this.drawing.setAttribute("role", "application");
     this.drawing.setAttribute("aria-label", say("The turtlesim window. Arrow keys drive a turtle."));
 
-    this.#driver = new Driver(ros, () => this.#driven?.look.cmd_vel);
+    this.#driver = new Driver(ros, () => this.#driven?.look.cmd_vel, () => {
+      const killed = say("No turtle to drive. Call the service spawn first.");
+      setNote(this.#empty, this.#shown ? killed : say("No turtle to drive. Start turtlesim first."), true);
+    });
     this.controls = [this.#choice, createPad(this.drawing, this.#driver)];
     this.#choice.hidden = true;
     this.#choice.setAttribute("aria-label", say("Which turtle to drive"));
@@ -133,13 +141,20 @@ class Turtlesim {
       else this.#turtles.set(look.number, new Turtle(this.#ros, look, this.#paper, this.#changed));
     }
     this.#offer();
+    this.#invite();
     this.#changed();
   }
 
   #clear() {
     this.#shown = undefined;
     for (const number of this.#turtles.keys()) this.#remove(number);
+    this.#invite();
     this.#changed();
+  }
+
+  /** Say how to get a turtle while no turtlesim_node runs. */
+  #invite() {
+    setNote(this.#empty, this.#shown ? "" : say("The turtle appears when turtlesim starts."));
   }
 
   /** Offer the turtles to drive. */

@@ -14,19 +14,27 @@ const SPEED = 2;
 export class Driver {
   #ros;
   #topic;
+  #missed;
   /** @type {Map<string, Publisher>} */
   #publishers = new Map();
 
-  /** @param {Ros} ros @param {() => string | undefined} topic of the chosen turtle */
-  constructor(ros, topic) {
+  /**
+   * @param {Ros} ros @param {() => string | undefined} topic of the chosen turtle
+   * @param {() => void} missed called for a command while there is no turtle
+   */
+  constructor(ros, topic, missed) {
     this.#ros = ros;
     this.#topic = topic;
+    this.#missed = missed;
   }
 
   /** @param {number} linear @param {number} angular */
   drive(linear, angular) {
     const topic = this.#topic();
-    if (!topic) return;
+    if (!topic) {
+      this.#missed();
+      return;
+    }
     const publisher = this.#publishers.get(topic) ?? this.#ros.advertise(topic, TWIST);
     this.#publishers.set(topic, publisher);
     publisher.publish({ linear: { x: linear, y: 0, z: 0 }, angular: { x: 0, y: 0, z: angular } });
