@@ -71,7 +71,9 @@ def sleep(seconds: float) -> None:
     """
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
-    end = time.monotonic() + seconds
+    begin = time.monotonic()
     wait(0)
-    while (left := end - time.monotonic()) > 0:
-        wait(left)
+    # Subtracts as callers do: the clock of a browser can stand exactly at begin + seconds, and
+    # rounding would make the difference less than `seconds`.
+    while (slept := time.monotonic() - begin) < seconds:
+        wait(seconds - slept)
