@@ -6,7 +6,9 @@ import json
 import re
 import shutil
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from subprocess import CompletedProcess
 
 import pytest
 from browser import Built, Serve
@@ -54,6 +56,16 @@ def run(page: Page, name: str) -> tuple[str, Lines]:
     return state, [(severity, text) for severity, text in lines]
 
 
+def run_both(
+    page: Page, native: Native, program: str, installed: Path
+) -> tuple[str, Lines, CompletedProcess[str]]:
+    """Run a program in the page and natively, side by side: neither knows of the other."""
+    with ThreadPoolExecutor(1) as pool:
+        natively = pool.submit(native.call, f"tutorials.{program}:main", installed)
+        state, lines = run(page, program)
+        return state, lines, natively.result()
+
+
 def printed(lines: Lines, stream: str = "stdout") -> list[str]:
     return [row for severity, text in lines if severity == stream for row in text.split("\n")]
 
@@ -83,8 +95,7 @@ def installed(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_programs_print_what_native_rclpy_prints(
     page: Page, native: Native, installed: Path, program: str
 ) -> None:
-    state, lines = run(page, program)
-    expected = native.call(f"tutorials.{program}:main", installed)
+    state, lines, expected = run_both(page, native, program, installed)
     assert printed(lines) == expected.stdout.splitlines(), expected.stderr
     assert (state == "failed") is (expected.returncode != 0)
     if expected.returncode:

@@ -19,7 +19,7 @@ from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.server import Server
 from sitegen.report import Report
-from tests.native.test_rclpy import SITE, printed, run
+from tests.native.test_rclpy import SITE, printed, run, run_both
 from tests.site.test_offline import READY, until
 
 PROMPT = """
@@ -141,8 +141,7 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
     shutil.unpack_archive(hidden / "nodes" / "tutorials" / "python.zip", installed)
     programs = ("pubsub", "policies", "loops", "lifecycle", "graph", "introspection")
     for program in (*programs, "observers", "overrides", "spinning"):
-        state, lines = run(tab, program)
-        expected = native.call(f"tutorials.{program}:main", installed)
+        state, lines, expected = run_both(tab, native, program, installed)
         assert printed(lines) == expected.stdout.splitlines(), (program, lines)
         assert state == "stopped"
     state, lines = run(tab, "packing")
