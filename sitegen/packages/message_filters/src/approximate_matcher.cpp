@@ -102,7 +102,7 @@ void ApproximateMatcher::search(const std::function<void(const Match &)> & emit)
       if (i != at.last) {topics_[i].dropped = false;}
     }
     if (!pivot_) {
-      // With a message that was dropped, the pivot might have been in a better match.
+      // A dropped message might have been a better match than the pivot.
       if (at.end - at.start > max_interval_ || topics_[at.last].dropped) {
         topics_[at.first].waiting.pop_front();
         continue;
@@ -156,7 +156,7 @@ bool ApproximateMatcher::no_other_can_be_better()
     const Interval at = interval();
     best = is_best(at);
     if (best || is_better(at)) {break;}
-    // Not at the pivot yet, so this topic has a message that waits.
+    // The search has not reached the pivot, so this topic has another message.
     go_past(at.first);
     ++moves[at.first];
   }

@@ -17,7 +17,7 @@ void LatestMatcher::add(
   const bool first = !topic.latest;
   topic.latest = std::move(item);
   if (first) {
-    // A rate is known from the second message on.
+    // The rate is known from the second message on.
     if (weights_.size() == topics_.size()) {
       topic.weights = weights_[index];
     } else if (weights_.size() == 1) {

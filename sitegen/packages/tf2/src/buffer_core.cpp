@@ -249,7 +249,7 @@ void BufferCore::answer_requests()
       each = result ? requests_.erase(each) : std::next(each);
     }
   }
-  // Without the lock: who is called back looks the transform up.
+  // Called without the lock, because callbacks look up the transform.
   for (std::size_t i = 0; i < done.size(); ++i) {
     const auto & [handle, request] = done[i];
     request.callback(handle, request.target, request.source, request.time, results[i]);

@@ -1,4 +1,4 @@
-// tf2_monitor [SOURCE_FRAME TARGET_FRAME]: print how late and how often transforms come.
+// tf2_monitor [SOURCE_FRAME TARGET_FRAME]: print the delay and the rate of transforms.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,7 +16,7 @@
 namespace
 {
 
-// The middleware does not tell who sent a transform.
+// Messages do not identify the node that sent them.
 constexpr char kAuthority[] = "<no authority available>";
 constexpr std::size_t kKept = 1000;
 

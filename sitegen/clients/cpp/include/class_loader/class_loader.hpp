@@ -1,5 +1,5 @@
-// Classes by their names. There are no libraries to load in a page: all that a program was linked with
-// is there, and a library is the name that its classes were noted with.
+// Create objects of classes by name. A page cannot load libraries: all classes are linked into the
+// program, and the name of a library selects the classes that were registered with it.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Class
 template<class Base>
 std::map<std::string, Class<Base>> & classes()
 {
-  // Never destroyed: nodes with static lifetime may still be made of them.
+  // Never destroyed: nodes with static lifetime may still be created from it.
   static auto * classes = new std::map<std::string, Class<Base>>;
   return *classes;
 }

@@ -1,5 +1,5 @@
-// The logging macros. The type of each argument decides how it is printed, so that "%ld" of an
-// int64_t or "%d" of a size_t is right here too, where these types are wider or narrower.
+// The logging macros. Each argument is printed according to its type, so that "%ld" with an int64_t
+// and "%d" with a size_t also work here, where these types have other sizes.
 #pragma once
 
 #include <cstdint>
@@ -112,7 +112,7 @@ bool throttle_passed(ClockT & clock, std::int64_t milliseconds, std::int64_t & l
     } \
   } while (0)
 
-// Conditions with a memory of their own, one for each place in the source.
+// The state of conditions, one for each location in the source.
 #define RCLCPP_DETAIL_ONCE ([]() {static bool first = true; return std::exchange(first, false);}())
 #define RCLCPP_DETAIL_SKIPFIRST \
   ([]() {static bool first = true; return !std::exchange(first, false);}())

@@ -249,7 +249,7 @@ private:
         handle->status_ = status.status;
       }
     }
-    // Those that nobody holds any more.
+    // Handles that no program holds any more.
     for (auto handle = handles_.begin(); handle != handles_.end(); ) {
       handle = handle->second.expired() ? handles_.erase(handle) : std::next(handle);
     }

@@ -132,7 +132,7 @@ private:
     const GoalUUID uuid = request->goal_id.uuid;
     typename SendGoal::Response response;
     response.stamp = this->clock_.now();
-    // The goal lives as long as the request that it came with.
+    // The goal is a part of the request, and shares its lifetime.
     std::shared_ptr<const typename ActionT::Goal> goal(request, &request->goal);
     const bool known = this->entries_.count(uuid) != 0;
     const auto answer = known ? GoalResponse::REJECT : handle_goal_(uuid, goal);
@@ -140,7 +140,7 @@ private:
     goal_service_->send_response(id, response);
     if (!response.accepted) {return;}
 
-    // A goal may outlive its server: then nobody is told of it any more.
+    // A goal handle may outlive its server; then there is nothing to notify.
     std::weak_ptr<Server> weak = this->weak_from_this();
     auto handle = std::make_shared<GoalHandle>(
       uuid, goal,

@@ -1,4 +1,4 @@
-// The environment of a program of a page is empty at first.
+// The environment of a program in a page is initially empty.
 #pragma once
 
 #include <cstdlib>

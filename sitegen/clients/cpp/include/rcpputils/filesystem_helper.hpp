@@ -1,4 +1,4 @@
-// Files and their paths, by the names that rcpputils had for them before C++ did.
+// The file system functions of rcpputils, which precede those of C++17.
 #pragma once
 
 #include <cerrno>

@@ -1,4 +1,5 @@
-// Messages to and from CDR: XCDR1, little-endian, with its header of four bytes, as native ROS 2.
+// Serialize and deserialize messages: CDR (XCDR1, little-endian) with a header of four bytes, as in
+// native ROS 2.
 #pragma once
 
 #include <algorithm>
@@ -80,7 +81,7 @@ private:
       elements(values, count);
       return;
     }
-    // A length is believed as far as there are bytes for it.
+    // The length may be wrong: allocate only for as many elements as there are bytes.
     ok_ = ok_ && count <= bound;
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, char16_t>) {
       ok_ = ok_ && count <= left() / sizeof(T);

@@ -1,4 +1,4 @@
-// The type support of a message: its name, its hash and how to walk over its fields.
+// The type support of a message: its name, its hash and its fields.
 #pragma once
 
 #include <cstddef>

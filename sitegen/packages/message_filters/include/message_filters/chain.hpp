@@ -44,7 +44,7 @@ public:
     }
     output_ = filter->registerCallback(
       [this](const EventType & event) {this->signalMessage(event);});
-    // What follows connects to the output of this filter, whatever its class is.
+    // The next filter connects to the output of this one, whatever its class is.
     links_.push_back({filter, std::make_shared<PassThrough<M>>(*filter)});
     return links_.size() - 1;
   }

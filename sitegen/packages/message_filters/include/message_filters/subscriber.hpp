@@ -78,7 +78,7 @@ public:
   std::string getTopic() const {return subscription_->get_topic_name();}
   typename rclcpp::Subscription<M>::SharedPtr getSubscriber() const {return subscription_;}
 
-  // A Chain asks for these of each filter: nothing comes in here.
+  // Required by Chain; a subscriber has no input.
   template<typename F>
   void connectInput(F &) {}
   void add(const EventType &) {}

@@ -129,7 +129,7 @@ private:
     TimePoint time;
   };
 
-  // All of these want mutex_ to be locked.
+  // The caller must hold mutex_.
   const detail::FrameHistory * history(CompactFrameID frame) const;
   CompactFrameID number(const std::string & frame) const;
   CompactFrameID number_or_new(const std::string & frame);
@@ -160,7 +160,7 @@ private:
 
   Duration cache_time_;
   mutable std::mutex mutex_;
-  // By number; there is no history where a frame is known as a parent only.
+  // Indexed by the number of the frame; a frame that is only a parent has no history.
   std::vector<std::string> names_{"NO_PARENT"};
   std::vector<std::unique_ptr<detail::FrameHistory>> histories_ = std::vector<std::unique_ptr<detail::FrameHistory>>(1);
   std::vector<std::string> authorities_{""};

@@ -1,4 +1,5 @@
-// Between messages and classes of a library; for which, other packages say (tf2_geometry_msgs).
+// Conversions between messages and classes of libraries, which other packages define
+// (tf2_geometry_msgs).
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What is known of one frame: where it was in its parent, at which times.
+// The history of one frame: its transforms to its parent, by time.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Between messages of geometry_msgs and the classes of tf2.
+// Conversions between messages of geometry_msgs and classes of tf2.
 #pragma once
 
 #include "geometry_msgs/msg/point.hpp"
@@ -23,7 +23,7 @@
 namespace tf2
 {
 
-// The order is that of use: a type after what it consists of.
+// Ordered by use: a type comes after the types that it contains.
 
 inline geometry_msgs::msg::Vector3 toMsg(const Vector3 & in)
 {
@@ -192,7 +192,7 @@ inline void fromMsg(
   out.cov_mat_ = covarianceRowMajorToNested(in.pose.covariance);
 }
 
-// A message is a message already.
+// The conversion of a message to itself.
 #define TF2_GEOMETRY_MSGS_SAME(Name) \
   inline geometry_msgs::msg::Name toMsg(const geometry_msgs::msg::Name & in) {return in;} \
   inline void fromMsg(const geometry_msgs::msg::Name & in, geometry_msgs::msg::Name & out) \

@@ -1,4 +1,4 @@
-// The ROS arguments of the command line and the names that they change.
+// The ROS arguments of the command line, and the names that they remap.
 #pragma once
 
 #include <map>

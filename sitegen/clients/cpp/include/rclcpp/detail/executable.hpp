@@ -1,4 +1,4 @@
-// What an executor calls back for.
+// An entity whose callbacks an executor calls.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a service or a client publishes of its requests and responses.
+// Service introspection: the events that a service or a client publishes about its calls.
 #pragma once
 
 #include <cstdint>

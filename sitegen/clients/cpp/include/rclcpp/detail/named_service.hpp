@@ -1,4 +1,4 @@
-// Services that are known by their names: those whose headers a program includes.
+// Service types by name: those whose headers the program includes.
 #pragma once
 
 #include <memory>

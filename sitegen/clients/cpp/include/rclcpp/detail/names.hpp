@@ -1,4 +1,4 @@
-// Names of nodes, topics and services by the rules of ROS 2.
+// The rules of ROS 2 for names of nodes, topics and services.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How a node comes by its parameters: only where the program uses some.
+// Creates the parameters of a node, only in programs that use parameters.
 #pragma once
 
 #include <memory>

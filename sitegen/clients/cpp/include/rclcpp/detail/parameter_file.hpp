@@ -1,4 +1,5 @@
-// Files of parameters, read while a program runs. Those of a command line are read when the site is built.
+// Parameter files that are read while a program runs. Those on a command line are read when the
+// site is built.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Values of parameters as text: on the command line, `-p name:=value`, and in files.
+// Parameter values as text: on the command line, `-p name:=value`, and in files.
 #pragma once
 
 #include <string>

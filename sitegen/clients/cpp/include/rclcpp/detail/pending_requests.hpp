@@ -1,4 +1,4 @@
-// The requests of a client that were not answered yet.
+// The requests of a client that have no response yet.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The one place where the program waits; everything that blocks comes here.
+// The only place where the program waits; all blocking functions use it.
 #pragma once
 
 #include <cstdint>

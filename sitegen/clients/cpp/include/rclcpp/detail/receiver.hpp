@@ -1,4 +1,4 @@
-// What messages arrive at: a subscription, a service or a client.
+// An endpoint that receives messages: a subscription, a service or a client.
 #pragma once
 
 #include <cstdint>

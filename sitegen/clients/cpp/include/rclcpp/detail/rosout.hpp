@@ -1,4 +1,4 @@
-// The topic /rosout, on which each node repeats what it logs.
+// The topic /rosout, to which each node publishes its log.
 #pragma once
 
 #include <memory>

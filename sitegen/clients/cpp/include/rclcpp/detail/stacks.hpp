@@ -1,4 +1,4 @@
-// Threads are stacks: while one waits, the others run.
+// Each thread has its own stack: while one thread waits, the others run.
 #pragma once
 
 #include <cstddef>

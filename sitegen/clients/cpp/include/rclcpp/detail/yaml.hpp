@@ -1,4 +1,4 @@
-// YAML, as far as files of parameters have it.
+// A parser for the subset of YAML in parameter files.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The interfaces of a node that templates ask for, as far as they are not classes of their own.
+// The node interfaces that templates use and that have no class of their own.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How messages of several topics are matched: by their times alone, whatever their types are.
+// Matches the messages of several topics by time; their types do not matter.
 #pragma once
 
 #include <cstddef>

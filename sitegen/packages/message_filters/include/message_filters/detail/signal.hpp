@@ -1,4 +1,4 @@
-// Callbacks for one message of each type, in any form that they may take them.
+// Callbacks with one message of each type, in any form that programs use.
 #pragma once
 
 #include <functional>

@@ -149,7 +149,7 @@ inline void Matrix3x3::getRotation(Quaternion & q) const
       (rows_[1].x() - rows_[0].y()) * f, s / 2);
     return;
   }
-  // From the largest of the diagonal, so that no small number divides.
+  // Start from the largest diagonal element, to avoid division by a small number.
   const int i = Vector3(rows_[0].x(), rows_[1].y(), rows_[2].z()).maxAxis();
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const tf2Scalar s = tf2Sqrt(rows_[i][i] - rows_[j][j] - rows_[k][k] + 1);
