@@ -9,7 +9,7 @@ namespace tf2
 namespace
 {
 
-/// How far the square of a quaternion's length may be from 1.
+/// The tolerance for the squared length of a quaternion, which should be 1.
 constexpr double kTolerance = 10e-3;
 constexpr TransformableRequestHandle kNever = 0xffffffffffffffffULL;
 
@@ -23,7 +23,7 @@ TimePoint time_of(const builtin_interfaces::msg::Time & stamp)
   return TimePoint(std::chrono::seconds(stamp.sec) + std::chrono::nanoseconds(stamp.nanosec));
 }
 
-/// Why a transform is none, one line for each reason.
+/// Why a transform is invalid, one line for each reason.
 std::vector<std::string> faults(
   const geometry_msgs::msg::Transform & transform, const std::string & parent,
   const std::string & child, const std::string & authority)

@@ -75,8 +75,8 @@ public:
   template<class Base>
   using UniquePtr = std::unique_ptr<Base, std::function<void (Base *)>>;
 
-  /// Of one library, as dlopen() takes its path, or of all if it is empty. Throws LibraryLoadException
-  /// if the program is not linked with it.
+  /// The classes of one library, given by its path as in dlopen(), or all classes if the path is
+  /// empty. Throws LibraryLoadException if the program is not linked with the library.
   explicit ClassLoader(const std::string & library_path, bool = false)
   : library_path_(library_path), library_(library_path.substr(library_path.rfind('/') + 1))
   {

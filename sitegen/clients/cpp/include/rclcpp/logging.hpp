@@ -76,7 +76,8 @@ std::string format(const std::string & text, const Args & ... args)
   return format(text.c_str(), args ...);
 }
 
-/// Whether `milliseconds` passed since `last`, which is then now; `last` begins as -1.
+/// Whether `milliseconds` have passed since `last`, which is then set to now; its initial value is
+/// -1.
 template<class ClockT>
 bool throttle_passed(ClockT & clock, std::int64_t milliseconds, std::int64_t & last)
 {

@@ -14,7 +14,7 @@ inline std::string get_env_var(const char * name)
   return found ? found : "";
 }
 
-/// Unset it when `value` is null.
+/// If `value` is null, the variable is removed.
 inline bool set_env_var(const char * name, const char * value)
 {
   const bool done = name && (value ? setenv(name, value, 1) : unsetenv(name)) == 0;

@@ -14,8 +14,8 @@
 namespace message_filters
 {
 
-/// Passes on what comes on a topic. What follows the message's type is what older programs name:
-/// the type of the node.
+/// A filter that receives the messages of a topic. Older programs name the type of the node as a
+/// second parameter.
 template<class M, class ...>
 class Subscriber : public SimpleFilter<rclcpp::detail::custom_type<M>>
 {

@@ -102,7 +102,7 @@ inline void fromMsg(const geometry_msgs::msg::Pose & in, Eigen::Affine3d & out)
   out = transform;
 }
 
-/// The linear part of a twist comes first, and so does the force of a wrench.
+/// The first three elements are the linear part of a twist, or the force of a wrench.
 inline geometry_msgs::msg::Twist toMsg(const Eigen::Matrix<double, 6, 1> & in)
 {
   geometry_msgs::msg::Twist out;

@@ -38,7 +38,7 @@ inline void fromMsg(const geometry_msgs::msg::Vector3 & in, Vector3 & out)
   out = Vector3(in.x, in.y, in.z);
 }
 
-/// A vector may be a point as well: the message to fill says which.
+/// A vector can also be a point: the type of the message decides.
 template<class PointT>
 PointT & toMsg(const Vector3 & in, PointT & out)
 {
@@ -84,7 +84,7 @@ inline void fromMsg(const geometry_msgs::msg::Transform & in, Transform & out)
   out = Transform(rotation, Vector3(in.translation.x, in.translation.y, in.translation.z));
 }
 
-/// A transform may be a pose as well.
+/// A transform can also be a pose.
 inline geometry_msgs::msg::Pose & toMsg(const Transform & in, geometry_msgs::msg::Pose & out)
 {
   toMsg(in.getOrigin(), out.position);

@@ -58,7 +58,7 @@ public:
       throw exceptions::InvalidParameterTypeException(name, error.what());
     }
   }
-  /// Without a default: it has to be overridden, or set before it is read.
+  /// Without a default value: it must be overridden, or set before it is read.
   template<class ParameterT>
   ParameterT declare_parameter(
     const std::string & name, const Descriptor & descriptor = Descriptor(),

@@ -16,7 +16,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// They lead to the node, and nothing else: what is made of them is made of the node.
+/// These only return the node: its entities are created from the node itself.
 #define ROS_NODE_PART(Name, Members) \
   class Name \
   { \
