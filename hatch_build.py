@@ -1,8 +1,8 @@
-"""Bring into the package what others made and sitegen ships: parts of ROS 2, browser libraries.
+"""Add third-party files that sitegen ships to the package: parts of ROS 2, browser libraries.
 
-`sitegen/ros/` is taken from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
-npm packages, and `sitegen/bundles/` from the runtime and these. None is in the repository. Last,
-the Python of pages compiles the modules of ROS, and those of sitegen that run beside them.
+`sitegen/ros/` is unpacked from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
+npm packages, and `sitegen/bundles/` from the runtime and these. None of them is in the repository.
+Finally, the Python of pages compiles the modules of ROS and those of sitegen that run in pages.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ BUNDLER = ROOT / "vendor.mjs"
 LIBRARIES = ROOT / "sitegen" / "runtime" / "vendor"
 COMPILER = ROOT / "bytecode.mjs"
 
-# The wheels are built for one platform, but what is taken from them is text that suits all.
+# The wheels are built for one platform, but the files taken from them are independent of it.
 DOWNLOAD = [
     *["--no-deps", "--require-hashes", "--only-binary=:all:", "--platform=manylinux_2_28_x86_64"],
     *["--implementation=cp", "--python-version=3.11", "--abi=cp311"],
 ]
 
-# Where a file of a wheel goes, by its path below `<wheel>.data/data/`. Type supports of DDS stay
-# behind: sitegen generates its own from the type descriptions (*.json).
+# The destination of a file in a wheel, by its path below `<wheel>.data/data/`. DDS type supports
+# are skipped: sitegen generates its own from the type descriptions (*.json).
 PURE = "lib/python3.11/site-packages/"
-# What runs in the page: rclpy, all that it imports, and the message classes.
+# What runs in the page: rclpy, all its imports, and the message classes.
 PAGE = r"(rclpy|ament_index_python|yaml)/.+|typing_extensions|[a-z_]+/((msg|srv|action)/)?\w+"
 TYPE_SUPPORT = re.compile(r"__(rosidl_)?type_?support")
 PLACES = [
@@ -55,16 +55,16 @@ PLACES = [
 
 
 class VendorBuildHook(BuildHookInterface[Any]):
-    """Fill both folders before an sdist, a wheel or an editable install is made."""
+    """Fills these folders before an sdist, a wheel or an editable install is made."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Fetch what has changed since the last time: the pins, or the rules in this file.
+        """Fetch what has changed since the last build: the pins, or the rules in this file.
 
-        An sdist has all of it, so a wheel is made from it without Node.js and downloads.
+        An sdist contains all of it, so a wheel is built from it without Node.js and downloads.
         """
         refresh(STAMP, [PINS, Path(__file__)], self._take_ros)
         refresh(LIBRARIES / ".digest", [LOCK, BUNDLER], self._bundle)
-        # Parts of sitegen that import nothing but Python's own modules.
+        # Parts of sitegen that import only modules of Python itself.
         sys.path.insert(0, str(ROOT))
         self._bundle_runtime()
         self._compile()
@@ -134,7 +134,7 @@ def refresh(stamp: Path, sources: list[Path], make: Callable[[], None]) -> None:
 
 
 def download(folder: Path, abort: Any) -> list[Path]:
-    """Let pip download the pinned wheels into `folder` and check their hashes."""
+    """Download the pinned wheels into `folder` with pip, which checks their hashes."""
     command = [sys.executable, "-m", "pip", "download", "--quiet", "--dest", str(folder)]
     done = subprocess.run(
         [*command, *DOWNLOAD, "--requirement", str(PINS)], text=True, capture_output=True
@@ -145,11 +145,11 @@ def download(folder: Path, abort: Any) -> list[Path]:
 
 
 def unpack(wheel: Path, target: Path) -> None:
-    """Copy what PLACES names from `wheel` to `target`."""
+    """Copy the files in PLACES from `wheel` to `target`."""
     package = "_".join(wheel.name.split("-")[0].split("_")[1:])
     with zipfile.ZipFile(wheel) as archive:
         for name in archive.namelist():
-            # Wheels of pure Python have their modules at the top.
+            # Pure Python wheels have their modules at the top.
             inner = name.partition(".data/data/")[2] or f"{PURE}{name}"
             place = destination(inner, package)
             if place:
@@ -159,7 +159,7 @@ def unpack(wheel: Path, target: Path) -> None:
 
 
 def destination(name: str, package: str) -> PurePosixPath | None:
-    """Return where `name`, a path in the wheel of `package`, goes; None if it is left behind."""
+    """Return the destination of `name`, a path in the wheel of `package`; None to skip it."""
     for pattern, place in PLACES:
         match = pattern.match(name)
         if not match or ".." in name:

@@ -13,7 +13,7 @@ from sitegen.errors import SiteError
 from sitegen.report import Report, count, paint, painted_problem, wants_colour
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
-# What a command that fails has not done.
+# What a failed command did not do.
 DONE = {
     "build": "built",
     "compile": "written",
@@ -42,10 +42,10 @@ def main(argv: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         if arguments.debug:
             traceback.print_exc()
-        # Nothing else ends it, so this is no mishap.
+        # Ctrl-C is the normal way to end it.
         return BUILT if arguments.command == "serve" else STOPPED
     except BrokenPipeError:
-        # Whoever read what is printed had enough.
+        # The reader of the output closed the pipe, such as `head`.
         sys.stderr.close()
         return BUILT
     except Exception:
@@ -78,7 +78,7 @@ def _build(arguments: argparse.Namespace) -> None:
             report.say(line)
         report.say(f"nothing changed since the last build → {output}", "good")
         return
-    # Importing the rest takes longer than finding out that nothing has changed.
+    # Importing the rest takes longer than detecting that nothing has changed.
     from sitegen.commands.build import build
 
     build(folder, output=output, report=report, debug=debug, verbose=arguments.verbose)
@@ -144,7 +144,7 @@ def _copy_theme(arguments: argparse.Namespace) -> None:
     print(f"{target}: a copy of '{arguments.name}'; select it in site.yaml: theme: {target.name}")
 
 
-# Commands import what they need when they run, for a short start.
+# Each command imports its modules when it runs, which keeps the start short.
 RUN = {
     "build": _build,
     "check": _check,

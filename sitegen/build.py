@@ -1,4 +1,4 @@
-"""Turn a folder with a site.yaml into a folder with a web site."""
+"""Build a web site from a folder that contains a site.yaml."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
 from sitegen.site import assets, bundles, offline, pages
 
-# Also tells GitHub Pages to serve the files as they are.
+# GitHub Pages also takes this file as the request to serve all files unchanged.
 MARKER = ".nojekyll"
 FOREIGN = "contains files that sitegen did not write; empty it or choose another --output"
 
 
 @dataclass(frozen=True)
 class Made:
-    """What a folder with a site.yaml becomes: its site, its programs, the files of dist/."""
+    """The result of a build: the site, its programs, and the files of `dist/`."""
 
     site: Site
     programs: Programs
     renderer: pages.Renderer
     rendered: Sequence[pages.Rendered]
-    # The artifacts that do not belong to pages.
+    # The artifacts that belong to no page.
     others: Sequence[Artifact]
     artifacts: Sequence[Artifact]
 
@@ -43,26 +43,26 @@ def make(
 
     Raises: SiteError if anything is wrong with the site, or if `output` must not be replaced.
     """
-    # site.yaml is loaded into a Site, and the workspace that it names is scanned.
+    # Load site.yaml into a Site and scan the workspace that it names.
     site = config.load(folder / "site.yaml")
     if options.live:
         site = replace(site, offline=None)
     if output:
         check_output(output)
 
-    # In a checkout, the files of the runtime may be older than its modules.
+    # In a checkout, the bundles may be older than the modules of the runtime.
     bundles.refresh(report)
 
-    # C++ nodes become WebAssembly, Python nodes archives; prebuilt ones are fetched.
+    # Compile C++ nodes to WebAssembly, pack Python nodes into archives, fetch prebuilt nodes.
     site, prebuilt = resolve(site, cache=cache_folder(), report=report)
     programs = programs_of(site, prebuilt, options=options, cache=cache_folder(), report=report)
 
-    # Markdown pages become HTML with a page.json each.
+    # Render Markdown pages to HTML, each with its page.json.
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)
 
-    # These, and the files that they use, are the site.
+    # These artifacts, and the files that they refer to, make up the site.
     others = assets.runtime(site, programs, debug=options.debug)
     others += assets.search(site)
     others += [] if options.live else renderer.index(rendered)
@@ -70,7 +70,7 @@ def make(
     others.append(Artifact(MARKER, b"written by sitegen\n"))
     if site.deploy.cname:
         others.append(Artifact("CNAME", f"{site.deploy.cname}\n".encode()))
-    # The server of `sitegen serve` isolates pages by itself.
+    # `sitegen serve` sends the headers that isolate pages.
     others += [] if options.live else offline.artifacts(site, [*artifacts, *others])
     artifacts += others
     check_paths(artifacts)
@@ -105,7 +105,7 @@ def check_paths(artifacts: Sequence[Artifact]) -> None:
 
 
 def origin(artifact: Artifact) -> str:
-    """Say where an artifact comes from."""
+    """Return where an artifact comes from, for messages."""
     source = artifact.source
     return str(source) if isinstance(source, Path) else "a file that sitegen writes"
 

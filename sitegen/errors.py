@@ -1,4 +1,4 @@
-"""Turn what is wrong with a site into one line for each problem."""
+"""Report what is wrong with a site, one line for each problem."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Location:
 
 
 class SiteError(Exception):
-    """The author made a mistake; each of `lines` is a complete message or quoted tool output."""
+    """The author made a mistake; each of `lines` is a complete message or the output of a tool."""
 
     def __init__(self, lines: list[str]) -> None:
         super().__init__("\n".join(lines))
@@ -26,28 +26,28 @@ class SiteError(Exception):
 
 @dataclass
 class Problems:
-    """The problems found so far, shown relative to `root`."""
+    """Collects problems; messages show paths relative to `root`."""
 
     root: Path
     found: list[tuple[str, int, str]] = field(default_factory=list)
 
     @property
     def lines(self) -> list[str]:
-        """All problems, one finished line each, in the order of file and line."""
+        """All problems as complete messages, ordered by file and line."""
         ordered = sorted(dict.fromkeys(self.found), key=lambda problem: problem[:2])
         return [f"{file}:{line}: {text}" for file, line, text in ordered]
 
     def add(self, location: Location, key: str, message: str) -> None:
-        """Note that `key`, written at `location`, is wrong as `message` says."""
+        """Add a problem: `key`, written at `location`, is wrong as `message` says."""
         text = f"{key}: {message}".replace("\n", " ")
         self.found.append((relative(location.file, self.root), location.line, text))
 
     def where(self, location: Location) -> str:
-        """Return `location` for the middle of a message."""
+        """Return `location` as text, for use inside a message."""
         return f"{relative(location.file, self.root)}:{location.line}"
 
     def raise_if_any(self) -> None:
-        """Raise a SiteError with all problems, in the order of file and line."""
+        """Raise a SiteError with all problems, ordered by file and line, if there are any."""
         if self.found:
             raise SiteError(self.lines)
 
@@ -58,7 +58,7 @@ def relative(file: Path, root: Path) -> str:
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """Return the end of a message about an unknown name: the nearest known one, or all of them."""
+    """Return the end of a message about an unknown name: the nearest known name, or all of them."""
     names = sorted(known)
     close = difflib.get_close_matches(name, names, n=1)
     if close:

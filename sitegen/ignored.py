@@ -6,8 +6,9 @@ from __future__ import annotations
 TOOLS = frozenset(
     {".git", ".mypy_cache", ".pytest_cache", ".ruff_cache", "__pycache__", "node_modules"}
 )
-# At the root of a workspace or a site: colcon's three, and what sitegen builds. Deeper in the tree
-# a folder of this name is the author's: `log` is a good name for a folder of sources.
+# At the root of a workspace or a site: the three folders of colcon, and the output of sitegen.
+# Deeper in the tree, such a folder belongs to the author: `log` is a good name for a folder of
+# sources.
 AT_ROOT = frozenset({"build", "dist", "install", "log"})
 
 

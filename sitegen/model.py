@@ -1,4 +1,4 @@
-"""The plain data that the stages hand to each other."""
+"""The data types that the stages of a build pass to each other."""
 
 from __future__ import annotations
 
@@ -48,17 +48,17 @@ class Component:
 
 @dataclass(frozen=True)
 class Container:
-    """A component container: a C++ program that is linked with its components."""
+    """A component container: a C++ program that its components are linked into."""
 
     components: tuple[Component, ...]
 
 
 @dataclass(frozen=True)
 class Prebuilt:
-    """A C++ program from an archive, at an address or below the site's folder.
+    """A C++ program from an archive, which is at a URL or below the site's folder.
 
-    `sha256` is the hash that the archive must have; `package` and `executable` choose one of its
-    programs. All three may be empty. `location` and `key` are where the author wrote it.
+    `sha256` is the expected hash of the archive; `package` and `executable` choose one of its
+    programs. All three may be empty. `location` and `key` say where the author wrote it.
     """
 
     source: str | Path
@@ -71,9 +71,9 @@ class Prebuilt:
 
 @dataclass(frozen=True)
 class Ros2wasm:
-    """A program that the ROS2WASM project compiled: its worker script, and the files that needs.
+    """A program compiled by the ROS2WASM project: its worker script and the files it loads.
 
-    `types` names the interfaces of its topics and services: `package/msg/Name` or
+    `types` maps the names of its topics and services to interfaces: `package/msg/Name` or
     `package/srv/Name`.
     """
 
@@ -82,16 +82,16 @@ class Ros2wasm:
     types: Mapping[str, str]
 
 
-# What a node is, which the configuration decides once.
+# The kinds of nodes. The configuration decides once which kind a node is.
 Kind = Cpp | Python | Container | Prebuilt | Ros2wasm
 
 
 @dataclass(frozen=True)
 class Node:
-    """A program that a page runs: which executable, and what it is started with.
+    """A node of a page: an executable and how it is started.
 
-    A ROS2WASM program has no package and no executable; a prebuilt one gets them when its archive
-    has been read. Python nodes of a `group` share an interpreter.
+    A ROS2WASM program has no package and no executable; a prebuilt program gets them when its
+    archive has been read. Python nodes with the same `group` share an interpreter.
     """
 
     name: str
@@ -107,7 +107,7 @@ class Node:
 
     @property
     def program(self) -> tuple[str, ...]:
-        """What identifies the program: nodes that agree in it share one."""
+        """A key that identifies the program; nodes with the same key share one program."""
         if isinstance(self.kind, Ros2wasm):
             types = (f"{name} {kind}" for name, kind in sorted(self.kind.types.items()))
             return ("ros2wasm", str(self.kind.script), *types)
@@ -127,19 +127,19 @@ class Node:
 
 
 class Program(Protocol):
-    """A program that is ready to be served: one class implements this for each kind."""
+    """A program that is ready to be served; each kind of node has a class that implements this."""
 
     @property
     def name(self) -> str:
-        """What people call it."""
+        """Its name in messages and summaries."""
 
     @property
     def worker(self) -> str:
-        """The worker of the runtime that runs it, a module below `runtime/workers/`."""
+        """The worker script of the runtime that runs it, a module below `runtime/workers/`."""
 
     @property
     def files(self) -> Sequence[Artifact]:
-        """What it needs in `dist/`; programs may share files."""
+        """The files that it needs in `dist/`; programs may share files."""
 
     @property
     def kind(self) -> str:
@@ -147,25 +147,25 @@ class Program(Protocol):
 
     @property
     def sizes(self) -> Mapping[str, Mapping[str, int]]:
-        """The bytes of its large files by path, for each engine; "" if it suits all engines."""
+        """The sizes of its large files in bytes, by engine and path; "" stands for all engines."""
 
     def types(self, node: Node) -> Mapping[str, object]:
-        """Return the message types that it uses as `node` (MessageType in protocol.js), by name."""
+        """Return the message types that it uses as `node`, by name (MessageType in protocol.js)."""
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return how page.json describes `node` (NodeEntry in protocol.js).
+        """Return the description of `node` in page.json (NodeEntry in protocol.js).
 
-        `link` turns a path inside `dist/` into an address.
+        `link` turns a path inside `dist/` into a URL.
         """
 
 
-# By what identifies them.
+# By the key that Node.program returns.
 Programs = Mapping[tuple[str, ...], Program]
 
 
 @dataclass(frozen=True)
 class Markdown:
-    """Text of a page: `text` begins at `location`, links in it are relative to `folder`."""
+    """Text of a page, written at `location`; links in it are relative to `folder`."""
 
     text: str
     folder: Path
@@ -174,7 +174,7 @@ class Markdown:
 
 @dataclass(frozen=True)
 class Widget:
-    """A live part of a page: its kind, the node it is about (or all, ""), its options."""
+    """A live part of a page: its kind, the node that it is about ("" for all), its options."""
 
     kind: str
     target: str
@@ -184,10 +184,10 @@ class Widget:
 
 @dataclass(frozen=True)
 class Source:
-    """A file of the author's, shown as it is: that of the node `target`, or one without a node.
+    """A source file that a page shows: one of the node `target`, or one without a node.
 
-    `file` is as written, relative to the node's package or to `folder`; it may be left out for a
-    node. `lines` are the first and the last one to show, `region` names a marked part instead.
+    `file` is the path as written, relative to the node's package or to `folder`; for a node, it may
+    be empty. `lines` are the first and the last line to show; `region` names a marked part instead.
     """
 
     target: str
@@ -201,9 +201,9 @@ class Source:
 
 @dataclass(frozen=True)
 class Cell:
-    """A place of a layout, and what is there; `title` is that of a tab, or the part of a stage.
+    """One cell of a layout and its content; `title` is that of a tab, or the part of a stage.
 
-    `size` is its share of the width, beside that of the others.
+    `size` is its share of the width, relative to the sizes of the other cells.
     """
 
     content: tuple[Part, ...]
@@ -213,7 +213,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Layout:
-    """Parts of a page that stand beside each other: `columns`, a `grid`, `tabs` or a `stage`.
+    """Parts of a page arranged as `columns`, a `grid`, `tabs` or a `stage`.
 
     The cells of a stage are `nodes`, `show`, and `below` or `beside` for the consoles.
     """
@@ -223,13 +223,13 @@ class Layout:
     location: Location
 
 
-# What the content of a page is made of.
+# The types that the content of a page consists of.
 Leaf = Markdown | Widget | Source
 Part = Leaf | Layout
 
 
 def leaves(content: Iterable[Part]) -> Iterator[Leaf]:
-    """Yield the parts of `content` in their order, those of layouts too."""
+    """Yield the parts of `content` in order, with layouts replaced by what they contain."""
     for part in content:
         if isinstance(part, Layout):
             for cell in part.cells:
@@ -242,10 +242,10 @@ def leaves(content: Iterable[Part]) -> Iterator[Leaf]:
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
-    `file` is the Markdown file it was written in, if it was one, and `front` the YAML at its top;
-    `theme` is empty for the site's.
-    `original` is the path of the page that it translates, or its own; `date` is like 2026-11-21.
-    `base` is where addresses in it begin; without it they are relative to the page.
+    `file` is its Markdown file, if it has one, and `front` the YAML at the top of that file.
+    `theme` is None for the theme of the site. `original` is the path of the page that this one
+    translates, or its own path; `date` is a day like 2026-11-21. `base` is the URL that addresses
+    in the page are relative to; when empty, they are relative to the page.
     """
 
     path: str
@@ -266,7 +266,7 @@ class Page:
 
     @property
     def leaves(self) -> Iterator[Leaf]:
-        """The text, the widgets and the sources of the page, in their order."""
+        """The text, the widgets and the sources of the page, in order."""
         return leaves(self.content)
 
     @property
@@ -282,7 +282,7 @@ class Page:
 
 @dataclass(frozen=True)
 class NavItem:
-    """A line of the navigation as the author ordered it: a page, an address, or a group."""
+    """An item of `nav` in site.yaml: a page, a URL, or a group."""
 
     title: str
     page: str | None = None
@@ -292,10 +292,10 @@ class NavItem:
 
 @dataclass(frozen=True)
 class Look:
-    """How a site differs from its theme: files are below the site's folder.
+    """The changes of a site to its theme; files are below the site's folder.
 
-    `accent` is a colour like #2b4bd8; a font is a file, or names that visitors may have installed;
-    `footer` is Markdown.
+    `accent` is a colour like #2b4bd8; a font is a file, or the names of installed fonts; `footer`
+    is Markdown.
     """
 
     accent: str = ""
@@ -307,7 +307,7 @@ class Look:
 
 @dataclass(frozen=True)
 class Deploy:
-    """Where a site is published: a branch of a remote of git, and its own domain if it has one."""
+    """Where a site is published: a remote and branch of git, and its own domain, if it has one."""
 
     branch: str = "gh-pages"
     remote: str = "origin"
@@ -316,7 +316,7 @@ class Deploy:
 
 @dataclass(frozen=True)
 class Pyodide:
-    """What Python nodes need beside ROS: where the Pyodide distribution is, and pinned packages."""
+    """What Python nodes need besides ROS: the Pyodide distribution, and pinned packages."""
 
     packages: Path | str = ""
     requirements: Path | None = None
@@ -324,13 +324,12 @@ class Pyodide:
 
 @dataclass(frozen=True)
 class Site:
-    """What the author wrote, checked: everything below `root`.
+    """A checked site.yaml; its files are below `root`.
 
-    `packages` are those of the workspace, by name, as far as nodes made it necessary to look;
-    `notes` is what the author may want to know about a site that is right. `nav` is empty where the
-    paths of the pages are the navigation; `languages` are those beside `language`. `offline` is
-    None where nobody said anything, False where the site is to work without a network no more, and
-    so it is with `isolate`.
+    `packages` are the packages of the workspace by name; it is empty if no node needs the
+    workspace. `notes` are hints about a site that has no errors. `nav` is empty if the navigation
+    follows the paths of the pages; `languages` are the languages besides `language`. `offline` and
+    `isolate` are None if site.yaml does not mention them, and False if it turns them off.
     """
 
     root: Path
@@ -359,11 +358,11 @@ class Site:
 
 @dataclass(frozen=True)
 class Setup:
-    """What a package with Python installs.
+    """What a Python package installs.
 
-    `scripts` are its entry points ("module:function"), or the paths of its programs, by the names
-    of the executables; `files` maps paths below the prefix to files, where modules are in
-    `python/`. `fault` says where its setup cannot be read, and why.
+    `scripts` maps the names of executables to entry points ("module:function") or to paths of
+    programs. `files` maps paths below the prefix to files; modules are in `python/`. `fault` says
+    where and why its setup files cannot be read.
     """
 
     scripts: Mapping[str, str]
@@ -373,11 +372,11 @@ class Setup:
 
 @dataclass(frozen=True)
 class Package:
-    """A ROS package of the workspace, as its `package.xml` and its build files describe it.
+    """A ROS package of the workspace, as described by its `package.xml` and its build files.
 
-    `executables` is None where only CMake itself can tell their names; `sources` has the files of
-    those that it names, as far as they stand there. `plugins` names the packages for which it has
-    plugins, and `linked` packages with whose plugins its programs are linked besides.
+    `executables` is None if only CMake can tell their names; `sources` maps executables to their
+    source files, where these are known. `plugins` names the packages that it provides plugins for,
+    and `linked` the packages whose plugins are linked into its programs.
     """
 
     name: str
@@ -393,16 +392,16 @@ class Package:
     linked: tuple[str, ...] = ()
 
 
-# What people call the browsers that each engine is for.
+# The names of engines in messages.
 BROWSERS = {"jspi": "current browsers", "asyncify": "all browsers"}
 
 
 @dataclass(frozen=True)
 class Build:
-    """One compiled form of a node: an ES module and its WebAssembly, for engines of `engine`.
+    """One compiled form of a node: an ES module and its WebAssembly, for one engine.
 
-    `types` is a file with the message types that it uses (MessageType in protocol.js), by name;
-    `lines` one that tells where it is in its sources, if it was made for that.
+    `types` is a file with the message types that it uses, by name (MessageType in protocol.js);
+    `lines` is a file that maps its code to source lines, or None if it was built without.
     """
 
     engine: str

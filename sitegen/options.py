@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Options:
-    """How a site is built; the default is to publish it.
+    """How to build a site; the defaults are those of a site to publish.
 
-    Without `compile`, everything is checked and the C++ programs are missing. A `live` site is
-    served while its author edits it: no browser keeps it, and the server makes the search index
-    when somebody searches. With `debug`, C++ programs report the lines of their sources. A `draft`
-    links C++ programs in a fifth of the time, and they are up to twice as large. Programs are built
-    for those of the site's engines that are among `engines`, if it names any.
+    Without `compile`, everything is checked, and C++ programs are left out. A `live` site is served
+    while its author edits it: browsers do not cache it, and the server makes the search index on
+    demand. With `debug`, C++ programs report source lines. A `draft` links C++ programs in a fifth
+    of the time; they are up to twice as large. `engines` limits the engines that programs are built
+    for; when empty, they are built for all engines of the site.
     """
 
     compile: bool = True

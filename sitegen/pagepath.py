@@ -9,12 +9,12 @@ INDEX = "index.html"
 
 
 def normalized(text: str) -> str:
-    """Return the path of a page as sitegen writes it, of one as authors do: "/demo" is "demo/"."""
+    """Return a path that an author wrote in the form that sitegen uses: "/demo" is "demo/"."""
     return f"{text.strip('/')}/".removeprefix("/")
 
 
 def file_of(path: str) -> str:
-    """Return the file of the page at `path`; the path of a file is returned unchanged."""
+    """Return the file of the page at `path`; a path that names a file is returned unchanged."""
     return f"{path}{INDEX}" if not path or path.endswith("/") else path
 
 

@@ -1,4 +1,4 @@
-"""Turn the progress of a build into lines for its author."""
+"""Report the progress of a build."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from typing import Literal, TextIO
 
 Style = Literal["", "good", "bad", "warning", "weak", "strong"]
 CODES = {"good": "32", "bad": "31", "warning": "33", "weak": "2", "strong": "1"}
-# A terminal shows this many tasks in progress, and counts the others.
+# A terminal shows at most this many tasks in progress, and the number of the others.
 LIVE = 8
 
 
 class Report:
-    """Writes lines; on a terminal, one live line for each task in progress."""
+    """Writes lines; on a terminal, each task in progress has a line that changes."""
 
     def __init__(self, out: TextIO = sys.stdout, *, colour: bool = False) -> None:
         self._out = out
@@ -36,7 +36,7 @@ class Report:
             self._draw()
 
     def doing(self, name: str, what: str) -> None:
-        """Show that `name` is now doing `what`, in place of its last live line."""
+        """Show that `name` is now at the step `what`."""
         with self._lock:
             self._live[name] = what
             if self._out.isatty():
@@ -46,7 +46,7 @@ class Report:
                 print(f"{name}: {what}", file=self._out, flush=True)
 
     def done(self, name: str) -> None:
-        """Remove the live line of `name`."""
+        """Remove the line of the task `name`."""
         with self._lock:
             self._erase()
             self._live.pop(name, None)
@@ -63,7 +63,7 @@ class Report:
         lines = [f"  {name}: {what}" for name, what in self._live.items()]
         if len(lines) > LIVE:
             lines[LIVE:] = [f"  … and {len(lines) - LIVE} more"]
-        # A line that wraps would be two to erase.
+        # Erasing a line that wraps would leave half of it.
         width = shutil.get_terminal_size().columns - 1
         for line in lines:
             self._out.write(paint(line[:width], "weak", colour=self._colour) + "\n")
@@ -80,12 +80,12 @@ def wants_colour(mode: str, out: TextIO) -> bool:
 
 
 def paint(text: str, style: Style, *, colour: bool) -> str:
-    """Return `text` as a terminal shows it in `style`, if there is to be `colour`."""
+    """Return `text` with the terminal codes for `style`, or unchanged without `colour`."""
     return f"\x1b[{CODES[style]}m{text}\x1b[0m" if colour and style else text
 
 
 def painted_problem(line: str, style: Style, *, colour: bool) -> str:
-    """Return a problem with its file and line in `style`, the rest as it is."""
+    """Return a problem with its file and line in `style`, the rest unchanged."""
     place = re.match(r"[^\s:]+(:\d+)?:(?=\s)", line)
     if not place:
         return line
@@ -93,12 +93,12 @@ def painted_problem(line: str, style: Style, *, colour: bool) -> str:
 
 
 def size(count: int) -> str:
-    """Return a number of bytes for people: "12 kB" or "3.4 MB"."""
+    """Return a number of bytes as text: "12 kB" or "3.4 MB"."""
     return f"{count / 1000:.0f} kB" if count < 1_000_000 else f"{count / 1_000_000:.1f} MB"
 
 
 def count(number: int, noun: str) -> str:
-    """Return a number and its noun, in the plural unless it is one: "2 pages"."""
+    """Return a number and its noun, plural unless the number is one: "2 pages"."""
     return f"{number} {noun}{'s'[: number != 1]}"
 
 

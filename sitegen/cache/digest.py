@@ -1,4 +1,4 @@
-"""Turn files into a digest of their names and contents."""
+"""Compute digests of files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sitegen.ignored import is_ignored
 def digest_of(paths: Iterable[Path], *words: str, roots: Collection[Path] = ()) -> str:
     """Return a digest of `words` and of the names and contents of all files at `paths`.
 
-    `roots` are the roots of workspaces and sites: what tools write there does not count.
+    `roots` are the roots of workspaces and sites, whose build folders are ignored.
     """
     digest = hashlib.sha256()
     for word in words:

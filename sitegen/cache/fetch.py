@@ -1,4 +1,4 @@
-"""Turn an address and a hash into a downloaded file."""
+"""Download files and check their hashes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlsplit
 
-# Status codes of errors that may pass.
+# HTTP status codes of temporary errors.
 PASSING = {408, 425, 429, 500, 502, 503, 504}
 REDIRECTS = 5
 
@@ -22,7 +22,8 @@ class FetchError(Exception):
 class Patience:
     """Time limits in seconds: for connecting, for each read, and in total.
 
-    A temporary failure is retried, up to `tries` attempts, after a `pause` that doubles each time.
+    After a temporary failure, the download is tried again, up to `tries` times, after a `pause`
+    that doubles each time.
     """
 
     connection: float = 10
@@ -33,7 +34,7 @@ class Patience:
 
 
 class _PassingError(Exception):
-    """A failure that may not happen at the next attempt."""
+    """A temporary failure: another attempt may succeed."""
 
 
 def allowed(url: str) -> bool:
@@ -51,7 +52,7 @@ def allowed(url: str) -> bool:
 def fetch(
     url: str, sha256: str, to: Path, *, largest: int, patience: Patience | None = None
 ) -> None:
-    """Download the file at `url` to `to`, following only redirections that are `allowed`.
+    """Download the file at `url` to `to`; redirections must be `allowed`, too.
 
     Raises: FetchError if the download fails, is larger than `largest` bytes, or has another hash.
     """
@@ -77,7 +78,7 @@ def mismatch(name: str, found: str) -> str:
 
 
 def _download(url: str, to: Path, largest: int, patience: Patience, end: float) -> str:
-    # Most sites fetch nothing, and it takes longer to load than they need for all else.
+    # Most builds download nothing, and this import takes longer than the rest of such a build.
     import httpx
 
     def check(request: httpx.Request) -> None:
@@ -92,7 +93,7 @@ def _download(url: str, to: Path, largest: int, patience: Patience, end: float) 
         max_redirects=REDIRECTS,
         event_hooks={"request": [check]},
         headers={"Accept-Encoding": "identity"},
-        # No proxy leads back to this computer.
+        # A proxy cannot reach this computer's own addresses.
         trust_env=not own,
     )
     too_large = f"{url} has more than {largest:,} bytes; check the address"

@@ -1,4 +1,4 @@
-"""The cache folder of sitegen, and how long its entries stay."""
+"""Find the cache folder of sitegen, and remove old entries."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from platformdirs import user_cache_path
 
 # Entries that can be built again from the workspace. Downloads are never removed.
 MADE = ("descriptions", "nodes", "work")
-# Seconds after its last use until an entry is removed.
+# The time in seconds after which an unused entry is removed.
 KEPT = 60 * 24 * 3600
 
 
@@ -23,7 +23,7 @@ def cache_folder() -> Path:
 
 
 def use(kept: Path) -> None:
-    """Mark an entry of the cache as used now."""
+    """Record that an entry of the cache is in use."""
     with contextlib.suppress(OSError):  # another user owns it, or another build removed it
         os.utime(kept)
 

@@ -41,7 +41,7 @@ def note(
 ) -> None:
     """Record that `output` was built from `folder` and the other folders `roots`.
 
-    `said` is the report, as it is without and with --verbose.
+    `said` is the report without and with --verbose.
     """
     roots = sorted(set(roots))
     record = {
@@ -73,7 +73,7 @@ def _read(folder: Path, roots: Sequence[Path], output: Path) -> str:
 
 
 def _repository(git: Path) -> Path:
-    """Return the folder that git keeps a working tree's history in: of some, a file names it."""
+    """Return the folder with the Git history of a working tree; it may be named by a file."""
     if not git.is_file():
         return git
     name = git.read_text(encoding="utf-8", errors="surrogateescape").removeprefix("gitdir:")

@@ -1,4 +1,4 @@
-"""Turn the words of a command line into arguments, and a wrong one into a suggestion."""
+"""Parse the command line, and suggest a correction for a wrong one."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ class Parser(argparse.ArgumentParser):
     """A parser that suggests the nearest command or option for an unknown one."""
 
     def error(self, message: str) -> NoReturn:
-        """Print what is wrong and how to find out what is right, and exit with 2."""
-        # The words of argparse itself; where they change, its own message is printed.
+        """Print the error and how to get help, and exit with 2."""
+        # The messages of argparse; one that does not match is printed unchanged.
         unknown = re.match(
             r"argument COMMAND: invalid choice: '([^']*)' \(choose from (.*)\)", message
         )
@@ -38,7 +38,7 @@ class Parser(argparse.ArgumentParser):
         self.exit(USAGE, f"{self.prog}: {message}\n")
 
     def refuse(self, words: Sequence[str]) -> NoReturn:
-        """Print that `words` mean nothing to this command, and exit with 2."""
+        """Print that this command does not know `words`, and exit with 2."""
         option = next((word for word in words if word.startswith("-")), None)
         if option is None:
             self.error(f"unexpected argument '{words[0]}'")
@@ -72,7 +72,7 @@ def parse(argv: Sequence[str] | None) -> argparse.Namespace:
         command = commands.choices.get(arguments.command, parser)
         command.refuse(unknown)
     if not arguments.command:
-        # As argparse and Click do; a script that lost its command should not go on.
+        # The exit code of argparse and Click for a wrong command line: a script must not continue.
         parser.print_help(sys.stderr)
         parser.exit(USAGE)
     for name, default in (("debug", False), ("color", "auto")):
@@ -87,7 +87,7 @@ def parse(argv: Sequence[str] | None) -> argparse.Namespace:
 
 
 def _common() -> Parser:
-    """Return the options that stand before or after every command."""
+    """Return the options that can be written before or after every command."""
     common = Parser(add_help=False, argument_default=argparse.SUPPRESS)
     common.add_argument(
         "--debug",
@@ -102,7 +102,7 @@ def _common() -> Parser:
     return common
 
 
-# Makes the parser of a command.
+# Creates the parser of a command.
 Add = Callable[..., Parser]
 
 
@@ -133,7 +133,7 @@ def _add_beginnings(add: Add) -> None:
 
 
 def _add_builds(add: Add) -> Parser:
-    """Add what builds a site; return `build`."""
+    """Add the commands that build a site; return `build`."""
     serve = add("serve", help="serve the site and rebuild it on every change")
     _add_folder(serve)
     serve.add_argument(

@@ -1,4 +1,4 @@
-"""Turn a site into the folder `dist/` and a summary of it."""
+"""Build a site into the folder `dist/` and print a summary."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from sitegen.report import Report, count, shown
 def build(
     folder: Path, *, output: Path, report: Report, debug: bool = False, verbose: bool = False
 ) -> None:
-    """Build the site of `folder` into `output`; with `debug`, C++ nodes report where they fail.
+    """Build the site of `folder` into `output`; with `debug`, C++ nodes report source lines.
 
-    The report lists all pages and nodes if `verbose`, else as many as fit on a screen.
+    The summary lists all pages and nodes if `verbose`, else as many as fit on a screen.
 
-    Raises: SiteError if anything is wrong; `output` stays as it was.
+    Raises: SiteError if anything is wrong; `output` is left unchanged.
     """
     begun = time.monotonic()
     made = make(folder, report, output=output, options=Options(debug=debug))
@@ -43,7 +43,7 @@ def build(
 
 
 def read_folders(site: Site) -> list[Path]:
-    """Return the folders that a build of `site` reads, other than its own."""
+    """Return the folders besides its own that a build of `site` reads."""
     themes = (page.theme for page in site.pages if page.theme)
     packages = site.pyodide.packages
     wheels = [packages] if isinstance(packages, Path) else []

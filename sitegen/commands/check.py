@@ -1,4 +1,4 @@
-"""Turn a site into its errors and warnings, without compiling anything."""
+"""Check a site without compiling anything."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
 
 
 def _definitions(site: Site) -> list[str]:
-    """Return the errors in interfaces that C++ nodes may use, which a build learns from CMake.
+    """Return the errors in interfaces that C++ nodes may use.
 
     They are warnings, because a build succeeds if no program needs these interfaces.
     """

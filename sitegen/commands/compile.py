@@ -1,4 +1,4 @@
-"""Turn nodes into an archive for sites that are built without a compiler."""
+"""Compile nodes into an archive for sites that are built without a compiler."""
 
 from __future__ import annotations
 

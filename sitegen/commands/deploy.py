@@ -1,4 +1,4 @@
-"""Turn a site into a commit on the branch that GitHub Pages serves."""
+"""Publish a site as a commit on the branch that GitHub Pages serves."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from sitegen.errors import SiteError
 from sitegen.model import Site
 from sitegen.report import Report, count, shown, size
 
-# A dry run lists this many files of each kind.
+# A dry run lists at most this many files of each kind.
 LISTED = 20
 
 
 class Changes(NamedTuple):
-    """What publishing changes: paths, in order."""
+    """The changes to publish: paths, in order."""
 
     added: list[str]
     changed: list[str]
@@ -95,7 +95,7 @@ def _message(site: Site, repository: Repository) -> str:
 
 
 def _next(site: Site, remote: str, *, first: bool) -> str:
-    """Say where the site is now, and what is left to do for it to be seen."""
+    """Return where the site is published now, and what is left to do until it is online."""
     github = re.search(r"github\.com[:/]([^/]+)/(.+?)(?:\.git)?/?$", remote)
     address = f"https://{site.deploy.cname}/" if site.deploy.cname else site.url
     if github and not address:

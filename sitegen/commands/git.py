@@ -20,7 +20,7 @@ DRAFT = "sitegen-deploy"
 
 @dataclass(frozen=True)
 class Repository:
-    """The repository that holds `folder`, with the branch of the remote that is to be published."""
+    """The repository that contains `folder`, and the branch of the remote to publish to."""
 
     folder: Path
     remote: str
@@ -30,7 +30,7 @@ class Repository:
     def of(cls, folder: Path, remote: str, branch: str) -> Repository:
         """Return the repository that contains `folder`.
 
-        Raises: SiteError if it is not ready to publish from.
+        Raises: SiteError if the site cannot be published from it.
         """
         if not shutil.which("git"):
             raise SiteError(["git not found; install it (git-scm.com)"])
@@ -57,18 +57,18 @@ class Repository:
 
     @property
     def url(self) -> str:
-        """The address of the remote, without a password that it may hold."""
+        """The URL of the remote, without a password."""
         url = self._run("remote", "get-url", self.remote).stdout.strip()
         return re.sub(r"(?<=://)[^/@]*@", "", url)
 
     def published(self) -> str:
-        """Return the commit that the branch has at the remote, fetched; empty if it has none."""
+        """Return the last commit of the branch at the remote, fetched; empty if there is none."""
         ref = f"refs/heads/{self.branch}"
         done = self._run("ls-remote", self.remote, ref)
         if done.returncode:
             raise SiteError([f"cannot read from {self.remote} ({self.url}): {_reason(done)}"])
         commit = done.stdout.partition("\t")[0]
-        # No branch and no file of the author's changes by this.
+        # This changes no branch and no file of the author's.
         quiet = ("--quiet", "--no-tags", "--no-write-fetch-head", "--refmap=")
         done = self._run("fetch", *quiet, self.remote, ref) if commit else done
         if done.returncode:
@@ -76,7 +76,7 @@ class Repository:
         return commit
 
     def files(self, commit: str) -> dict[str, str]:
-        """Return the digests of the files of a commit, by path; those of no commit are none."""
+        """Return the digests of the files of a commit, by path; none for an empty commit."""
         if not commit:
             return {}
         lines = self._git("ls-tree", "-r", "-z", "--full-tree", commit).split("\0")
@@ -84,7 +84,7 @@ class Repository:
         return {path: entry.split()[2] for entry, _, path in entries}
 
     def digest(self, data: bytes) -> str:
-        """Return the digest by which git knows a file."""
+        """Return the digest that git computes for a file."""
         done = self._run("rev-parse", "--show-object-format")
         known = done.stdout.strip() if done.returncode == 0 else "sha1"
         return hashlib.new(known, b"blob %d\0" % len(data) + data).hexdigest()
@@ -92,14 +92,14 @@ class Repository:
     def publish(self, site: Path, files: Mapping[str, str], parent: str, message: str) -> None:
         """Make a commit of the folder `site` after `parent`, and push it to the branch.
 
-        `files` are its digests, which the commit is compared with before anything leaves.
+        `files` are the expected digests, which are compared with the commit before it is pushed.
         """
         try:
             self._delete_draft()
             if parent:
                 self._git("update-ref", f"refs/heads/{DRAFT}", parent)
             words = ("--branch", DRAFT, "--message", message, str(site.resolve()))
-            # With -P, no file of the author's folder is taken for the module.
+            # With -P, Python imports no module from the author's folder.
             command = [sys.executable, "-P", "-m", "ghp_import", *words]
             done = subprocess.run(command, cwd=self.folder, text=True, capture_output=True)
             if done.returncode or self.files(f"refs/heads/{DRAFT}") != files:
@@ -112,7 +112,7 @@ class Repository:
             self._delete_draft()
 
     def head(self) -> str:
-        """Return the short name of the author's commit; empty before the first one."""
+        """Return the abbreviated hash of the author's commit; empty if there is none."""
         return self._run("rev-parse", "--short", "--verify", "--quiet", "HEAD").stdout.strip()
 
     def _delete_draft(self) -> None:
@@ -125,7 +125,7 @@ class Repository:
         return done.stdout
 
     def _run(self, *words: str) -> subprocess.CompletedProcess[str]:
-        # What git says has to be in the language that _reason reads.
+        # _reason expects the messages of git in English.
         environment = {**os.environ, "LC_ALL": "C.UTF-8"}
         return subprocess.run(
             ["git", *words], cwd=self.folder, env=environment, text=True, capture_output=True
@@ -133,9 +133,9 @@ class Repository:
 
 
 def _reason(done: subprocess.CompletedProcess[str]) -> str:
-    """Return the line in which git, or the server that it asked, says why."""
+    """Return the line of git's output, or of the server's, that says why it failed."""
     lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-    # The last words of git are often about what follows from the reason.
+    # The last line is often about a consequence of the error.
     for telling in (r"! \[", r"ERROR: ", r"remote: .*(denied|not found)", r"fatal: |error: "):
         told = [line for line in lines if re.match(telling, line)]
         if told:

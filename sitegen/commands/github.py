@@ -1,4 +1,4 @@
-"""Turn a site into GitHub workflows: one publishes it, one compiles its nodes for other sites."""
+"""Write GitHub workflows: one publishes the site, one compiles its nodes for other sites."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from sitegen.errors import SiteError
 
 TEMPLATES = Path(__file__).parent / "templates" / "github"
 FOLDER = Path(".github") / "workflows"
-# What the templates have where each repository has something of its own.
+# The placeholders in the templates.
 SITE, SITEGEN, BRANCH = "SITE: .\n", "SITEGEN: ros-sitegen\n", "branches: [main]"
 
 
 def workflows(folder: Path, what: installed.Requirement) -> dict[Path, str]:
-    """Return the workflows for the site of `folder`, by their files; they install `what`.
+    """Return the workflows for the site of `folder`, by file; they install `what`.
 
-    They belong to the repository that contains it.
+    They belong to the repository that contains the folder.
 
     Raises: SiteError if a workflow already exists.
     """
@@ -37,7 +37,7 @@ def workflows(folder: Path, what: installed.Requirement) -> dict[Path, str]:
 
 
 def _branch(root: Path) -> str:
-    """Return the branch that the repository is on."""
+    """Return the current branch of the repository."""
     head = root / ".git" / "HEAD"
     text = head.read_text() if head.is_file() else ""
     return text.removeprefix("ref: refs/heads/").strip() if text.startswith("ref: ") else "main"

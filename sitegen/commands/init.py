@@ -1,4 +1,4 @@
-"""Turn a ROS 2 workspace into a site.yaml with a page for each package and launch file."""
+"""Write a site.yaml for a ROS 2 workspace, with a page for each package and launch file."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ LISTED = 12
 
 @dataclass(frozen=True)
 class Runs:
-    """What of a workspace can run on pages.
+    """The parts of a workspace that can run on pages.
 
-    `packages` are those with executables, `launch` has a launch file for each path of a page;
-    `faults` says of the others what is in the way, a line each.
+    `packages` are those with executables; `launch` maps paths of pages to launch files; `faults`
+    has a line for each part that cannot run, with the reason.
     """
 
     packages: Sequence[Package]
@@ -45,11 +45,11 @@ class Runs:
 
 
 def init(folder: Path, report: Report, *, github: bool = False) -> None:
-    """Write a site.yaml, a page for each package and launch file; one that is there stays as it is.
+    """Write a site.yaml and its pages; existing files are left unchanged.
 
-    For `github`, write workflows for the site, too; then a site.yaml may be there already.
+    For `github`, also write workflows; then a site.yaml may exist already.
     """
-    # What is in the way is told before anything is written.
+    # Errors are reported before anything is written.
     what = installed.requirement() if github else None
     files = workflows(folder.resolve(), what) if what else {}
     if not github or not (folder / FILE).exists():
@@ -127,7 +127,7 @@ def _faults(
     packages: Mapping[str, Package],
     missing: Mapping[str, Mapping[str, str]],
 ) -> dict[str, str]:
-    """Return the line that says why a node cannot be on a page, by the names of such nodes."""
+    """Return the reason why a node cannot run on a page, by the names of such nodes."""
     faults = {}
     there = workspace.with_shipped(packages, (node.package for node in nodes))
     for node in nodes:
@@ -149,7 +149,7 @@ def _faults(
 
 
 def _page_path(package: str, file: str, taken: Collection[str]) -> str:
-    """Return the path of the page of a launch file, which stands at `file` in its package."""
+    """Return the path of the page for a launch file, which is at `file` in its package."""
     stem = ENDING.sub("", file.removeprefix("launch/")) or "launch"
     path = "/".join(segment(part) for part in (package, *stem.split("/"))) + "/"
     kind = Path(file).suffix.removeprefix(".")
@@ -225,7 +225,7 @@ def _launch_page(path: str, file: str, *, first: bool) -> Iterator[str]:
 
 
 def _also(packages: Collection[Package], faults: Sequence[str]) -> Iterator[str]:
-    """Yield comments about what the workspace has beside what runs."""
+    """Yield comments about the parts of the workspace that do not run."""
     robots = {package.name: _files(package, ROBOTS) for package in packages}
     interfaces = {package.name: sorted(package.interfaces) for package in packages}
     if faults:
@@ -250,7 +250,7 @@ def _listed(files: Mapping[str, Sequence[str]], *heading: str) -> Iterator[str]:
 
 
 def _node_names(package: Package) -> dict[str, str]:
-    """Return the executables of a package by names that a node can have."""
+    """Return the executables of a package by valid names of nodes."""
     names: dict[str, str] = {}
     for executable in package.executables or ():
         name = re.sub(r"\W", "_", executable.removesuffix(".py"), flags=re.ASCII)
@@ -262,11 +262,11 @@ def _node_names(package: Package) -> dict[str, str]:
 
 
 def _name(name: str) -> str:
-    """Write a name, in quotes only where YAML would read something else."""
+    """Return a name as YAML, in quotes only if it needs them."""
     plain = re.fullmatch(r"[A-Za-z][\w./-]*", name, re.ASCII) and yaml.safe_load(name) == name
     return name if plain else _text(name)
 
 
 def _text(text: str) -> str:
-    """Write text so that YAML reads it as text, whatever it is."""
+    """Return text as a YAML string."""
     return json.dumps(text, ensure_ascii=False)

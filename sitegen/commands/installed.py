@@ -1,4 +1,4 @@
-"""Turn this copy of sitegen into what pip has to install to get the same one elsewhere."""
+"""Find out how to install this copy of sitegen elsewhere."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DISTRIBUTION = "ros-sitegen"
 
 
 class Requirement(NamedTuple):
-    """What pip takes, and what the author should know about it, if anything."""
+    """A requirement for pip, and a note about it for the author, if there is one."""
 
     text: str
     note: str = ""
@@ -27,7 +27,7 @@ class Requirement(NamedTuple):
 def requirement() -> Requirement:
     """Return how to install this copy: a release, or a repository and its commit.
 
-    PEP 610 tells what pip was given; without its record, the copy came from an index.
+    PEP 610 records what pip was given; without this record, the copy came from an index.
     """
     try:
         record = metadata.distribution(DISTRIBUTION).read_text("direct_url.json")
@@ -58,7 +58,7 @@ def _from_record(record: dict[str, dict[str, object]]) -> Requirement:
 
 
 def _checkout(folder: Path) -> Requirement:
-    """Return the commit that a checkout is at, in the repository that it came from."""
+    """Return the requirement for the current commit of a checkout, from its remote."""
     commit = _git(folder, "rev-parse", "--verify", "HEAD")
     if not commit:
         return _unknown(f"{folder} is not a git repository with a commit")
@@ -90,7 +90,7 @@ def _unknown(why: str) -> Requirement:
 
 
 def _over_https(remote: str) -> str:
-    """Return the address of a remote that needs no key: git@host:path and ssh:// become https."""
+    """Return the URL of a remote without SSH keys: git@host:path and ssh:// become https."""
     match = re.fullmatch(r"(?:ssh://)?git@([\w.-]+)(?::\d+/|[:/])(.+)", remote)
     return f"https://{match[1]}/{match[2]}" if match else remote
 
@@ -102,7 +102,7 @@ def _public(url: str) -> str:
 
 
 def _git(folder: Path, *words: str) -> str:
-    """Return what git prints; nothing if it fails or is not there."""
+    """Return the output of git; nothing if it fails or is not installed."""
     try:
         done = subprocess.run(["git", *words], cwd=folder, text=True, capture_output=True)
     except FileNotFoundError:

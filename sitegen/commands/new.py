@@ -1,4 +1,4 @@
-"""Turn a name into a small workspace: two nodes, and a site that runs them."""
+"""Create a small workspace: two nodes, and a site that runs them."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from pathlib import Path
 from sitegen.commands import schema
 from sitegen.errors import SiteError
 
-# A workspace that works as it is, for a robot of this name.
+# The template: a complete workspace, for a robot with this name.
 TEMPLATE = Path(__file__).parent / "templates" / "workspace"
 NAME, TITLE = "my_robot", "My robot"
-# As ROS wants the names of packages (REP 144).
+# The rule for names of packages (REP 144).
 PACKAGE = re.compile(r"[a-z](_?[a-z0-9])+")
 
 
 def new(folder: Path) -> list[str]:
-    """Make the workspace `folder`, whose packages are called after it; return its files.
+    """Create the workspace `folder`, with packages named after it; return its files.
 
     Raises: SiteError if its name is not a valid package name, or if the folder is not empty.
     """
@@ -31,7 +31,7 @@ def new(folder: Path) -> list[str]:
     _check_free(folder)
     folder.parent.mkdir(parents=True, exist_ok=True)
     files = sorted(file for file in TEMPLATE.rglob("*") if file.is_file())
-    # In place only when all of it is there.
+    # Moved into place only when it is complete.
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{name}-") as temporary:
         fresh = Path(temporary) / name
         written = [_write(file, fresh, name) for file in files if "__pycache__" not in file.parts]
@@ -53,7 +53,7 @@ def _check_free(folder: Path) -> None:
 
 
 def _write(file: Path, to: Path, name: str) -> str:
-    """Write a file of the template below `to`, called and filled for `name`; return its path."""
+    """Write a file of the template below `to`, with `name` filled in; return its path."""
     path = file.relative_to(TEMPLATE).as_posix().replace(NAME, name)
     text = file.read_text(encoding="utf-8")
     title = name.replace("_", " ").capitalize()
@@ -64,6 +64,6 @@ def _write(file: Path, to: Path, name: str) -> str:
 
 
 def _like(name: str) -> str:
-    """Return a name that is right and close to `name`."""
+    """Return a valid name that is similar to `name`."""
     word = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789")
     return word if PACKAGE.fullmatch(word) else NAME

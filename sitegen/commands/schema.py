@@ -1,4 +1,4 @@
-"""Write the JSON Schema of site.yaml where editors find it."""
+"""Write the JSON Schema of site.yaml for editors."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from sitegen import config
 from sitegen.errors import SiteError
 
 FILE = "site.schema.json"
-# The line in site.yaml by which editors find the schema, relative to that file.
+# The first line of site.yaml, which tells editors where the schema is, relative to it.
 MODELINE = f"# yaml-language-server: $schema={FILE}"
 
 
 def text() -> str:
-    """Return the schema as the text of a file."""
+    """Return the contents of the schema file."""
     return json.dumps(config.json_schema(), indent=2) + "\n"
 
 

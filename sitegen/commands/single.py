@@ -21,9 +21,9 @@ from sitegen.site.pages.texts import texts
 def build_single(
     folder: Path, path: str, *, output: Path | None, report: Report, with_python: bool = False
 ) -> None:
-    """Build one page of the site of `folder` as one HTML file, which works without a server.
+    """Build one page of the site of `folder` as one HTML file, which needs no server.
 
-    Its Python nodes are left out, unless it is to be `with_python`.
+    Its Python nodes are left out unless `with_python`.
 
     Raises: SiteError if the page cannot be one file, or if `output` must not be replaced.
     """
@@ -86,7 +86,7 @@ def check_single(site: Site, path: str) -> Page:
 
 
 def _notice(site: Site, page: Page, names: Collection[str]) -> Markdown:
-    """Return what stands in the file in place of the widgets of nodes that are left out."""
+    """Return the text that replaces the widgets of nodes that are left out."""
     said = texts((DEFAULT_THEME, page.theme or site.theme), page.language or site.language)
     text = said.left_out.format(", ".join(f"`{name}`" for name in names))
     if site.url:
@@ -95,7 +95,7 @@ def _notice(site: Site, page: Page, names: Collection[str]) -> Markdown:
 
 
 def _without(page: Page, names: Collection[str], notice: Markdown) -> Page:
-    """Return the page without the nodes `names` and their widgets; for the first, the notice."""
+    """Return the page without the nodes `names`; the notice replaces their first widget."""
     nodes = {name: node for name, node in page.nodes.items() if name not in names}
     return replace(page, nodes=nodes, content=tuple(_kept(page.content, names, [notice])))
 

@@ -1,4 +1,4 @@
-"""Turn a site into the lines that sum it up, which fit on a screen however large it is."""
+"""Summarize a site in lines that fit on a screen, however large it is."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ NOTES, PAGES, NODES = 3, 10, 6
 
 
 def summary(site: Site, programs: Programs, *, verbose: bool = False) -> list[str]:
-    """Return lines about the notes, pages and nodes of a site; with `verbose`, about each."""
+    """Return lines about the notes, pages and nodes of a site; if `verbose`, about all of them."""
     # Nodes that use one ROS2WASM script with different types are different programs.
     nodes = list({one.name: one for one in programs.values()}.values())
     brief = [*_notes(site.notes), *_pages(site.pages), *_nodes(nodes)]
@@ -34,7 +34,7 @@ def _pages(pages: Sequence[Page], everything: bool = False) -> Iterator[str]:
     left = 0
     if not everything and len(rows) > PAGES + 1:
         groups = list(_groups(pages).values())
-        # What runs nodes is what a site is about; pages of text are the first to be left out.
+        # A site is mainly about the pages that run nodes; pages of text are left out first.
         ranked = sorted(groups, key=lambda group: not any(page.level for page in group))
         kept = [group for group in groups if group in ranked[:PAGES]]
         rows = [_row(group) for group in kept]
@@ -47,7 +47,7 @@ def _pages(pages: Sequence[Page], everything: bool = False) -> Iterator[str]:
 
 
 def _groups(pages: Iterable[Page]) -> Mapping[str, list[Page]]:
-    """Return the pages by their first folder, in the order of the first of each."""
+    """Return the pages by their first folder, in the order of the first page of each."""
     groups: dict[str, list[Page]] = {}
     for page in pages:
         groups.setdefault(page.path.partition("/")[0], []).append(page)
@@ -74,7 +74,7 @@ def _nodes(programs: Sequence[Program], everything: bool = False) -> Iterator[st
 
 
 def _sizes(programs: Sequence[Program]) -> str:
-    """Return the bytes that programs have in total, and for which browsers."""
+    """Return the total size of the programs in bytes, and the browsers that they are for."""
     # Programs may share files.
     files: dict[str, dict[str, int]] = {}
     for one in programs:

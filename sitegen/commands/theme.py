@@ -1,4 +1,4 @@
-"""Copy a theme that comes with sitegen, to start one from it."""
+"""Copy a theme that comes with sitegen, as a start for your own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Turn site.yaml, and the Markdown that it names, into a Site."""
+"""Read site.yaml, and the Markdown files that it names, into a Site."""
 
 from sitegen.config.again import read_again
 from sitegen.config.jsonschema import json_schema

@@ -1,4 +1,4 @@
-"""Read a page again whose text alone has changed."""
+"""Read a page again if only its text has changed."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ NOWHERE = Location(Path(), 0)
 
 
 def read_again(page: Page, root: Path) -> Page | None:
-    """Return `page` with the text that its file has now, None if anything else is new or wrong.
+    """Return `page` with the current text of its file; None if anything else changed or is wrong.
 
-    What a page runs, is called or is tagged with concerns other pages, too; its text does not.
+    The nodes, the title and the tags of a page affect other pages, too; its text does not.
     """
     if not page.file:
         return None
@@ -39,7 +39,7 @@ def read_again(page: Page, root: Path) -> Page | None:
 
 
 def _frame(content: Iterable[Part]) -> list[Part]:
-    """Return what is between the text, without lines, which move when text is written."""
+    """Return what surrounds the text, without line numbers, which change when text is edited."""
     return [_nowhere(part) for part in content if not isinstance(part, Markdown)]
 
 

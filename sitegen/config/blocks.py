@@ -1,4 +1,4 @@
-"""Turn Markdown text into prose and the `ros` blocks between."""
+"""Split Markdown text into prose and `ros` blocks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 ROS = re.compile(r"(```|~~~)[`~ \t{.]*ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
-# A fence anywhere: also in a list, a tab or a quotation.
+# A fence at any depth: also in a list, a tab or a quotation.
 INNER_FENCE = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 NEARLY_ROS = re.compile(r"[{.]*\s*ros[12]?[\s}]*(?!\S)", re.I)
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
@@ -17,7 +17,7 @@ LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 
 @dataclass(frozen=True)
 class Block:
-    """Lines of Markdown from `line` (from 0) on: prose, or what a fence with `info` holds."""
+    """Lines of Markdown from `line` (from 0) on: prose, or the content of a fence with `info`."""
 
     text: str
     line: int
@@ -35,7 +35,7 @@ class _Line:
 def split(text: str) -> Iterator[Block]:
     """Yield the prose and the `ros` blocks of `text` in order; other fences belong to the prose."""
     if not ROS.search(text):
-        # Most pages of a big site are text only, and reading them by lines takes its time.
+        # Most pages of a large site contain only text, and reading them line by line takes time.
         yield from _prose([text], 1)
         return
     prose: list[str] = []
@@ -101,17 +101,17 @@ def _prose(lines: list[str], end: int) -> Iterator[Block]:
 
 
 def _is_ros(info: str) -> bool:
-    """Return whether a fence is for widgets, or nearly: its reader says what to correct."""
+    """Return whether a fence is a `ros` block, or meant to be one: its reader reports the error."""
     return bool(NEARLY_ROS.match(info))
 
 
 def _lines(text: str) -> Iterator[_Line]:
-    """Yield the lines with the info string of the fence that each belongs to."""
+    """Yield each line with the info string of the fence that contains it."""
     fence = info = ""
     for line in text.split("\n"):
         match = FENCE.match(line) if "```" in line or "~~~" in line else None
         if not fence:
-            # A backtick after the fence makes it code within a line.
+            # A backtick in the info string makes it inline code.
             if match and not (match["fence"][0] == "`" and "`" in match["info"]):
                 fence, info = match["fence"], match["info"]
                 yield _Line(line, info, edge=True)

@@ -1,4 +1,4 @@
-"""Turn the content of a page into Markdown and widgets."""
+"""Read the content of a page: Markdown and widgets."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Reader:
     folder: Path
 
     def items(self, value: Value) -> Iterator[Part]:
-        """Yield what the items of `content` in site.yaml stand for, or one item alone."""
+        """Yield the parts that `content` in site.yaml describes; it is a list or a single item."""
         for item in value.items() if value.kind == "list" else [value]:
             kind = self._kind(item, (MARKDOWN.name, *LAYOUTS, *WIDGETS))
             if kind:
@@ -145,7 +145,7 @@ class Reader:
         return False
 
     def _source(self, value: Value) -> Iterator[Source]:
-        """Yield a file to show; pages finds it, for only the workspace knows a node's files."""
+        """Yield a source file to show; it is located later, when the files of nodes are known."""
         keys = WIDGETS["source"]
         if value.kind == "mapping":
             section = check(value, keys, self.problems)
@@ -177,7 +177,7 @@ class Reader:
         )
 
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
-        """Yield a widget that is about the whole page; without options it has no value."""
+        """Yield a widget that is about the whole page; it may be written without options."""
         keys = WIDGETS[kind]
         options: dict[str, object]
         if value.kind == "nothing":
@@ -193,7 +193,7 @@ class Reader:
         yield Widget(kind, "", options, value.location)
 
     def _robot(self, value: Value) -> Iterator[Widget]:
-        """Yield a robot; which options it has, its kind decides."""
+        """Yield a robot; its kind decides which options it has."""
         section = check(value, WIDGETS["robot"], self.problems)
         kind = section.get("kind")
         if not kind:

@@ -1,4 +1,4 @@
-"""Turn what site.yaml says about publishing into a Deploy."""
+"""Read `deploy` of site.yaml."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from sitegen.errors import Problems
 from sitegen.model import Deploy
 
 DOMAIN = re.compile(r"([a-z0-9]([a-z0-9-]*[a-z0-9])?\.)+[a-z][a-z0-9-]*[a-z0-9]")
-# Less than git allows, and nothing that it could take for an option.
+# Stricter than git, and nothing that git could take for an option.
 REF = re.compile(r"[A-Za-z0-9_](?:[\w.-]*[\w-])?(?:/[A-Za-z0-9_](?:[\w.-]*[\w-])?)*", re.ASCII)
 
 
 def deploy(given: Value | None, problems: Problems) -> Deploy:
-    """Return where the site is published, noting what git or the web would not take."""
+    """Return where the site is published, and report values that git or the web would refuse."""
     if given is None:
         return Deploy()
     section = check(given, DEPLOY, problems)

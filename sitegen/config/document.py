@@ -1,4 +1,4 @@
-"""Turn YAML text into values that know where they were written."""
+"""Parse YAML into values that know their location."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ KINDS = {"str": "text", "bool": "flag", "int": "number", "null": "nothing"}
 
 @dataclass(frozen=True)
 class Value:
-    """A piece of YAML: `key` leads to it from the top, `start` is where that top was written."""
+    """A YAML value; `key` is the path to it from the top, and `start` the location of the top."""
 
     node: yaml.Node
     key: str
@@ -37,7 +37,7 @@ class Value:
         if isinstance(self.node, yaml.SequenceNode):
             return "list"
         kind = KINDS.get(self.node.tag.rpartition(":")[2], "other")
-        # YAML 1.1 has numbers such as 0x10, 1_000 and 12:30, which nobody means here.
+        # YAML 1.1 also has numbers like 0x10, 1_000 and 12:30, which no author of a site means.
         return "other" if kind == "number" and not re.fullmatch(r"\d+", self.text) else kind
 
     @property
@@ -47,14 +47,14 @@ class Value:
 
     @property
     def scalar(self) -> str | bool | int:
-        """A scalar as what it means: a flag, a number or a text."""
+        """A scalar by its meaning: a boolean, a number or a string."""
         if self.kind == "flag":
             return self.text.lower() in ("true", "yes", "on")
         return int(self.text) if self.kind == "number" else self.text
 
     @property
     def found(self) -> str:
-        """What an author would call this value."""
+        """The kind of this value, as messages name it."""
         if self.kind in ("list", "nothing"):
             return {"list": "a list", "nothing": "nothing"}[self.kind]
         if self.kind == "mapping":
@@ -72,11 +72,11 @@ class Value:
         return self._location(self.node.start_mark.line + block)
 
     def has(self, *keys: str) -> bool:
-        """Return whether a mapping holds one of `keys`, well given or not."""
+        """Return whether a mapping has one of `keys`, valid or not."""
         return any(key.text in keys for key, _ in self._pairs())
 
     def items(self) -> list[Value]:
-        """Return the items of a list, or nothing if this is none."""
+        """Return the items of a list; of any other value, none."""
         nodes = self.node.value if isinstance(self.node, yaml.SequenceNode) else []
         return [
             replace(self, node=node, key=f"{self.key}[{i}]", location=self._location_of(node))
@@ -84,7 +84,7 @@ class Value:
         ]
 
     def entries(self, problems: Problems) -> dict[str, Value]:
-        """Return the values of a mapping by key, noting keys that are unusable or given twice."""
+        """Return the values of a mapping by key, and report unusable and repeated keys."""
         entries: dict[str, Value] = {}
         for key, value in self._pairs():
             if key.kind != "text":
@@ -120,7 +120,7 @@ class Value:
 
 
 def read(file: Path, problems: Problems) -> str | None:
-    """Return the text of `file` with plain line ends, or None where it has no readable text."""
+    """Return the text of `file` with normalized line ends; report one that cannot be read."""
     try:
         data = file.read_bytes()
         text = data.decode("utf-8-sig")
@@ -138,9 +138,9 @@ def read(file: Path, problems: Problems) -> str | None:
 def parse(
     text: str, start: Location, problems: Problems, *, key: str = "", empty: str = ""
 ) -> Value | None:
-    """Return the value that `text`, written at `start`, holds, noting where it is not YAML.
+    """Return the value of the YAML `text`, which begins at `start`; report invalid YAML.
 
-    Text that holds no value is a problem where `empty` says what to write.
+    For text without a value, the problem says to write what `empty` names.
     """
     try:
         node = _compose(text)
@@ -160,14 +160,14 @@ def parse(
 
 
 def shortened(text: str) -> str:
-    """Return `text` as one line that fits into a message."""
+    """Return `text` as one line, cut to a length that fits into a message."""
     line = " ".join(text.split())
     return line if len(line) <= 40 else f"{line[:39]}…"
 
 
 def _compose(text: str) -> yaml.Node | None:
-    # libyaml is ten times faster, but deep nesting crashes it and it words its errors differently:
-    # it gets what is surely shallow, and whatever it refuses is judged again by the other.
+    # libyaml is ten times faster, but it crashes on deep nesting and words its errors differently.
+    # It parses text that is certainly shallow; text that it refuses is parsed again in Python.
     depth = text.count("[") + text.count("{") + 2 * max(map(len, text.split("\n")))
     if depth < 2000 and yaml.__with_libyaml__:
         try:

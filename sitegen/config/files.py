@@ -1,4 +1,4 @@
-"""Turn the paths that an author writes into files and folders below the site."""
+"""Locate the files and folders that an author names."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from sitegen.errors import Problems, nearest
 
 
 def locate(value: Value, problems: Problems, *, folder: bool = False) -> Path | None:
-    """Return the file or folder of the site that `value` names, noting where there is none."""
+    """Return the file or folder of the site that `value` names, and report one that is missing."""
     root, text = problems.root, value.text
     try:
         path = (root / text).resolve()

@@ -1,4 +1,4 @@
-"""Turn a folder of Markdown files into paths of pages, in order."""
+"""Turn a folder of Markdown files into the paths of pages, in order."""
 
 from __future__ import annotations
 
@@ -11,21 +11,22 @@ from sitegen.ignored import is_ignored
 
 # The page of the folder itself.
 INDEX = {"index", "readme"}
-# `02-setup.md` is the second page and called `setup`.
+# `02-setup.md` is the second page; its path is `setup`.
 ORDER = re.compile(r"\d+[-_. ]+(?=.)")
 
 
 def files(folder: Path, languages: Sequence[str], root: Path) -> Iterator[tuple[str, Path]]:
-    """Yield the path and the file of each page: a folder's own first, then by name.
+    """Yield the path and the file of each page: the page of a folder first, then by name.
 
-    Numbers count as numbers; a number at the beginning is for the order only. Files of other
-    `languages` belong to the page they translate. `root` is the site's folder.
+    Numbers in names are compared as numbers; a number at the start of a name only sets the order. A
+    file in another one of `languages` belongs to the page that it translates. `root` is the site's
+    folder.
     """
     yield from _below(folder, "", tuple(f".{language}" for language in languages), root)
 
 
 def in_language(file: Path, language: str) -> Path:
-    """Return where the translation of a page would be: `page.de.md` beside `page.md`."""
+    """Return the file for the translation of a page: `page.de.md` beside `page.md`."""
     return file.with_name(f"{file.stem}.{language}{file.suffix}")
 
 

@@ -1,4 +1,4 @@
-"""The schema of site.yaml as JSON Schema, by which editors complete and check it."""
+"""The JSON Schema of site.yaml, with which editors complete and check it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from sitegen.config.schema import (
 Json = dict[str, object]
 
 TEXT: Json = {"type": "string", "minLength": 1}
-# What each type of the schema is in JSON.
+# The types of the schema in JSON.
 TYPES: dict[str, Json] = {
     "text": TEXT,
     "path": TEXT,
@@ -102,7 +102,7 @@ def _key(key: Key) -> Json:
 
 
 def _item() -> Json:
-    """Return what an item of `content` is: a mapping of one key, the kind."""
+    """Return the schema of an item of `content`: a mapping with one key, its kind."""
     kinds: Json = {MARKDOWN.name: _key(MARKDOWN)}
     kinds |= {
         "columns": {"type": "array", "items": {"anyOf": [TYPES["items"], _mapping(COLUMN)]}},
@@ -130,7 +130,7 @@ def _stage() -> Json:
 
 
 def _widget(kind: str, keys: tuple[Key, ...]) -> Json:
-    """Return what a widget is: its target alone, its options, or nothing where none is needed."""
+    """Return the schema of a widget: its target, its options, or nothing if neither is required."""
     options = _mapping(keys)
     forms: list[Json] = [options]
     if any(key.name == "node" for key in keys):

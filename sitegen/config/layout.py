@@ -1,4 +1,4 @@
-"""Turn columns, grids, tabs and stages into Layouts."""
+"""Read columns, grids, tabs and stages."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sitegen.config.section import check
 from sitegen.errors import Problems
 from sitegen.model import Cell, Layout, Part, Widget
 
-# How many tabs the themes have styles for.
+# The number of tabs that the themes have styles for.
 MOST_TABS = 8
 CONSOLES = ("below", "beside", "none")
 # Reads a list of content.
@@ -20,9 +20,10 @@ Items = Callable[[Value], Iterator[Part]]
 def layout(
     kind: str, value: Value, items: Items, known: Callable[[Value], bool], problems: Problems
 ) -> Layout | None:
-    """Return the layout of `kind` that `value` describes, noting what is wrong with it.
+    """Return the layout of `kind` that `value` describes, and report what is wrong with it.
 
-    `items` reads the content of its cells; `known` tells whether a node exists, and notes if not.
+    `items` reads the content of a cell; `known` returns whether a node exists, and reports one that
+    does not.
     """
     if kind == "stage":
         return _stage(value, items, known, problems)

@@ -1,4 +1,4 @@
-"""Turn the widgets of a page into its level of interaction."""
+"""Determine the level of interaction of a page from its widgets."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LEVELS = {
 
 
 def offered(widgets: Iterable[Widget]) -> str:
-    """Return what a visitor of these widgets can do."""
+    """Return the level that these widgets offer."""
     kinds = [(widget.kind, widget.target) for widget in widgets]
     if any(kind in ("prompt", "editor") for kind, _ in kinds):
         return "I5"
@@ -27,7 +27,7 @@ def offered(widgets: Iterable[Widget]) -> str:
 
 
 def fault(declared: str, offers: str) -> str:
-    """Return the message about a declared level that differs from the one offered, else ""."""
+    """Return the message about a declared level that differs from the offered one, else ""."""
     if declared == offers:
         return ""
     if not offers:

@@ -1,4 +1,4 @@
-"""Turn what site.yaml says about colours, letters, logo and footer into a Look."""
+"""Read the colours, fonts, logo and footer of a site."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ IMAGES = (".svg", ".png", ".webp", ".jpg", ".jpeg", ".gif", ".avif")
 
 
 def look(site: Section, problems: Problems) -> Look:
-    """Return how the site differs from its theme, as sound as what was written."""
+    """Return the look of the site; invalid values are left out."""
     footer = site.get("footer")
     logo = site.get("logo")
     if logo and not logo.text.lower().endswith(IMAGES):
@@ -32,7 +32,7 @@ def look(site: Section, problems: Problems) -> Look:
 
 
 def _font(name: str, site: Section, problems: Problems) -> Path | str:
-    """Return a font's file, or names as CSS has them; nothing of them may end the rule."""
+    """Return a font file, or font names in CSS syntax that cannot end the CSS rule."""
     given = site.get(name)
     if given is None:
         return ""

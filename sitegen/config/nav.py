@@ -1,4 +1,4 @@
-"""Turn `nav` of site.yaml into the items of the navigation."""
+"""Read `nav` of site.yaml."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from sitegen.model import NavItem, Page
 
 @dataclass(frozen=True)
 class NavReader:
-    """Reads the navigation over `pages`, by path."""
+    """Reads the navigation of `pages`, which are given by path."""
 
     pages: Mapping[str, Page]
     problems: Problems
 
     def items(self, value: Value) -> Iterator[NavItem]:
-        """Yield what the items of a list stand for: a page, or a title with what is below it."""
+        """Yield the items of a list: pages, URLs, and titles with items below them."""
         for item in value.items():
             if item.kind == "text":
                 yield from self._target("", item)

@@ -1,4 +1,4 @@
-"""Turn what the author wrote about nodes into Nodes, and look for them in the workspace."""
+"""Read the nodes of site.yaml and find them in the workspace."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ REMAP = re.compile(
 
 
 class Declared(NamedTuple):
-    """A node and the section in which the author declared it, None for one of a launch file."""
+    """A node and the section that declares it; None for a node of a launch file."""
 
     node: Node
     section: Section | None
 
     def where(self, name: str) -> tuple[Location, str]:
-        """Return the location of `name`, and what it is called in a message."""
+        """Return the location of `name`, and its label in messages."""
         if self.section is None:
             return self.node.location, "node"
         return self.section.location(name), self.section.label(name)
 
 
 def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> dict[str, Declared]:
-    """Return the nodes by name, noting names that ROS does not allow or that are `taken`."""
+    """Return the nodes by name, and report names that are invalid in ROS or already `taken`."""
     declared: dict[str, Declared] = {}
     for name, entry in value.entries(problems).items():
         if not NAME.fullmatch(name):
@@ -73,7 +73,7 @@ def _keys(entry: Value) -> tuple[Key, ...]:
 
 
 def check_package(declared: Declared, packages: Mapping[str, Package], problems: Problems) -> None:
-    """Note where the package, the executable or a type of a node is not in the workspace."""
+    """Report a node whose package, executable or types are not in the workspace."""
     node, section = declared
     if section and section.keys is ROS2WASM:
         ros2wasm.check_types(section, packages, problems)
@@ -119,7 +119,7 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
 
 
 def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
-    """Return `node` as what it is: of executables, the workspace knows which are in Python."""
+    """Return `node` with its kind: the workspace knows which executables are Python programs."""
     package = packages.get(node.package)
     setup = package.setup if package else None
     if isinstance(node.kind, Cpp) and setup and node.executable in setup.scripts:
@@ -128,7 +128,7 @@ def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
 
 
 def _has_executable(package: Package, executable: str) -> bool:
-    # A name that is missing was noted before; one that only CMake knows is left to CMake.
+    # A missing name was reported before; a name that only CMake knows is checked by CMake.
     return not executable or package.executables is None or executable in package.executables
 
 

@@ -1,4 +1,4 @@
-"""Turn an item of `pages`, and the Markdown file that it may name, into Pages."""
+"""Read an item of `pages`, and the Markdown files that it names."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from sitegen.errors import Location, Problems
 from sitegen.launch import launched
 from sitegen.model import Markdown, Package, Page, Part, Widget, leaves
 
-# What a page of a folder cannot have from site.yaml: each file has its own.
+# Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
 
 
 @dataclass(frozen=True)
 class Written:
-    """What the file of a page says: the keys at its top, that YAML itself, and its text."""
+    """The content of a page's file: its front matter, parsed and as YAML, and its text."""
 
     front: Section
     yaml: str = ""
@@ -36,7 +36,7 @@ class Written:
 
 
 class PageReader:
-    """Reads pages, and remembers which paths and nodes the earlier ones took."""
+    """Reads pages, and remembers the paths and nodes of the previous ones."""
 
     def __init__(
         self,
@@ -56,7 +56,7 @@ class PageReader:
         self.notes = Problems(problems.root)
 
     def pages(self, item: Value) -> Iterator[Page]:
-        """Yield the page or the pages of an item, as sound as what was written."""
+        """Yield the page or the pages of an item; invalid values are left out."""
         page = check(item, PAGE, self.problems)
         before = len(self.problems.found)
         file, content, folder = map(page.get, ("file", "content", "folder"))
@@ -104,9 +104,9 @@ class PageReader:
     def _translated(
         self, page: Section, path: str, file: Path | None, before: int
     ) -> Iterator[Page]:
-        """Yield a page and, where files beside its own are in other languages, those.
+        """Yield a page and its translations, whose files are beside its own.
 
-        `before` is how many problems there were when nothing of the page was read.
+        `before` is the number of problems before anything of the page was read.
         """
         empty = Section(page.value, FRONT_MATTER, {})
         written = self._page_file(file, empty) if file else Written(empty)
@@ -116,7 +116,7 @@ class PageReader:
             if other and other.is_file():
                 before = len(self.problems.found)
                 own = self._page_file(other, empty)
-                # What is not a matter of language need not be said twice.
+                # A problem that is the same in all languages is reported once.
                 said = {
                     key: value
                     for key, value in written.front.entries.items()
@@ -153,7 +153,7 @@ class PageReader:
         if started and not any(isinstance(part, Widget) for part in leaves(parts)):
             parts += _panels(started)
         if len(self.problems.found) == before:
-            # What is missing from half-read content is no news.
+            # Content that could not be read completely has no reliable level.
             self._check_title(page, front, parts, body)
             self._check_level(_giver("level", page, front), parts)
         widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
@@ -270,7 +270,7 @@ def first_heading(parts: Iterable[Part]) -> str:
 
 
 def _giver(name: str, page: Section, front: Section) -> Section:
-    """Return the section that decides about `name`: site.yaml goes before the page's own file."""
+    """Return the section that sets `name`: site.yaml takes precedence over the front matter."""
     return page if page.get(name) else front
 
 

@@ -1,4 +1,4 @@
-"""Turn the parameters of a node in site.yaml into those of its command line."""
+"""Read the parameters of a node in site.yaml."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from sitegen.errors import Problems
 from sitegen.workspace import parameterfiles
 
 NUMBER = re.compile(r"[-+]?(\d+|\d+\.\d*|\.\d+|\d+(\.\d*)?[eE][-+]?\d+|\.inf|\.nan)", re.IGNORECASE)
-# Those of `qos_overrides` have names of topics in them.
+# The parameters of `qos_overrides` have names of topics in their names.
 NAME = re.compile(r"[A-Za-z_/][\w/]*(\.[A-Za-z_/][\w/]*)*", re.ASCII)
 
 
 def read(value: Value, problems: Problems) -> dict[str, str]:
-    """Return the parameters by name as `-p name:=value` wants them, those in mappings with dots.
+    """Return the parameters by name in the form of `-p name:=value`; nested names are dotted.
 
-    A list has such mappings and files of parameters, of which the later ones count. Notes names and
-    values that no parameter has, and files that cannot be read.
+    A list contains mappings and parameter files; later ones take precedence. Reports names and
+    values that no parameter can have, and files that cannot be read.
     """
     if value.kind != "list":
         return _mapping(value, problems)
@@ -46,7 +46,7 @@ def _file(value: Value, problems: Problems) -> dict[str, str]:
 
 
 def arguments(value: Value, problems: Problems) -> tuple[str, ...]:
-    """Return the command line of a node with what its `--params-file` hold in their place."""
+    """Return the command line of a node with each `--params-file` replaced by its parameters."""
     words: list[str] = []
     items = value.items()
     for item, before in zip(items, [None, *items], strict=False):
@@ -89,7 +89,7 @@ def _list(value: Value, problems: Problems) -> str:
 
 
 def _scalar(value: Value, problems: Problems) -> tuple[str, str]:
-    """Return the type of a value and its text; no type where it has none that parameters have."""
+    """Return the type and the text of a value; no type if it is not valid for parameters."""
     plain = isinstance(value.node, yaml.ScalarNode) and not value.node.style
     if value.kind == "flag":
         return "flags", value.text

@@ -1,4 +1,4 @@
-"""Say which paths a page may have, and make one of any name."""
+"""Check the paths of pages, and make a path from any name."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ SEGMENT = re.compile(r"[a-z0-9_~-][a-z0-9._~-]*")
 
 
 def path_fault(text: str) -> str:
-    """Return why `text` is no path for a page, or nothing."""
+    """Return why `text` is no valid path of a page, or nothing."""
     segments = text.removesuffix("/").split("/")
     way = "/".join(filter(None, map(segment, segments)))
     hint = f"write '{way}/'" if way else "write '/' for the first page"
@@ -28,5 +28,5 @@ def path_fault(text: str) -> str:
 
 
 def segment(name: str) -> str:
-    """Return a name as a part of a path."""
+    """Return a name in the form of one segment of a path."""
     return re.sub(r"[^a-z0-9._~-]+", "-", name.lower()).lstrip(".")

@@ -1,4 +1,4 @@
-"""Turn what the author wrote about a prebuilt program into a Prebuilt."""
+"""Read a prebuilt program in site.yaml."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sitegen.model import Prebuilt
 
 
 def read(section: Section, problems: Problems) -> Prebuilt | None:
-    """Return the archive that the author names, noting an unsafe address or a missing hash."""
+    """Return the archive that the author names; report an unsafe URL or a missing hash."""
     given = section.get("compiled")
     if given is None:
         return None

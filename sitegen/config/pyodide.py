@@ -1,4 +1,4 @@
-"""Turn what site.yaml says about the packages of Python nodes into a Pyodide."""
+"""Read what site.yaml says about the packages of Python nodes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from sitegen.model import Pyodide
 
 
 def pyodide(given: Value | None, problems: Problems) -> Pyodide:
-    """Return where packages come from, noting what is not there."""
+    """Return where packages come from, and report files that are missing."""
     if given is None:
         return Pyodide()
     section = check(given, PYODIDE, problems)

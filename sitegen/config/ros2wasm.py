@@ -1,4 +1,4 @@
-"""Turn what the author wrote about a node of the ROS2WASM project into its files and types."""
+"""Read a ROS2WASM program in site.yaml."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from sitegen.config.section import Section
 from sitegen.errors import Problems, nearest
 from sitegen.model import Package, Ros2wasm
 
-# A file that a script loads is named in it: Emscripten's do not ask for files by any other name.
+# The pattern of file names in scripts: scripts made by Emscripten name every file that they load.
 NAMED = re.compile(r"""["'`]([\w-][\w.-]*\.(?:js|wasm|data|mem))["'`]""")
 
 
 def read(section: Section, problems: Problems) -> Ros2wasm | None:
-    """Return the script with what it loads, noting where a file is missing."""
+    """Return the script and the files that it loads, and report missing files."""
     given, types = section.get("ros2wasm"), section.get("types")
     script = locate(given, problems) if given else None
     if given is None or script is None:
@@ -43,7 +43,7 @@ def read(section: Section, problems: Problems) -> Ros2wasm | None:
 
 
 def check_types(section: Section, packages: Mapping[str, Package], problems: Problems) -> None:
-    """Note which names are none of the graph, and which types neither ROS nor the workspace has."""
+    """Report invalid names, and types that neither ROS nor the workspace defines."""
     types = section.get("types")
     known = workspace.interfaces(packages)
     for name, given in types.entries(problems).items() if types else ():
@@ -55,14 +55,14 @@ def check_types(section: Section, packages: Mapping[str, Package], problems: Pro
 
 
 def _loaded(script: Path) -> Iterator[Path]:
-    """Yield the files beside `script` that it loads, and they in turn."""
+    """Yield the files beside `script` that it loads, directly or indirectly."""
     seen = {script}
     waiting = [script]
     while waiting:
         text = waiting.pop().read_text(encoding="utf-8", errors="replace")
         for name in dict.fromkeys(NAMED.findall(text)):
             file = script.parent / name
-            # WebAssembly is always needed; another name may stand there for no file at all.
+            # A .wasm file is always required; any other name may not stand for a file at all.
             if file in seen or not (file.is_file() or file.suffix == ".wasm"):
                 continue
             seen.add(file)

@@ -19,7 +19,7 @@ class Key:
     default: str | bool | int | None = None
 
 
-# What each type is made of (a kind of Value), and its name in a message.
+# For each type: the kind of Value it is made of, and its name in messages.
 TYPES = {
     "text": ("text", "text"),
     "path": ("text", "a path"),
@@ -48,7 +48,7 @@ TYPES = {
     "pyodide": ("mapping", "keys and values"),
 }
 
-# What text of some types looks like.
+# The patterns of types that are text.
 FORMS = {
     "name": re.compile(r"(/[A-Za-z_]\w*)+", re.ASCII),
     "type": re.compile(r"[a-z]\w*/msg/[A-Z]\w*", re.ASCII),
@@ -179,7 +179,7 @@ DEPLOY = (
     Key("cname", "text", "custom domain, written to `CNAME`", "cname: robot.example.org"),
 )
 
-# How any node is started.
+# Keys of all nodes.
 _HOW = (
     Key("namespace", "text", "namespace of the node, starting with `/`", "namespace: /demo"),
     Key(
@@ -274,7 +274,7 @@ IN_FILE = (
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
-# Where a key belongs that is right, but not in its place.
+# Keys that are valid elsewhere: where each of them belongs.
 PLACES = (
     (FILE, "at the top level of site.yaml; move it there"),
     (SITE, "under 'site' in site.yaml; indent it below 'site:'"),
@@ -285,7 +285,7 @@ PLACES = (
 
 
 def belongs(name: str, keys: tuple[Key, ...]) -> str:
-    """Return where the key `name`, which is none of `keys`, belongs and how; empty if nowhere."""
+    """Return where the unknown key `name` belongs, and how it is written there; else ""."""
     if keys not in (FRONT_MATTER, *(place for place, _ in PLACES)):
         return ""
     return next((how for place, how in PLACES if name in {key.name for key in place}), "")
@@ -339,7 +339,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         _NODE,
         Key("file", "text", "another Python file of the package", "file: py_pubsub/words.py"),
     ),
-    # Those without a node look at all of the page.
+    # Widgets that can be used without a node are about the whole page.
     "topics": (
         Key("show", "list of names", "only these topics", "show: [/chatter]"),
         Key("echo", "name", "topic whose messages are shown first", "echo: /chatter"),

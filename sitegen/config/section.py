@@ -1,4 +1,4 @@
-"""Check a mapping of the author's against the keys of the schema."""
+"""Check a mapping against the keys of the schema."""
 
 from __future__ import annotations
 
@@ -12,38 +12,38 @@ from sitegen.errors import Location, Problems, nearest
 
 @dataclass(frozen=True)
 class Section:
-    """A checked mapping: what was well given is read from it, what was not is the default."""
+    """A checked mapping: invalid values are replaced by their defaults."""
 
     value: Value
     keys: tuple[Key, ...]
     entries: Mapping[str, Value]
 
     def get(self, name: str) -> Value | None:
-        """Return what was given for `name`."""
+        """Return the value of `name`, None if it is missing or invalid."""
         return self.entries.get(name)
 
     def option(self, name: str) -> str | bool | int | list[str] | None:
-        """Return the text, flag, number or list of text given for `name`, or its default."""
+        """Return the text, boolean, number or list of text of `name`, or its default."""
         entry = self.get(name)
         if entry is None:
             return next(key.default for key in self.keys if key.name == name)
         return [item.text for item in entry.items()] if entry.kind == "list" else entry.scalar
 
     def text(self, name: str) -> str:
-        """Return the text given for `name`, or its default."""
+        """Return the text of `name`, or its default."""
         return str(self.option(name) or "")
 
     def location(self, name: str) -> Location:
-        """Return where `name` was given, or should have been."""
+        """Return the location of `name`, or of the mapping if it is missing."""
         return (self.get(name) or self.value).location
 
     def label(self, name: str) -> str:
-        """Return how a message calls `name`."""
+        """Return the label of `name` in messages."""
         return f"{self.value.key}.{name}" if self.value.key else name
 
 
 def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
-    """Return the entries of `value` that are as `keys` say, noting everything that is not."""
+    """Return the entries of `value` that are valid according to `keys`, and report all others."""
     if value.kind != "mapping":
         names = ", ".join(key.name for key in keys)
         message = f"expected keys and values, found {value.found}; the keys are {names}"
@@ -68,7 +68,7 @@ def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
 
 
 def conforms(value: Value, key: Key, problems: Problems) -> bool:
-    """Return whether `value` is of the type of `key`, noting where it is not."""
+    """Return whether `value` is of the type of `key`, and report if it is not."""
     kind, name = TYPES[key.type]
     empty = (kind == "text" and not value.text.strip()) or (kind == "number" and value.text == "0")
     if value.kind not in kind.split(" or ") or empty:

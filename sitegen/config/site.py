@@ -1,4 +1,4 @@
-"""Turn site.yaml into a Site."""
+"""Read site.yaml."""
 
 from __future__ import annotations
 
@@ -28,7 +28,10 @@ LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
 
 
 def load(file: Path) -> Site:
-    """Return the site that `file` describes, or raise one SiteError with all that is wrong."""
+    """Return the site that `file` describes.
+
+    Raises: SiteError with all problems.
+    """
     root = file.parent.resolve()
     file = root / file.name
     problems = Problems(root)
@@ -47,7 +50,7 @@ def load(file: Path) -> Site:
 
 
 def _site(file: Section, problems: Problems) -> Site:
-    """Return the site, as sound as what was written."""
+    """Return the site; invalid values are left out."""
     root = problems.root
     given = file.get("site")
     site = check(given, SITE, problems) if given else Section(file.value, SITE, {})

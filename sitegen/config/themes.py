@@ -1,4 +1,4 @@
-"""Find the theme that a site or a page names."""
+"""Find the themes that sites and pages name."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ FOLDER = "themes"
 
 @dataclass(frozen=True)
 class Themes:
-    """The themes by name; those of the site's own folder go first."""
+    """The themes by name; themes of the site take precedence."""
 
     found: dict[str, Path]
     root: Path
 
     @classmethod
     def of(cls, root: Path) -> Themes:
-        """Return the themes that a site in `root` can name: folders, but hidden ones."""
+        """Return the themes that the site in `root` can name: all folders that are not hidden."""
         folders = (
             folder
             for themes in (THEMES, root / FOLDER)
@@ -32,7 +32,7 @@ class Themes:
         return cls({folder.name: folder for folder in folders}, root)
 
     def find(self, section: Section, problems: Problems) -> Path:
-        """Return the theme that `section` names, noting where there is none."""
+        """Return the theme that `section` names, and report one that does not exist."""
         name = section.text("theme")
         found = self.found.get(name)
         if found is None:

@@ -1,4 +1,4 @@
-"""Turn an error of the YAML parser into a line number, what is wrong there, and what to do."""
+"""Explain the errors of the YAML parser: the line, what is wrong, and how to fix it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import yaml
 
 CLOSERS = {"{": "}", "[": "]"}
-# A line that holds a key, or an item of a list: its indentation and dashes, key, and the rest.
+# A line with a key or a list item: its indentation and dashes, its key, and the rest.
 ENTRY = re.compile(r"(?P<before>\s*(?:-\s+)*)(?P<key>[^\s:#][^:]*?):\s+(?P<rest>\S.*)")
-# A quoted line is cut after this many characters.
+# Quoted lines are cut after this many characters.
 SHOWN = 60
 
 Found = tuple[int, str]
@@ -20,14 +20,14 @@ Found = tuple[int, str]
 
 @dataclass(frozen=True)
 class Fault:
-    """Where the parser gave up: its error, and the lines of the text, counted from 0."""
+    """An error of the parser, and the lines of the text; lines are counted from 0."""
 
     error: yaml.MarkedYAMLError
     text: str
 
     @property
     def lines(self) -> list[str]:
-        """The lines of the text, with an empty one at its end."""
+        """The lines of the text, followed by an empty line."""
         return [*self.text.split("\n"), ""]
 
     @property
@@ -38,7 +38,7 @@ class Fault:
 
     @property
     def begun(self) -> tuple[int, int]:
-        """The line and the column of what was being read; for some problems, their own."""
+        """The line and the column of the construct that was being read, or of the problem."""
         mark = self.error.context_mark
         return (mark.line, mark.column) if mark else self.mark
 
@@ -49,17 +49,17 @@ class Fault:
 
     @property
     def found(self) -> str:
-        """What the parser did not expect, without its quotes."""
+        """The token that the parser did not expect, without quotes."""
         match = re.search(r"(?:found|got) '(.*)'$", self.error.problem or "")
         return match[1] if match else ""
 
     def shown(self, number: int) -> str:
-        """Return a line for a message."""
+        """Return a line for use in a message."""
         line = " ".join(self.lines[number].split())
         return f"'{line}'" if len(line) <= SHOWN else f"'{line[: SHOWN - 1]}…'"
 
     def above(self, number: int) -> int:
-        """Return the number of the next line above that is neither empty nor a comment."""
+        """Return the number of the nearest line above that is neither empty nor a comment."""
         for other in reversed(range(number)):
             if self.lines[other].strip() and not self.lines[other].lstrip().startswith("#"):
                 return other
@@ -81,7 +81,7 @@ class Fault:
 
 
 def explain(error: yaml.YAMLError, text: str) -> Found:
-    """Return the line of an error, counted from 0, and what is wrong there; what to do."""
+    """Return the line of an error, counted from 0, and the message: what is wrong, and the fix."""
     if isinstance(error, yaml.MarkedYAMLError):
         fault = Fault(error, text)
         said = f"{error.context or ''} {error.problem or ''}"
@@ -106,7 +106,7 @@ def _tab(fault: Fault) -> Found:
 
 
 def _key(fault: Fault) -> Found | None:
-    """Explain a ':' where no key can be."""
+    """Explain a ':' at a position where no key can be."""
     number, column = fault.mark
     before = fault.line[:column]
     if re.search(r":\s", before):
@@ -130,7 +130,7 @@ def _without_colon(fault: Fault, number: int) -> Found:
 
 
 def _spaces(fault: Fault, number: int, above: int) -> str:
-    """Return how far the line `number` should be indented, as the line `above` is."""
+    """Return the indentation that the line `number` should have, which is that of line `above`."""
     item, list_above = (fault.lines[each].lstrip().startswith("-") for each in (number, above))
     while item and not list_above and above != fault.above(above):
         above = fault.above(above)
@@ -144,7 +144,7 @@ def _depth(line: str) -> int:
 
 
 def _flow(fault: Fault) -> Found:
-    """Explain a mapping in braces or a list in brackets that is not well written."""
+    """Explain an invalid mapping in braces or list in brackets."""
     number, column = fault.begun
     opener = fault.lines[number][column]
     closer = CLOSERS[opener]
@@ -164,7 +164,7 @@ def _flow(fault: Fault) -> Found:
 
 
 def _closed(text: str) -> bool:
-    """Return whether the bracket at the beginning of `text` is closed in it."""
+    """Return whether the bracket at the start of `text` is closed."""
     depth = 0
     for part in re.findall(r'"(?:\\.|[^"\\\n])*"|[][{}]|#.*', text):
         depth += (part in CLOSERS) - (part in CLOSERS.values())
@@ -183,7 +183,7 @@ def _not_closed(fault: Fault, number: int, quote: str) -> Found:
 
 
 def _rest(fault: Fault) -> Found | None:
-    """Explain what follows where a mapping or a list should have ended."""
+    """Explain text that follows after the end of a mapping or a list."""
     number = fault.mark[0]
     if fault.found in CLOSERS.values():
         return number, f"'{fault.found}' closes nothing in {fault.shown(number)}; remove it"
@@ -209,7 +209,7 @@ def _rest(fault: Fault) -> Found | None:
 
 
 def _out_of_line(fault: Fault) -> Found | None:
-    """Explain a key or an item that is not below the one that it belongs to."""
+    """Explain a key or an item whose indentation differs from that of its siblings."""
     number = fault.mark[0]
     shown = fault.shown(number)
     item = fault.line.lstrip().startswith("-")
@@ -227,7 +227,7 @@ def _out_of_line(fault: Fault) -> Found | None:
 
 
 def _sign(fault: Fault) -> Found:
-    """Explain a text that begins with a sign that means something else to YAML."""
+    """Explain text that starts with a character that has another meaning in YAML."""
     number, column = fault.begun if fault.error.context_mark else fault.mark
     line = fault.lines[number]
     if line.lstrip().startswith("* "):
@@ -272,7 +272,7 @@ def _document(fault: Fault) -> Found | None:
 
 
 def _in_quotes(fault: Fault, number: int | None = None) -> str:
-    """Return the advice to put the text of a line in quotes, with that line in full."""
+    """Return the advice to quote the text of a line, with the corrected line."""
     line = fault.line if number is None else fault.lines[number]
     match = ENTRY.fullmatch(re.sub(r"\s+#.*", "", line.rstrip()))
     if not match or len(line) > SHOWN or match["rest"][0] in "\"'":
@@ -280,7 +280,7 @@ def _in_quotes(fault: Fault, number: int | None = None) -> str:
     return f"put it in quotes: {match['key']}: {json.dumps(match['rest'], ensure_ascii=False)}"
 
 
-# What the parser says, and what it means; the first rule that fits is taken.
+# The messages of the parser and their explanations; the first rule that matches is used.
 RULES: list[tuple[str, Callable[[Fault], Found | None]]] = [
     (r"found character '\\t'", _tab),
     (r"mapping values are not allowed", _key),

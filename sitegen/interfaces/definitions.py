@@ -1,4 +1,4 @@
-"""Check ROS interface definitions, to say where they are wrong; rosidl says only that they are."""
+"""Check ROS interface definitions: rosidl reports an error without its location, this with it."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from typing import Any
 
 from sitegen.errors import nearest
 
-# How many parts a definition has, divided by lines of three dashes.
+# The number of parts of a definition, which are separated by lines of three dashes.
 PARTS = {".msg": 1, ".srv": 2, ".action": 3}
 NAMES = {1: "message", 2: "service", 3: "action"}
 ARRAY = re.compile(r"(<=\d+)?(\[(<=)?\d*\])?$")
 MESSAGE = "msg"
-# Types of ROS 1, which rosidl parses only to fail at them later.
+# Types of ROS 1, which rosidl parses and later fails on.
 FORMER = {"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"}
-# What IDL says in words, and a message that it names.
+# Comments and string literals of IDL, and the messages that it names.
 IDL_TEXT = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:[^"\\]|\\.)*"', re.S)
 IDL_MESSAGE = re.compile(r"\b(\w+)::msg::(\w+)\b(?!::)")
 
@@ -27,10 +27,10 @@ IDL_MESSAGE = re.compile(r"\b(\w+)::msg::(\w+)\b(?!::)")
 def check(
     package: str, folder: Path, files: Sequence[str], packages: Mapping[str, Path]
 ) -> list[str]:
-    """Return what is wrong with the definitions of `package`, `file:line: what`, all at once.
+    """Return the errors in the definitions of `package`, all of them, as `file:line: what`.
 
-    `files` are relative to `folder`; `packages` are all others that they may use, each the folder
-    of its type descriptions. rosidl must be importable.
+    `files` are relative to `folder`; `packages` are the packages that they may use, each with the
+    folder of its type descriptions. rosidl must be importable.
     """
     checker = _Checker(package, folder, files, packages)
     return [problem for name in files for problem in checker.problems(name)]
@@ -47,7 +47,7 @@ class _Checker:
         self._messages = {Path(name).stem for name in files if Path(name).parent.name == MESSAGE}
 
     def problems(self, name: str) -> Iterator[str]:
-        """Yield what is wrong with one file."""
+        """Yield the errors in one file."""
         file = self._folder / name
         try:
             text = file.read_text(encoding="utf-8")

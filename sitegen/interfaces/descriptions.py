@@ -1,4 +1,4 @@
-"""Describe the interfaces that no wheel describes: sitegen's own and those of the workspace."""
+"""Make type descriptions of interfaces that no wheel describes: sitegen's, the workspace's."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ GENERATOR = ("definitions.py", "generator.py")
 def described(site: Site, named: Iterable[str], *, cache: Path) -> Path:
     """Return a prefix with type descriptions and Python classes of the packages `named`.
 
-    Those that bring none: sitegen's own, and the workspace's with all that they need. Raises a
-    SiteError that says what is wrong with the definitions of the workspace.
+    It contains those packages of sitegen and of the workspace, with the packages that they need.
+
+    Raises: SiteError if definitions of the workspace are wrong.
     """
     needs: dict[str, Package] = {}
     for name in named:
@@ -52,7 +53,7 @@ def _files(folder: Path) -> Sequence[str]:
 
 
 def _describe(prefix: Path, package: str, folder: Path, files: Sequence[str], root: Path) -> None:
-    # rosidl says on the standard output what it does.
+    # rosidl writes its progress to the standard output.
     with Path(os.devnull).open("w") as nowhere, contextlib.redirect_stdout(nowhere):
         try:
             arguments = generator.describe(prefix, [prefix], package, folder, files)

@@ -1,4 +1,4 @@
-"""Turn ROS interface definitions into CMake packages of C++ headers that nodes compile against.
+"""Turn ROS interface definitions into CMake packages of C++ headers.
 
 The message classes come from the real rosidl generator; sitegen adds its own type support.
 """
@@ -22,12 +22,12 @@ from sitegen.shipped import INTERFACES, ROS
 KINDS = ("msg", "srv", "action")
 RUNTIME = ("rcutils", "rosidl_runtime_c", "rosidl_runtime_cpp", "rosidl_typesupport_interface")
 
-# What begins a line that tells the author of a package what is wrong with it.
+# The prefix of lines that report an error to the author of a package.
 PROBLEM = "sitegen: "
 
 
 def rosidl(module: str) -> Any:
-    """Import a module of rosidl, which is vendored: its wheels are for one platform."""
+    """Import a module of rosidl, which is vendored because its wheels are for one platform."""
     python = str(ROS / "python")
     if python not in sys.path:
         sys.path.insert(0, python)
@@ -37,7 +37,7 @@ def rosidl(module: str) -> Any:
 def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> None:
     """Add `package` to the CMake prefix: its type supports and its CMake configuration.
 
-    Rosidl's headers of the package are already in `prefix/include/<package>` or in ROS.
+    The headers that rosidl generated for it must be in `prefix/include/<package>` or in ROS.
     """
     depends: set[str] = set()
     for file in sorted(descriptions):
@@ -56,7 +56,7 @@ def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> N
 
 
 def _cmake_config(package: str, depends: Sequence[str]) -> str:
-    # That of its prefix first: it has the type supports in place of rosidl's.
+    # The prefix of the package comes first: its type supports replace those of rosidl.
     folders = [ROS / "include" / name for name in (package, *RUNTIME)]
     include = ";".join(
         [
@@ -82,7 +82,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
             f"add_library({typesupport} ALIAS {target})",
             f"set({package}_TARGETS {target})",
             f"set({package}_LIBRARIES {target})",
-            # Written by ament_package() for others, if the package has libraries too.
+            # Written by ament_package() instead if the package has libraries, too.
             f'if(NOT PROJECT_NAME STREQUAL "{package}")',
             f'  include("${{CMAKE_CURRENT_LIST_DIR}}/{package}Libraries.cmake" OPTIONAL)',
             "endif()",
@@ -100,7 +100,7 @@ def write_ros(prefix: Path) -> None:
 
 
 def write_shipped(prefix: Path) -> None:
-    """Generate the packages of INTERFACES into the CMake prefix, each in a process of its own."""
+    """Generate the packages of INTERFACES into the CMake prefix, each in its own process."""
     for folder in sorted(INTERFACES.iterdir()):
         files = sorted(f.relative_to(folder).as_posix() for f in folder.glob("*/*.*"))
         command = [
@@ -122,7 +122,9 @@ def generate(
     """Generate the C++ headers of a workspace package and add it to the CMake prefix.
 
     `files` are its `.msg`, `.srv`, `.action` and `.idl` files, relative to `folder`; `others` are
-    the prefixes of packages that they may use. Raises a SiteError that says what is wrong in which.
+    the prefixes of packages that they may use.
+
+    Raises: SiteError if definitions are wrong.
     """
     with tempfile.TemporaryDirectory() as folder_of_new:
         fresh = Path(folder_of_new)
@@ -130,7 +132,7 @@ def generate(
         cpp = rosidl("rosidl_generator_cpp")
         output = fresh / "include" / package / package
         _run(cpp.generate_cpp, arguments | {"output_dir": str(output)})
-        # Beside those of the interfaces it has written one for each part of a service or action.
+        # Besides the types of the interfaces there is one for each part of a service or an action.
         idls = [name.rpartition(":")[2] for name in arguments["idl_tuples"]]
         share = fresh / "share" / package
         write_package(fresh, package, ((share / idl).with_suffix(".json") for idl in idls))
@@ -143,7 +145,7 @@ def describe(
 ) -> dict[str, Any]:
     """Write the type descriptions of a workspace package to the prefix.
 
-    Takes and raises what `generate` does; returns what rosidl's generators are given.
+    The parameters and exceptions are those of `generate`. Returns the input of rosidl's generators.
     """
     adapter = rosidl("rosidl_adapter")
     description = rosidl("rosidl_generator_type_description")
@@ -174,9 +176,10 @@ def describe(
 
 
 def write_classes(prefix: Path, arguments: dict[str, Any]) -> None:
-    """Generate the Python classes of a package to `prefix/python`; takes what `describe` returns.
+    """Generate the Python classes of a package to `prefix/python`.
 
-    Its C sources, which connect them to a middleware, are left out.
+    The parameter is what `describe` returns. The generated C sources, which connect the classes to
+    a middleware, are left out.
     """
     generator = rosidl("rosidl_generator_py")
     package = arguments["package_name"]
@@ -193,9 +196,9 @@ def write_classes(prefix: Path, arguments: dict[str, Any]) -> None:
 
 
 def _update(fresh: Path, folder: Path) -> None:
-    """Make `folder` hold what `fresh` holds.
+    """Make the contents of `folder` equal to those of `fresh`.
 
-    What did not change keeps its time, so that whatever includes it is not compiled again.
+    Unchanged files keep their modification times, so that what includes them is not compiled again.
     """
     names = {file.relative_to(fresh) for file in fresh.rglob("*") if file.is_file()}
     for name in names:
@@ -224,7 +227,7 @@ def _run(generator: Any, arguments: dict[str, Any]) -> Any:
 
 
 def main() -> int:
-    """Do what rosidl_generate_interfaces() asks for while CMake configures a package."""
+    """Do the work of rosidl_generate_interfaces() while CMake configures a package."""
     prefix, others, package, folder, *files = sys.argv[1:]
     try:
         generate(

@@ -1,4 +1,4 @@
-"""Turn the types that a program uses into what a page needs to read and write their messages."""
+"""Collect the message types with which a page reads and writes the messages of a program."""
 
 from __future__ import annotations
 
@@ -12,31 +12,31 @@ from sitegen.interfaces import typesupport
 from sitegen.interfaces.generator import rosidl, shares
 from sitegen.shipped import ROS
 
-# A type's name as it stands in a program: the end of the text that names a type support.
+# The name of a type in a compiled program: the end of the string that names its type support.
 NAMED = re.compile(rb"([a-z][a-z0-9_]*/(?:msg|srv|action)/[A-Z][A-Za-z0-9_]*)\0")
 
-# type_description_interfaces/msg/FieldType, by number; what a page cannot show has no name here.
+# type_description_interfaces/msg/FieldType by number; types that a page cannot show are missing.
 TYPES = {
     **{2: "int8", 3: "uint8", 4: "int16", 5: "uint16", 6: "int32", 7: "uint32"},
     **{8: "int64", 9: "uint64", 10: "float32", 11: "float64", 13: "uint8", 15: "bool", 16: "uint8"},
     **{17: "string", 18: "wstring", 21: "string", 22: "wstring"},
 }
 BOUNDED = (21, 22)
-# What kind of array a type is, by its number divided by 48.
+# The kind of array that a type number stands for, which is the number divided by 48.
 ARRAYS = ("", "[{}]", "[<={}]", "[]")
-# IDL has no empty messages: rosidl gives them this field, and the page's reader expects it so.
+# IDL has no empty messages: rosidl adds this field, and the page's reader expects it.
 FILLER = "structure_needs_at_least_one_member"
 
 MessageType = dict[str, Any]
 
 
 def types_of(program: Path, prefixes: Iterable[Path]) -> dict[str, MessageType]:
-    """Return the message types that `program` names, with all that they nest, by name."""
+    """Return the message types that `program` names and the types nested in them, by name."""
     return types({name.decode() for name in NAMED.findall(program.read_bytes())}, prefixes)
 
 
 def types(names: Iterable[str], prefixes: Iterable[Path]) -> dict[str, MessageType]:
-    """Return the message types of `names`, with all that they nest, by name.
+    """Return the message types `names` and the types nested in them, by name.
 
     Their type descriptions are in ROS or in one of `prefixes`. See MessageType in protocol.js.
     """
@@ -82,7 +82,7 @@ def _field(field: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, A
 
 
 def _type(kind: Mapping[str, Any]) -> str:
-    """Write a field's type as in a .msg file."""
+    """Return the type of a field as written in a .msg file."""
     array, number = divmod(kind["type_id"], typesupport.SCALARS)
     name = kind["nested_type_name"] if number == typesupport.NESTED else TYPES.get(number, "?")
     if number in BOUNDED:
@@ -93,7 +93,7 @@ def _type(kind: Mapping[str, Any]) -> str:
 def _source(name: str, packages: Mapping[str, Path]) -> Any:
     """Return the parsed definition of a message as its author wrote it, None for IDL files.
 
-    Constants and defaults are there; type descriptions leave them out.
+    It has the constants and defaults, which type descriptions lack.
     """
     package, kind, interface = typesupport.interface_of(name).split("/")
     file = packages.get(package, Path()) / kind / f"{interface}.{kind}"

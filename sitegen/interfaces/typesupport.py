@@ -1,7 +1,7 @@
-"""Turn type descriptions of ROS interfaces into type supports: how to walk over a message's fields.
+"""Turn type descriptions of ROS interfaces into type supports, which list the fields of messages.
 
-rosidl writes a type description (`*.json`) for each interface. Nothing else is needed to read and
-write its messages.
+rosidl writes a type description (`*.json`) for each interface. Reading and writing messages needs
+nothing else.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-# type_description_interfaces/msg/FieldType: a scalar's number, plus 48 for an array of it, 96 for a
-# bounded and 144 for an unbounded sequence.
+# type_description_interfaces/msg/FieldType: a scalar is its number; arrays of it add 48, bounded
+# sequences 96, and unbounded sequences 144.
 NESTED = 1
 BOUNDED_TEXT = (21, 22)
 SCALARS = 48
-# Packages whose services every program includes, so that none asks for them by their names.
+# Every program includes the services of these packages, and none looks them up by name.
 UNNAMED = ("composition_interfaces", "lifecycle_msgs", "rcl_interfaces")
 
 
 @dataclass(frozen=True)
 class Field:
-    """A field of a message: its C++ name, the message it nests if any, its bound if a text."""
+    """A field of a message: its C++ name, the type it nests, its bound if it is a string."""
 
     name: str
     nested: str
@@ -52,9 +52,9 @@ class Message:
 
 
 def read_description(file: Path) -> Iterator[Message]:
-    """Yield the messages that the interface of a type description consists of, nested first.
+    """Yield the messages of the interface in a type description, nested messages first.
 
-    A message is one; the `.json` of a service also describes its request, response and event.
+    A message has one; the `.json` of a service also describes its request, response and event.
     """
     data = json.loads(file.read_text())
     description = data["type_description_msg"]
@@ -66,7 +66,7 @@ def read_description(file: Path) -> Iterator[Message]:
         messages[-1] = replace(messages[-1], definition=_definition(parts))
     mine = {m.name: m for m in messages if m.name == own or m.name.startswith(f"{own}_")}
     for name in list(mine):
-        # Services and actions are described too, as types with their parts for fields.
+        # Services and actions are described, too, as types whose fields are their parts.
         if f"{name}_Request" in mine or f"{name}_Goal" in mine:
             del mine[name]
     yield from _nested_first(mine)
@@ -78,7 +78,7 @@ def _message(part: dict[str, Any], hashes: dict[str, str]) -> Message:
 
 
 def _definition(parts: Sequence[dict[str, Any]]) -> str:
-    """Write the fields of the last of `parts`, and of those it nests, as the page reads them."""
+    """Return the fields of the last of `parts`, and of the types nested in it, for the page."""
     lines = [_line(field) for field in parts[-1]["fields"]]
     for part in parts[:-1]:
         lines += [f"={part['type_name']}", *map(_line, part["fields"])]
@@ -86,7 +86,7 @@ def _definition(parts: Sequence[dict[str, Any]]) -> str:
 
 
 def _line(field: dict[str, Any]) -> str:
-    """Write a field: its name, its type, the message it nests or "-", the length of an array."""
+    """Return a field: its name, its type, its nested type or "-", the length of an array."""
     kind = field["type"]
     words = [field["name"], kind["type_id"], kind["nested_type_name"] or "-", kind["capacity"]]
     is_array = kind["type_id"] // SCALARS == 1
@@ -109,7 +109,7 @@ def _nested_first(messages: dict[str, Message]) -> Iterator[Message]:
             return
         done.add(message.name)
         for field in message.fields:
-            # Those of other interfaces have headers of their own.
+            # Types of other interfaces have their own headers.
             if field.nested in messages:
                 yield from visit(messages[field.nested])
         yield message
@@ -119,7 +119,7 @@ def _nested_first(messages: dict[str, Message]) -> Iterator[Message]:
 
 
 def header_name(interface: str) -> str:
-    """Return the header stem of `pkg/msg/InterfaceName` as rosidl forms it."""
+    """Return the stem of the header of `pkg/msg/InterfaceName`, as rosidl forms it."""
     package, folder, name = interface.split("/")
     snake = re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name)
     snake = re.sub("([a-z0-9])([A-Z])", r"\1_\2", snake).lower()
@@ -133,7 +133,7 @@ def interface_of(message: str) -> str:
 
 
 def type_support(interface: str, messages: Sequence[Message]) -> str:
-    """Write the header `<interface>__type_support.hpp`, in place of rosidl's own."""
+    """Return the header `<interface>__type_support.hpp`, which replaces rosidl's own."""
     own = {message.name for message in messages}
     nested = {field.nested for message in messages for field in message.fields if field.nested}
     includes = sorted({header_name(interface_of(name)) for name in nested - own})
@@ -154,7 +154,7 @@ def type_support(interface: str, messages: Sequence[Message]) -> str:
 
 
 def _service_support(interface: str) -> list[str]:
-    """Write what makes a service known by its name, in programs that ask for some so."""
+    """Return the code by which programs find the type of a service by its name."""
     cpp = interface.replace("/", "::")
     return [
         "",

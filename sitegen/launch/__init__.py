@@ -1,4 +1,4 @@
-"""Turn a launch file into the nodes that it starts."""
+"""Read launch files: which nodes they start, and how."""
 
 from sitegen.launch.evaluate import launched
 

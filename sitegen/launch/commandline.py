@@ -1,6 +1,6 @@
-"""Split command lines of launch files into words, and join words to them.
+"""Split and join command lines that contain substitutions.
 
-What a substitution stands for is not split, and not read again, whatever it has in it: a file may.
+The value of a substitution is never split or expanded again, whatever characters it contains.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ from collections.abc import Iterable, Iterator
 
 from sitegen.launch.substitutions import pieces
 
-# Stand for substitutions while a line is split: the letters of a range that nobody writes.
+# Placeholders for substitutions while a line is split, from a private range of Unicode.
 FIRST_MARK = 0xF0000
 MARK = re.compile(f"[{chr(FIRST_MARK)}-{chr(FIRST_MARK + 0xFFFD)}]")
 
 
 def split(line: str) -> list[str]:
-    """Return the words of a line as a shell has them, each with its substitutions as they are.
+    """Split a line into words as a shell does; substitutions stay in the words, unexpanded.
 
-    Raises a ValueError where a quote is not closed.
+    Raises: ValueError if a quote is not closed.
     """
     kept: list[str] = []
 
@@ -34,7 +34,7 @@ def split(line: str) -> list[str]:
 
 
 def join(words: Iterable[str]) -> str:
-    """Return the line that split() makes `words` of."""
+    """Return the line that split() turns into `words`."""
     return " ".join(_quoted(word) for word in words)
 
 

@@ -1,7 +1,7 @@
-"""Run a launch file in Python with a `launch` that only notes what is described.
+"""Run a Python launch file with a `launch` package that only records what the file describes.
 
-A program of its own: it reads the folders of packages and the functions to call from the standard
-input, as JSON, and writes what the file given as argument describes, or why that cannot be had, to
+This runs as a separate program. It reads the folders of packages and the functions to call from the
+standard input as JSON, and writes the description of the file given as argument, or the error, to
 the standard output.
 """
 
@@ -111,7 +111,8 @@ INDEX = {
     "get_package_share_path": lambda package: Path(share(package)),
     "get_package_prefix": share,
 }
-# Names are where upstream has them; that they are elsewhere, too, hurts nobody.
+# Every name is available in each of these modules, which is more than upstream has and does no
+# harm.
 MODULES = {
     "launch": CORE,
     "launch_ros": CORE | ROS,
@@ -138,7 +139,7 @@ BELOW = {
 
 
 def install() -> None:
-    """Let launch files import what they import from ROS."""
+    """Make the modules of ROS that launch files import available."""
     for name, members in MODULES.items():
         top = types.ModuleType(name)
         vars(top).update(members, __path__=[])
@@ -152,7 +153,7 @@ def install() -> None:
 
 
 def main() -> None:
-    """Write what the launch file describes, or what the last of its functions to call does."""
+    """Write what the launch file describes, or what the last of its functions to call returns."""
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders = given["folders"]

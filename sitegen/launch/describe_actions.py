@@ -1,4 +1,4 @@
-"""What launch files in Python describe: actions and substitutions that only note themselves."""
+"""Actions and substitutions of Python launch files, which record themselves."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from sitegen.launch import commandline
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.xacro import printed
 
-# The launch file that is run, and the folders of the packages of the workspace.
+# The launch file that runs, and the folders of the packages of the workspace.
 RUN = SimpleNamespace(file="", folders={})
 
 
 class Text:
-    """A substitution, by what launch files in XML have for it."""
+    """A substitution, written as in an XML launch file."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -27,24 +27,24 @@ class Text:
         return Text(f"{self.text}/{text(part)}")
 
     def perform(self, context: Context) -> str:
-        """Return what it stands for."""
+        """Return the value of the substitution."""
         return context.perform_substitution(self)
 
 
 class Folder(Text):
-    """The folder of a package; some files ask for it while they are run."""
+    """The folder of a package; launch files may need its path while they run."""
 
     def find(self, package: str) -> str:
-        """Return the folder of a package of the workspace."""
+        """Return the share folder of a package of the workspace."""
         return share(package)
 
 
 class Typed(Text):
-    """The value of a parameter that is a text, whatever it looks like."""
+    """The value of a parameter that is a string even if it looks like a number."""
 
 
 class Described:
-    """An action as sitegen/launch/tree.py has it."""
+    """An action in the form of sitegen/launch/tree.py."""
 
     def __init__(self, kind: str, inside: Iterable[Any] = (), **attributes: Any) -> None:
         self.kind = kind
@@ -60,13 +60,13 @@ class Described:
         self.line = next((f.lineno for f in reversed(frames) if f.filename == RUN.file), 1)
 
     def add_action(self, action: Any) -> None:
-        """Describe one more."""
+        """Add an action to the description."""
         self.inside.append(action)
 
     add_entity = add_action
 
     def plain(self) -> dict[str, Any]:
-        """Return it as JSON has it."""
+        """Return it as a value for JSON."""
         inside = [
             each.plain() if isinstance(each, Described) else unknown(each) for each in self.inside
         ]
@@ -79,25 +79,25 @@ class Described:
 
 
 class Condition:
-    """What has to be true, or false, of a text."""
+    """A condition: a text that must be true, or false."""
 
     def __init__(self, name: str, value: Any) -> None:
         self.name, self.value = name, value
 
     def evaluate(self, context: Context) -> bool:
-        """Return whether it is met."""
+        """Return whether the condition holds."""
         value = context.perform_substitution(Text(text(self.value))).strip().lower()
         return (value in ("true", "1")) == (self.name == "if")
 
 
 class Context:
-    """The launch arguments that functions of launch files read."""
+    """The launch arguments, as functions of launch files read them."""
 
     def __init__(self, variables: Mapping[str, str]) -> None:
         self.launch_configurations = dict(variables)
 
     def perform_substitution(self, given: Any) -> str:
-        """Return what a text, with the substitutions in it, stands for."""
+        """Return the text with its substitutions expanded."""
 
         def folder(package: str) -> Path:
             try:
@@ -113,12 +113,12 @@ class Context:
 
 
 def unknown(action: Any) -> Described:
-    """Return what does not work, under its name."""
+    """Return a stand-in for an unsupported feature, which keeps its name for the message."""
     return Described(type(action).__name__)
 
 
 def text(value: Any) -> str:
-    """Return a text of launch files: from one, a substitution, or a list of both."""
+    """Return the text of a string, a substitution, or a list of both."""
     if isinstance(value, Text):
         return value.text
     if isinstance(value, (list, tuple)):
@@ -131,7 +131,7 @@ def text(value: Any) -> str:
 
 
 def written(value: Any) -> str:
-    """Return the value of a parameter as YAML has it."""
+    """Return the value of a parameter as YAML."""
     if isinstance(value, str):
         return "'" + value.replace("'", "''") + "'"
     if isinstance(value, (list, tuple)) and not any(isinstance(part, Text) for part in value):
@@ -140,7 +140,7 @@ def written(value: Any) -> str:
 
 
 def share(package: str, *_: Any) -> str:
-    """Return the folder of a package of the workspace."""
+    """Return the share folder of a package of the workspace."""
     if package not in RUN.folders:
         raise LookupError(f"no package '{package}' in the workspace")
     return str(RUN.folders[package])
@@ -160,7 +160,7 @@ def parameters(given: Iterable[Any]) -> list[Described]:
 
 
 def values(above: str, given: Mapping[Any, Any]) -> Iterable[Described]:
-    """Yield a parameter for each value, those of a nested mapping with dots."""
+    """Yield a parameter for each value; names in nested mappings are joined with dots."""
     for name, value in given.items():
         if isinstance(value, Mapping):
             yield from values(f"{above}{text(name)}.", value)
@@ -187,7 +187,7 @@ def node(
     condition: Any = None,
     **_others: Any,
 ) -> Described:
-    """Describe a node; what says how its process is watched and shown is left out."""
+    """Describe a node; options that affect only its process or its output are ignored."""
     inside = _parameters(parameters or ())
     for old, new in remappings or ():
         inside.append(Described("remap", **{"from": old, "to": new}))
@@ -212,7 +212,7 @@ _parameters = parameters
 
 
 def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> Described:
-    """Describe a node with a life cycle, which has to have a name and a namespace."""
+    """Describe a lifecycle node, whose name and namespace are required."""
     described = node(name=name, namespace=namespace, **of)
     described.kind = "lifecycle_node"
     described.attributes["autostart"] = text(autostart)
@@ -255,7 +255,7 @@ def container(*, composable_node_descriptions: Iterable[Any] | None = None, **of
 def load(
     *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
 ) -> Described:
-    """Describe components of a container that is described elsewhere, by its name or itself."""
+    """Describe components for a container that is described elsewhere, by its name or action."""
     if isinstance(target_container, Described):
         named = target_container.attributes
         parts = (named.get("namespace", ""), named.get("name", ""))
@@ -271,30 +271,30 @@ def load(
 def include(
     source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
 ) -> Described:
-    """Describe an include; its arguments are pairs, or by name."""
+    """Describe an included launch file; its arguments are pairs or keywords."""
     pairs = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
     inside = [Described("arg", name=name, value=value) for name, value in pairs or ()]
     return Described("include", inside, file=source, condition=condition)
 
 
 def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:
-    """Stand for LaunchDescription."""
+    """Stand in for LaunchDescription."""
     return Described("launch", entities or ())
 
 
 def environment(name: Any, *, default_value: Any = None) -> Text:
-    """Stand for EnvironmentVariable."""
+    """Stand in for EnvironmentVariable."""
     default = "" if default_value is None else f" '{text(default_value)}'"
     return Text(f"$(env {text(name)}{default})")
 
 
 def configuration(name: Any, default: Any = None, **_: Any) -> Text:
-    """Stand for LaunchConfiguration."""
+    """Stand in for LaunchConfiguration."""
     return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
 
 
 def command(words: Any, **_: Any) -> Text:
-    """Stand for Command, which is one text or several that make one."""
+    """Stand in for Command; its parts are joined to one command line."""
     line = text(words)
     quote = '"' if "'" in line else "'"
     return Text(f"$(command {quote}{line}{quote})")

@@ -1,6 +1,6 @@
-"""What launch files in Python have for processes and for events.
+"""Processes and events of Python launch files.
 
-A page has no events: what these describe is left out of it, by its name in launch files in XML.
+A page has no events: what these describe is skipped, and reported by its name in XML launch files.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ EVENTS = (
 )
 TRANSITIONS = ("CREATE", "CONFIGURE", "CLEANUP", "ACTIVATE", "DEACTIVATE")
 SHUTDOWNS = ("UNCONFIGURED_SHUTDOWN", "INACTIVE_SHUTDOWN", "ACTIVE_SHUTDOWN")
-# The module that files take the numbers of transitions from.
+# The module in which launch files find the numbers of transitions.
 LIFECYCLE = {
     "Transition": SimpleNamespace(
         **{f"TRANSITION_{name}": n for n, name in enumerate((*TRANSITIONS, *SHUTDOWNS))}
@@ -31,19 +31,19 @@ LIFECYCLE = {
 
 
 def handler(event_handler: Any = None, **_: Any) -> Any:
-    """Stand for RegisterEventHandler."""
+    """Stand in for RegisterEventHandler."""
     started_with = getattr(event_handler, "kind", "") == "group"
     return event_handler if started_with else Described("event_handler")
 
 
 def started(*_: Any, on_start: Any = (), **__: Any) -> Described:
-    """Stand for OnProcessStart: all that a page has starts together with it."""
+    """Stand in for OnProcessStart: all nodes of a page start together."""
     actions = on_start if isinstance(on_start, (list, tuple)) else [on_start]
     return Described("group", [each for each in actions if not callable(each)], scoped=False)
 
 
 def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Described:
-    """Stand for TimerAction."""
+    """Stand in for TimerAction."""
     return Described("timer", actions, period=period, condition=condition)
 
 
@@ -57,7 +57,7 @@ def process(
 
 
 def nothing(*_: Any, **__: Any) -> None:
-    """Stand for what only events would use."""
+    """Stand in for features that are only useful with events."""
 
 
 MEMBERS: dict[str, Any] = {

@@ -1,4 +1,4 @@
-"""What launch files in Python have for expressions, evaluated once all arguments are known."""
+"""Expressions of Python launch files, which are evaluated once all arguments are known."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from sitegen.launch.describe_actions import Condition, Text
 
 
 def expression(*parts: Any) -> Text:
-    """Return what an expression of Python stands for, given in parts."""
+    """Return the substitution for a Python expression given in parts."""
     return Text(f"$(expression {' '.join(_words(parts))})")
 
 
 def equal(left: Any, right: Any = None, operator: str = "==") -> Text:
-    """Stand for EqualsSubstitution."""
+    """Stand in for EqualsSubstitution."""
     return expression("'''", left, f"''' {operator} '''", "" if right is None else right, "'''")
 
 
 def either(value: Any, if_value: Any = "", else_value: Any = "") -> Text:
-    """Stand for IfElseSubstitution."""
+    """Stand in for IfElseSubstitution."""
     parts = ("'''", if_value, "''' if ", _is_true(value), " else '''", else_value, "'''")
     return expression(*parts)
 
@@ -33,7 +33,7 @@ def _configuration(name: Any) -> Text:
 
 
 def _words(parts: Any) -> list[str]:
-    """Return parts as words: behind "=" what stands there, behind "+" another substitution."""
+    """Return parts as words: "=" marks literal text, "+" a nested substitution."""
     if isinstance(parts, (list, tuple)):
         return [word for part in parts for word in _words(part)]
     other = getattr(parts, "text", None)

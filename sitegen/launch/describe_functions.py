@@ -1,7 +1,7 @@
-"""The functions that launch files in Python hand over, to be called with the arguments at hand.
+"""The functions in Python launch files that are called with the launch arguments.
 
-What those are is known to who goes through the description. So the file is run anew for each call,
-with the calls that led to it.
+The arguments are known only when the description is evaluated. So the file is run anew for each
+call, with all calls that led to it.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 from sitegen.launch.describe_actions import Context, Described, text
 
-# In the order in which the file makes them, the same in every run.
+# In the order in which the file creates them, which is the same in every run.
 CALLS: list[Callable[[Context], Any]] = []
 
 
@@ -23,13 +23,13 @@ def function(
     condition: Any = None,
     **_: Any,
 ) -> Described:
-    """Stand for OpaqueFunction."""
+    """Stand in for OpaqueFunction."""
     CALLS.append(lambda context: function(context, *(args or ()), **(kwargs or {})))
     return Described("function", number=len(CALLS) - 1, condition=condition)
 
 
 def called(number: int, variables: Mapping[str, str]) -> Described:
-    """Return what a function describes; arguments that it sets come first."""
+    """Return what a function describes, preceded by the arguments that it sets."""
     context = Context(variables)
     found = CALLS[number](context)
     fresh = context.launch_configurations.items() - dict(variables).items()
@@ -39,12 +39,12 @@ def called(number: int, variables: Mapping[str, str]) -> Described:
 
 
 def perform_substitutions(context: Context, given: Any) -> str:
-    """Stand for the function of that name."""
+    """Stand in for the function of that name."""
     return context.perform_substitution(given)
 
 
 def normalized(given: Any) -> list[Any]:
-    """Stand for normalize_to_list_of_substitutions."""
+    """Stand in for normalize_to_list_of_substitutions."""
     return list(given) if isinstance(given, (list, tuple)) else [given]
 
 

@@ -1,7 +1,7 @@
-"""Run xacro with packages of a workspace.
+"""Run xacro with the packages of a workspace.
 
-A program of its own: it reads the folders of packages from the standard input, as JSON, and writes
-the URDF to the standard output, or to the standard error what is wrong, and in which file.
+This runs as a separate program. It reads the folders of packages from the standard input as JSON,
+and writes the URDF to the standard output, or the error and its file to the standard error.
 """
 
 from __future__ import annotations
@@ -14,9 +14,10 @@ from typing import Any
 
 
 def described(file: str, **options: Any) -> Any:
-    """Return the document that a file in xacro makes, as `xacro.process_file` does.
+    """Return the document that a xacro file describes, as `xacro.process_file` does.
 
-    That one writes the whole path of the file into it, which is nobody's business on a page.
+    Upstream's function writes the full path of the file into the document, which must not be
+    published.
     """
     import xacro
 
@@ -27,7 +28,7 @@ def described(file: str, **options: Any) -> Any:
 
 
 def main() -> int:
-    """Write the URDF that the file given as argument describes."""
+    """Write the URDF of the file given as argument."""
     folders = json.load(sys.stdin)
     packages = types.ModuleType("ament_index_python.packages")
 

@@ -1,4 +1,4 @@
-"""Turn a launch file into the nodes that it starts, as `ros2 launch` does."""
+"""Evaluate a launch file as `ros2 launch` does: which nodes it starts, and how."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ class Scope:
     remaps: dict[str, str] = field(default_factory=dict)
     parameters: dict[str, str] = field(default_factory=dict)
     depth: int = 0
-    # The functions of the file that what follows is described by.
+    # The functions of the launch file that led to the current actions.
     calls: tuple[python.Call, ...] = ()
 
     def inner(self) -> Scope:
-        """Return a scope whose changes do not matter outside."""
+        """Return a scope whose changes do not affect the outer one."""
         return replace(
             self,
             variables=dict(self.variables),
@@ -50,9 +50,9 @@ def launched(
     problems: Problems,
     notes: Problems | None = None,
 ) -> list[Node]:
-    """Return the nodes that a launch file starts, noting what does not work on a page.
+    """Return the nodes that a launch file starts, and report what does not work on a page.
 
-    Programs that draw on a screen are left out, which `notes` gets to know.
+    Programs that open windows are skipped, with a note in `notes`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
@@ -73,7 +73,7 @@ class _Launch:
         self._problems = problems
         self._notes = notes
         self.nodes: list[Node] = []
-        # By the whole name of a container: which node it is, and what is loaded into it.
+        # By the full name of a container: its node, and the components loaded into it.
         self._components: dict[str, tuple[str, list[Component]]] = {}
         self._actions: dict[str, Callable[[Action, Scope], object]] = {
             "arg": self._argument,
@@ -95,7 +95,7 @@ class _Launch:
         }
 
     def file(self, scope: Scope, location: Location) -> None:
-        """Take in a launch file, included at `location`."""
+        """Evaluate a launch file that is included at `location`."""
         read = READERS.get(scope.file.suffix)
         if scope.file.suffix == ".py":
             read = self._read_python
@@ -144,7 +144,7 @@ class _Launch:
         do(action, scope)
 
     def _holds(self, action: Action, scope: Scope) -> bool:
-        """Return whether the conditions of an action are met."""
+        """Return whether the conditions of an action hold."""
         for name, wanted in (("if", True), ("unless", False)):
             if name in action.attributes:
                 text = self._text(action, name, scope).strip().lower()
@@ -225,7 +225,7 @@ class _Launch:
         start(action, scope)
 
     def _managed(self, action: Action, scope: Scope) -> None:
-        """Start a node whose states others have a say in."""
+        """Start a lifecycle node."""
         for name in ("name", "namespace"):
             self._needed(action, name, scope)
         if self._text(action, "autostart", scope).lower() in ("true", "1"):
@@ -233,7 +233,7 @@ class _Launch:
         self._node(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
-        """Start what is a program of the workspace; nothing around it holds for a process."""
+        """Start a program of the workspace that is given as a command line."""
         try:
             found = processes.program(self._words(action, "cmd", scope), self._folders)
         except (SubstitutionError, ValueError):
@@ -284,7 +284,7 @@ class _Launch:
         self._load_into(self._components[full][0], action, scope)
 
     def _load_into(self, name: str, action: Action, scope: Scope) -> None:
-        """Let a container have the components that stand inside of `action`."""
+        """Load the components inside `action` into a container."""
         [loaded] = (loaded for node, loaded in self._components.values() if node == name)
         for each in action.of_kind("composable_node"):
             if not self._holds(each, scope):
@@ -305,7 +305,7 @@ class _Launch:
             )
 
     def finished(self) -> list[Node]:
-        """Return the nodes, the containers among them with all that is loaded into them."""
+        """Return the nodes, with all components loaded into their containers."""
         loaded = dict(self._components.values())
         return [
             replace(
@@ -336,7 +336,7 @@ class _Launch:
         name = f"{above}{self._needed(action, 'name', scope)}"
         if "value" in action.attributes:
             value = self._text(action, "value", scope)
-            # A description of a robot is a text, whatever YAML would find in it.
+            # The description of a robot is always a string, even if it is valid YAML.
             if action.attributes.get("type") == "str" or value.lstrip().startswith("<"):
                 value = "'" + value.replace("'", "''") + "'"
             return {name: value}
@@ -352,7 +352,7 @@ class _Launch:
         return parameterfiles.read(file)
 
     def _words(self, action: Action, name: str, scope: Scope) -> list[str]:
-        """Return a command line with what files of parameters hold in their place."""
+        """Return a command line with the contents of parameter files in place of the files."""
         found: list[str] = []
         line = commandline.split(action.attributes.get(name, ""))
         waiting = (self._expanded(word, scope) for word in line)
@@ -388,7 +388,7 @@ class _Launch:
 
 
 def _joined(above: str, name: str) -> str:
-    """Return a namespace below another; one that begins with a slash is not below."""
+    """Return `namespace` below another one; an absolute namespace stays as it is."""
     if not name:
         return above
     return (name if name.startswith("/") else f"{above}/{name}").rstrip("/")

@@ -1,4 +1,4 @@
-"""Turn the command line of a process that a launch file starts into a program of the workspace."""
+"""Find the program of the workspace that a command line in a launch file runs."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ RUN = ["ros2", "run"]
 
 @dataclass(frozen=True)
 class Program:
-    """A program of a package, and what stands behind it on the command line."""
+    """A program of a package and its arguments."""
 
     package: str
     executable: str
@@ -19,9 +19,9 @@ class Program:
 
 
 def program(words: list[str], folders: Mapping[str, Path]) -> Program | None:
-    """Return what a line of `words` runs, None if that is of no package of `folders`.
+    """Return the program that the command line `words` runs, None if no package has it.
 
-    It is run with `ros2 run`, or by the path where the package would install it.
+    The command line uses `ros2 run`, or the path at which the package would be installed.
     """
     if words[:2] == RUN and len(words) >= 4:
         return Program(words[2], words[3], words[4:])
@@ -33,5 +33,5 @@ def program(words: list[str], folders: Mapping[str, Path]) -> Program | None:
 
 
 def installed(folder: Path, package: str, executable: str) -> Path:
-    """Return the path of an executable where `folder` stands for the prefix of its package."""
+    """Return the path of an executable below `folder`, which stands for the package's prefix."""
     return folder / "lib" / package / executable

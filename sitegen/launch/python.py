@@ -1,4 +1,4 @@
-"""Read a launch file in Python: what it describes, once it has run in a process of its own."""
+"""Read a Python launch file, which runs in a separate process."""
 
 from __future__ import annotations
 
@@ -13,18 +13,21 @@ from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
 
 DESCRIBE = Path(__file__).with_name("describe.py")
-# A file that describes nodes needs a moment; one that waits for something does not work here (s).
+# Describing nodes takes a moment; a launch file that waits for something is not supported (s).
 LIMIT = 20
 
 
-# A function of a launch file, by its number, and the arguments that hold where it is called.
+# A function of a launch file, by its number, and the arguments with which it is called.
 Call = tuple[int, Mapping[str, str]]
 
 
 def read(file: Path, folders: Mapping[str, Path], calls: Sequence[Call] = ()) -> list[Action]:
-    """Return the actions of a launch file, or those of the last of `calls`, each made by the last.
+    """Return the actions of a launch file, or those of the last function of `calls`.
 
-    Raises an UnreadableError. `folders` are those of the packages of the workspace.
+    Each of `calls` is a function that the previous one created. `folders` are those of the packages
+    of the workspace.
+
+    Raises: UnreadableError if the file fails.
     """
     command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
     paths = {name: str(path) for name, path in folders.items()}

@@ -1,4 +1,4 @@
-"""Give launch files the share folder of each package, as installing it would lay it out."""
+"""Give launch files the share folder of each package, laid out as an installation would be."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from pathlib import Path
 
 from sitegen.model import Package
 
-# Where programs of a page find what packages install.
+# The path of share folders in the page.
 PREFIX = "/ros"
-# What the names of the folders begin with that are made for the time of a launch file.
+# The prefix of the temporary folders that exist while a launch file is read.
 MADE = "sitegen-"
 
 
 @contextmanager
 def shares(packages: Mapping[str, Package]) -> Iterator[dict[str, Path]]:
-    """Yield the folders by package: its own, where installing leaves all files where they are."""
+    """Yield the share folders by package: its own folder if an installation has the same layout."""
     with tempfile.TemporaryDirectory(prefix=MADE) as temporary:
         folders = {}
         for name, package in packages.items():
@@ -31,20 +31,20 @@ def shares(packages: Mapping[str, Package]) -> Iterator[dict[str, Path]]:
 
 
 def on_page(text: str, folders: Mapping[str, Path]) -> str:
-    """Return a text for a program of a page, which finds share folders elsewhere."""
+    """Replace the share folders in a text by their paths in the page."""
     for name, folder in folders.items():
         text = re.sub(rf"{re.escape(str(folder))}(?![\w.-])", f"{PREFIX}/share/{name}", text)
     return text
 
 
 def by_package(text: str) -> str:
-    """Return a text for an author, who knows packages, and not the folders that shares() makes."""
+    """Replace the share folders in a message by the names of their packages."""
     made = re.escape(f"{tempfile.gettempdir()}/{MADE}")
     return re.sub(rf"{made}\w+/(\w+)", r"$(find-pkg-share \1)", text)
 
 
 def _files(package: Package) -> dict[str, Path]:
-    """Return what is installed to the share folder of a package, by path there."""
+    """Return the files that are installed to the share folder of a package, by path in it."""
     above = f"share/{package.name}/"
     files = package.setup.files if package.setup else {}
     return {
@@ -53,7 +53,7 @@ def _files(package: Package) -> dict[str, Path]:
 
 
 def _linked(folder: Path, package: Package, files: Mapping[str, Path]) -> Path:
-    """Make a folder of links: to what is installed, and beside it to what else the package has."""
+    """Make a folder of links to the installed files and to the other files of the package."""
     for path, file in files.items():
         link = folder / path
         link.parent.mkdir(parents=True, exist_ok=True)

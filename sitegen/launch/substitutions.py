@@ -1,4 +1,4 @@
-"""Replace the substitutions of launch files, like $(var speed), by what they stand for."""
+"""Expand the substitutions of launch files, such as $(var speed)."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from urllib.parse import unquote
 
 from sitegen.launch.processes import installed
 
-# What expressions may use: they have no need of files and modules.
+# Builtins that expressions may use; none of them opens files or imports modules.
 PLAIN = (abs, all, any, bool, float, int, len, max, min, round, sorted, str, sum)
 NAMES = {**vars(math), "math": math, **{each.__name__: each for each in PLAIN}}
 
 
 class SubstitutionError(Exception):
-    """A substitution cannot be replaced: the message says why."""
+    """A substitution cannot be expanded; the message says why."""
 
 
 def expand(
@@ -27,10 +27,13 @@ def expand(
     share: Callable[[str], Path],
     output: Callable[[str], str],
 ) -> str:
-    """Return `text` with all substitutions replaced; raises a SubstitutionError.
+    """Return `text` with all substitutions expanded.
 
-    `variables` are the arguments; `file` is where the text stands; `share` returns the folder of a
-    package and `output` what a command prints, or they raise a SubstitutionError.
+    `variables` are the launch arguments; `file` is the file that contains the text; `share` returns
+    the folder of a package and `output` the output of a command; both may raise a
+    SubstitutionError.
+
+    Raises: SubstitutionError if a substitution cannot be expanded.
     """
     known: dict[str, Callable[..., str]] = {
         "var": lambda name, *default: _first(
@@ -73,7 +76,7 @@ def expand(
 
 
 def pieces(text: str) -> Iterator[tuple[str, bool]]:
-    """Yield the parts of `text` and whether each is a substitution, as it stands there."""
+    """Yield the parts of `text`, and whether each is a substitution; nothing is expanded."""
     reader = _Reader(text, lambda _: "")
     plain = ""
     while reader.at < len(text):
@@ -91,7 +94,7 @@ def pieces(text: str) -> Iterator[tuple[str, bool]]:
 
 
 class _Reader:
-    """Reads text with substitutions, which may stand inside of each other."""
+    """Reads text with substitutions, which may be nested."""
 
     def __init__(self, text: str, call: Callable[[list[str]], str]) -> None:
         self._text = text
@@ -106,16 +109,16 @@ class _Reader:
         return found
 
     def _letters(self) -> str:
-        """Return what a substitution stands for, which may be nothing, or the next letter."""
+        """Return the value of the next substitution, which may be empty, or the next character."""
         return self.substitution() if self._text.startswith("$(", self.at) else self.next()
 
     def next(self) -> str:
-        """Return the next letter."""
+        """Return the next character."""
         self.at += 1
         return self._text[self.at - 1]
 
     def substitution(self) -> str:
-        """Return what the substitution that begins here stands for."""
+        """Return the value of the substitution that begins here."""
         self.at += 2
         words: list[str] = []
         while (word := self._word()) is not None:
@@ -145,12 +148,12 @@ class _Reader:
 
 
 def _part(word: str) -> str:
-    """Return a word of describe_expressions.py as it stands in the expression."""
+    """Return a word written by describe_expressions.py as a part of the expression."""
     return unquote(word[1:]) if word.startswith("=") else word[1:]
 
 
 def _evaluated(expression: str) -> str:
-    """Return what an expression of Python is, with the names of `math` and the plain functions."""
+    """Return the value of a Python expression, which may use `math` and the plain functions."""
     try:
         return str(eval(expression, {"__builtins__": {}}, NAMES))
     except Exception as error:

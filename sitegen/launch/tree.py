@@ -1,4 +1,4 @@
-"""A launch file as it is written: actions with attributes, in XML and YAML alike."""
+"""A launch file as a tree of actions with attributes, the same for XML and YAML."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sitegen.errors import Location
 
 @dataclass(frozen=True)
 class Action:
-    """An action like `node` or `group`: its attributes as text, and what stands inside of it."""
+    """An action like `node` or `group`: its attributes as text, and the actions inside it."""
 
     kind: str
     attributes: dict[str, str]
@@ -18,12 +18,12 @@ class Action:
     inside: list[Action] = field(default_factory=list)
 
     def of_kind(self, *kinds: str) -> Iterator[Action]:
-        """Yield what stands inside and is of one of these kinds."""
+        """Yield the actions inside it that are of one of these kinds."""
         return (each for each in self.inside if each.kind in kinds)
 
 
 class UnreadableError(Exception):
-    """A launch file cannot be read: where, and why."""
+    """A launch file cannot be read; says where and why."""
 
     def __init__(self, location: Location, message: str) -> None:
         super().__init__(message)

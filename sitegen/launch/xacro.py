@@ -1,4 +1,4 @@
-"""Read descriptions of robots by the commands that launch files have for it."""
+"""Run the commands by which launch files read robot descriptions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,11 @@ PROGRAM = Path(__file__).with_name("describe_robot.py")
 
 
 def printed(line: str, folders: Mapping[str, Path]) -> str:
-    """Return what a command prints, `cat` or `xacro`; raises a SubstitutionError.
+    """Return the output of a command, `cat` or `xacro`.
 
     `folders` are those of the packages of the workspace.
+
+    Raises: SubstitutionError if the command fails or is another one.
     """
     name, *words = shlex.split(line) or [""]
     if name not in ("cat", "xacro") or not words:
@@ -37,7 +39,7 @@ def _expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
     command = [sys.executable, "-I", "-B", str(PROGRAM), *words]
     done = subprocess.run(command, input=given, text=True, capture_output=True)
     if done.returncode:
-        # The last line says what is wrong; what was said before are warnings.
+        # The last line is the error; the lines before it are warnings.
         lines = done.stderr.strip().splitlines() or ["xacro failed"]
         raise SubstitutionError(lines[-1])
     return done.stdout

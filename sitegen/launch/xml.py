@@ -1,4 +1,4 @@
-"""Read a launch file in XML."""
+"""Read an XML launch file."""
 
 from __future__ import annotations
 
@@ -11,14 +11,17 @@ from sitegen.launch.tree import Action, UnreadableError
 
 
 def read(file: Path) -> list[Action]:
-    """Return the actions of a launch file; raises an UnreadableError."""
+    """Return the actions of a launch file.
+
+    Raises: UnreadableError if the file is not valid.
+    """
     top = Action("", {}, Location(file, 1))
     open_ = [top]
     parser = expat.ParserCreate()
 
     def start(name: str, attributes: dict[str, str]) -> None:
         location = Location(file, parser.CurrentLineNumber)
-        # The names of XML and of YAML differ in this alone.
+        # The only names that differ between XML and YAML.
         kind = name.replace("-", "_")
         action = Action(kind, {k.replace("-", "_"): v for k, v in attributes.items()}, location)
         open_[-1].inside.append(action)

@@ -1,4 +1,4 @@
-"""Read a launch file in YAML."""
+"""Read a YAML launch file."""
 
 from __future__ import annotations
 
@@ -9,12 +9,15 @@ import yaml
 from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
 
-# What stands below an action under its own name, as a list, and is an action in XML.
+# Keys of actions that hold a list of what are nested actions in XML.
 PARTS = {"param", "remap", "env", "arg", "let", "composable_node", "extra_arg"}
 
 
 def read(file: Path) -> list[Action]:
-    """Return the actions of a launch file; raises an UnreadableError."""
+    """Return the actions of a launch file.
+
+    Raises: UnreadableError if the file is not valid.
+    """
     try:
         root = yaml.compose(file.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
     except (yaml.YAMLError, ValueError) as error:
@@ -61,9 +64,9 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
 
 
 def _written(file: Path, node: yaml.Node) -> str:
-    """Return the value of a parameter as YAML has it: a text that looks like a number is one."""
+    """Return the value of a parameter as YAML: a string that looks like a number becomes one."""
     if isinstance(node, yaml.ScalarNode):
-        # What stands for something else is what that looks like.
+        # The value of a substitution has the type that it looks like.
         quoted = node.style in ("'", '"') and "$(" not in node.value
         return "'" + node.value.replace("'", "''") + "'" if quoted else str(node.value)
     return f"[{', '.join(_written(file, item) for item in _items(file, node))}]"

@@ -1,1 +1,1 @@
-"""Turn the executables of packages into what a page can run."""
+"""Turn the executables of packages into programs that a page can run."""

@@ -29,7 +29,7 @@ def programs_of(
     Raises: SiteError if a program cannot be made.
     """
     nodes = nodes_of(site)
-    # What is wrong with a Python program is reported before compiling takes minutes.
+    # Errors in a Python program are reported before the minutes that compiling takes.
     ros2wasm = ros2wasm_programs(site, nodes, cache=cache)
     python = python_programs(site, nodes, cache=cache, say=report.say)
 
@@ -69,7 +69,7 @@ def engines_of(site: Site, options: Options) -> Sequence[str]:
 
 
 def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[compiler.Job]:
-    """Return what to compile, one job for each package."""
+    """Return the jobs of the compiler, one for each package."""
     executables: dict[str, list[str]] = {}
     jobs = []
     for node in nodes:

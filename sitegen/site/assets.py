@@ -10,21 +10,21 @@ from sitegen.nodes.python import pyodide
 from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
 from sitegen.site import bundles
 
-# Widgets that only start programs and show what they print; all others take part in the graph.
+# Widgets that only start programs and show their output; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
 START = "rosMain.js"
 
 
 def takes_part(page: Page) -> bool:
-    """Return whether a widget of `page` takes part in the graph."""
+    """Return whether a widget of `page` is a participant of the graph."""
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
 
 
 def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Artifact]:
-    """Return the runtime's files, with only those widgets that a page shows and what they import.
+    """Return the files of the runtime, with only the widgets that a page shows and their imports.
 
-    A site without nodes needs none of them; `debug` adds what tells where programs are, and the
-    modules that the files were made from, for the tools of browsers.
+    A site without nodes needs none of them. `debug` adds the stack traces of C++ programs, and the
+    modules that the bundles were made from, for the developer tools of browsers.
     """
     names = {name for page in site.pages for name in _start(site, page)}
     if not names:
@@ -51,16 +51,16 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
 
 
 def search(site: Site) -> list[Artifact]:
-    """Return the modules that the search of a site needs: one that has more than one page."""
+    """Return the modules of the search, which a site with more than one page needs."""
     if len(site.pages) < 2:
         return []
     return [*_artifacts("page/searchIndex.js"), _vendored(VENDOR / "licenses.txt")]
 
 
 def preloads(site: Site, page: Page) -> list[str]:
-    """Return the modules that `page` loads as soon as it can, by their paths: all but rosMain.js.
+    """Return the modules that `page` loads when it starts, by path, without rosMain.js.
 
-    Named in the page's head they come at once; otherwise each would be asked for by the one before.
+    The page's head names them, so that the browser requests all of them at once.
     """
     return [f"runtime/{name}" for name in _start(site, page)[1:]]
 
@@ -74,18 +74,18 @@ def _start(site: Site, page: Page) -> list[str]:
     if takes_part(page):
         names.append("page/pageClient.js")
     kinds = (f"widgets/{widget.kind}.js" for widget in widgets)
-    # Others came with rosMain.js.
+    # The other bundles came with rosMain.js.
     names += (name for name in kinds if name in bundles.bundles())
     robots = (widget for widget in widgets if widget.kind == "robot")
     names += (f"widgets/robots/{robot.options['kind']}.js" for robot in robots)
-    # What widgets say in the language of the page; English stands in the code.
+    # The texts of widgets in the language of the page; the English texts are in the code.
     language = (page.language or site.language).partition("-")[0].lower()
     words = f"ui/words/{language}.js"
     return bundles.with_imports([*names, words] if words in bundles.bundles() else names)
 
 
 def _libraries(names: Iterable[str]) -> bool:
-    """Return whether a library of others is in one of the bundles `names`."""
+    """Return whether one of the bundles `names` contains a third-party library."""
     modules = (module for name in names for module in bundles.bundles()[name].modules)
     return any(module.startswith("vendor/") for module in modules)
 

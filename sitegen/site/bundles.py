@@ -1,4 +1,4 @@
-"""Find the bundles of the runtime, and make them again in a checkout whose modules have changed."""
+"""Find the bundles of the runtime; in a checkout, make them again if modules have changed."""
 
 from __future__ import annotations
 
@@ -15,31 +15,31 @@ from sitegen.errors import SiteError
 from sitegen.report import Report
 from sitegen.shipped import BUNDLES, PACKAGE, RUNTIME
 
-# In a checkout only: an installed sitegen has the bundles that were made with it.
+# Only in a checkout: an installed sitegen comes with its bundles.
 BUNDLER = PACKAGE.parent / "bundle.mjs"
 STAMP = ".digest"
 
 
 @dataclass(frozen=True)
 class Bundle:
-    """A file of the page's runtime: the bundles it imports, and the modules it was made from."""
+    """A bundle of the runtime: the bundles that it imports, and the modules in it."""
 
     imports: Sequence[str]
     modules: Sequence[str]
 
 
 def bundles() -> Mapping[str, Bundle]:
-    """Return the bundles by their paths below `runtime/` in the site."""
+    """Return the bundles by path below `runtime/` in the site."""
     return _read()[0]
 
 
 def imports() -> Mapping[str, Sequence[str]]:
-    """Return what each module of the runtime imports, both by their paths below RUNTIME."""
+    """Return the imports of each module of the runtime, as paths below RUNTIME."""
     return _read()[1]
 
 
 def with_imports(names: Sequence[str]) -> list[str]:
-    """Return the bundles `names` and those that they import, each once."""
+    """Return the bundles `names` and the bundles that they import, each once."""
     known = bundles()
     return list(dict.fromkeys(one for name in names for one in (name, *known[name].imports)))
 
@@ -51,7 +51,7 @@ def refresh(report: Report) -> None:
     """
     if not BUNDLER.is_file() or is_current():
         return
-    # Not there while sitegen itself is built.
+    # Missing while sitegen itself is built.
     from filelock import FileLock
 
     from sitegen.cache.folder import cache_folder
@@ -87,7 +87,7 @@ def is_current() -> bool:
 
 
 def _digest() -> str:
-    """Return a digest of all that the bundles are made from."""
+    """Return a digest of everything that the bundles are made from."""
     found = hashlib.sha256(BUNDLER.read_bytes())
     for file in sorted(RUNTIME.rglob("*.js")):
         found.update(f"\0{file.relative_to(RUNTIME).as_posix()}\0".encode())
@@ -102,6 +102,6 @@ def _read() -> tuple[Mapping[str, Bundle], Mapping[str, Sequence[str]]]:
 
 @functools.lru_cache(maxsize=1)
 def _parsed(file: Path, time: int) -> tuple[Mapping[str, Bundle], Mapping[str, Sequence[str]]]:
-    """Return what a file says, which is read again when it has another time."""
+    """Return the parsed contents of a file, cached by its modification time."""
     found = json.loads(file.read_text(encoding="utf-8"))
     return {name: Bundle(**one) for name, one in found["bundles"].items()}, found["modules"]

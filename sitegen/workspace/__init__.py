@@ -1,4 +1,4 @@
-"""Turn a colcon workspace into packages."""
+"""Find and read the packages of a colcon workspace."""
 
 from sitegen.workspace.dependencies import with_dependencies, with_plugins
 from sitegen.workspace.packages import PYTHON, interfaces, scan

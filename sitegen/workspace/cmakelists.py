@@ -1,4 +1,4 @@
-"""Turn a CMakeLists.txt into the names of what it builds."""
+"""Read a CMakeLists.txt: the names of what it builds and installs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_
 
 @dataclass(frozen=True)
 class Install:
-    """Files or folders that are installed as they are, relative to the package."""
+    """Files or folders that are installed unchanged, relative to the package."""
 
     kind: str
     names: tuple[str, ...]
@@ -24,13 +24,14 @@ class Install:
     rename: str = ""
 
     def files(self, folder: Path) -> Iterator[tuple[str, Path]]:
-        """Yield where each file goes, and where it is in the package `folder`."""
+        """Yield the destination of each file, and its path in the package `folder`."""
         for name in self.names:
             path = folder / name
             if self.kind in COPIED:
                 yield f"{self.destination}/{self.rename or path.name}", path
                 continue
-            # As CMake has it: a folder goes with its name, or without it if that ends in a slash.
+            # The rule of CMake: a folder is installed with its name, or without it if it ends in a
+            # slash.
             top = path if name.endswith("/") else path.parent
             for file in _below(path):
                 yield f"{self.destination}/{file.relative_to(top).as_posix()}", file
@@ -42,12 +43,11 @@ def _below(folder: Path) -> Iterable[Path]:
 
 @dataclass
 class Listing:
-    """What was found so far; `executables` is None where only CMake can tell their names.
+    """The result so far; `executables` is None if only CMake can tell their names.
 
-    `sources` has the files of executables, relative to the file that names them, the package's own.
-    `installs` has what is installed as it is: the paths below the prefix, and what goes there.
-    `finds` has the packages that are looked for, but for those that may be missing; `plugins` has
-    the packages for which plugins are described.
+    `sources` maps executables to source files, relative to the CMakeLists.txt of the package.
+    `installs` maps paths below the prefix to what is installed there unchanged. `finds` has the
+    required packages; `plugins` has the packages for which plugins are described.
     """
 
     script: Script
@@ -59,7 +59,7 @@ class Listing:
     plugins: list[str] = field(default_factory=list)
 
     def add(self, name: str, words: list[str]) -> None:
-        """Take in one command with its arguments."""
+        """Process one command and its arguments."""
         if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
             self._add_executable(words[0])
             self._add_sources(words)
@@ -113,7 +113,7 @@ class Listing:
 
 
 def installed(listing: Listing, folder: Path) -> dict[str, Path]:
-    """Return the files of the package `folder` that are installed as they are, by path."""
+    """Return the files of the package `folder` that are installed unchanged, by path."""
     found: dict[str, Path] = {}
     for install in listing.installs:
         for path, file in install.files(folder):
@@ -125,7 +125,7 @@ def installed(listing: Listing, folder: Path) -> dict[str, Path]:
 
 
 def read(file: Path, package: str) -> Listing:
-    """Return what the CMakeLists.txt of `package` builds, the files that it includes too."""
+    """Return what the CMakeLists.txt of `package`, and the files that it includes, build."""
     script = Script({"PROJECT_NAME": [package]})
     listing = Listing(script)
     for name, words in script.run(written(file, set())):

@@ -1,4 +1,4 @@
-"""Go through files of CMake as far as that is possible without CMake."""
+"""Evaluate CMake files as far as that is possible without CMake."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ TOKEN = re.compile(
 HERE = re.compile(r"\$\{CMAKE_(CURRENT_)?(SOURCE|LIST)_DIR\}")
 VARIABLE = re.compile(r"\$\{(\w+)\}")
 INCLUDES = ("add_subdirectory", "include")
-# What stands for other commands, or for none.
+# Commands that stand for other commands, or for none.
 BLOCKS = ("function", "macro", "foreach")
-# They give variables values that only CMake knows.
+# Commands that set variables to values that only CMake knows.
 SETS = ("cmake_path", "execute_process", "file", "get_filename_component", "list", "math", "string")
 DEEPEST, LONGEST = 20, 1000
 
-# The name in small letters, and the words as they are written.
+# The name in lower case, and the arguments as written.
 Command = tuple[str, list[str]]
 
 
 @dataclass(frozen=True)
 class Function:
-    """A function, or a macro, which shares the variables of who calls it."""
+    """A function, or a macro, which shares the variables of its caller."""
 
     parameters: Sequence[str]
     body: Sequence[Command]
@@ -42,19 +42,19 @@ class Function:
 
 @dataclass
 class Script:
-    """Knows the variables at one place of a script, as far as that is possible."""
+    """The known variables at one point of a script."""
 
     variables: dict[str, list[str]]
     _functions: dict[str, Function] = field(default_factory=dict)
-    # Variables whose values depend on conditions, and how many conditions stand around a command.
+    # Variables whose values depend on conditions, and the number of conditions around a command.
     _unsure: set[str] = field(default_factory=set)
     _conditions: int = 0
 
     def run(self, commands: Iterable[Command], depth: int = 0) -> Iterator[Command]:
-        """Yield the commands that are not of the language itself, in their order.
+        """Yield the commands that are not control flow, in order.
 
-        Calls are yielded as what they do. Of conditions, both sides count, but for tests of the
-        package, which are left out.
+        A call of a function is replaced by the commands in it. Both branches of a condition are
+        yielded, except for tests of the package, which are left out.
         """
         rest = iter(commands)
         for name, words in rest:
@@ -70,7 +70,7 @@ class Script:
                 yield name, words
 
     def values(self, words: Iterable[str]) -> list[str]:
-        """Replace variables by what they hold; those that are not known stay as they are."""
+        """Replace variables by their values; unknown variables are left in place."""
         found: list[str] = []
         for word in words:
             alone = VARIABLE.fullmatch(word)
@@ -81,7 +81,7 @@ class Script:
         return found
 
     def surely(self, word: str) -> str | None:
-        """Return what a word is; None if only CMake can tell."""
+        """Return the value of a word; None if only CMake can tell."""
         text = "".join(self.values([word]))
         unsure = "$" in text or self._unsure.intersection(VARIABLE.findall(word))
         return None if unsure else text
@@ -120,7 +120,7 @@ class Script:
             yield from self.run(body, depth + 1)
 
     def _items(self, words: list[str]) -> list[str]:
-        """Return what a loop goes through, given the words behind its variable."""
+        """Return the items of a loop, given the arguments after its variable."""
         if words[:1] == ["RANGE"]:
             numbers = [int(word) for word in self.values(words[1:]) if word.isdigit()]
             first, last, step = (*([0] if len(numbers) == 1 else []), *numbers, 1, 1)[:3]
@@ -148,7 +148,7 @@ class Script:
 
 
 def _until(end: str, begin: str, commands: Iterator[Command]) -> Iterator[Command]:
-    """Yield commands up to the end of the block that has begun."""
+    """Yield the commands up to the end of the current block."""
     depth = 1
     for name, words in commands:
         depth += (name == begin) - (name == end)
@@ -158,7 +158,7 @@ def _until(end: str, begin: str, commands: Iterator[Command]) -> Iterator[Comman
 
 
 def _without_tests(block: Iterable[Command]) -> list[Command]:
-    """Return what stands behind else() in a block of `if(BUILD_TESTING)`."""
+    """Return the commands after else() in an `if(BUILD_TESTING)` block."""
     found, depth, other = list[Command](), 0, False
     for name, words in block:
         depth += (name == "if") - (name == "endif")
@@ -169,15 +169,15 @@ def _without_tests(block: Iterable[Command]) -> list[Command]:
 
 
 def written(path: Path, seen: set[Path]) -> Iterator[Command]:
-    """Yield the commands of a file, or of a folder's CMakeLists.txt, and of those it includes.
+    """Yield the commands of a file, or of a folder's CMakeLists.txt, and of the files it includes.
 
-    Each file counts once; `seen` gets to know them.
+    Each file is read once; `seen` collects them.
     """
     try:
         file = (path / "CMakeLists.txt" if path.is_dir() else path).resolve(strict=True)
         text = file.read_text(encoding="utf-8", errors="replace")
     except (OSError, RuntimeError, ValueError):
-        # CMake looks for modules in more places than here, and says what it does not find.
+        # CMake looks for modules in more folders, and reports those that it does not find.
         return
     if file in seen:
         return

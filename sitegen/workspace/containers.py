@@ -1,4 +1,4 @@
-"""Make a package of a component container: a program that is linked with its components."""
+"""Make a package for a component container: a program that its components are linked into."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from pathlib import Path
 from sitegen.model import Component, Container, Package
 
 PACKAGE = "rclcpp_components"
-# The executables of upstream's package, and the executor of each. Where each component would have a
-# thread of its own, they take turns in one.
+# The executables of upstream's package and their executors. In place of one thread for each
+# component, all components share one thread.
 EXECUTORS = {
     "component_container": "SingleThreadedExecutor",
     "component_container_mt": "MultiThreadedExecutor",
@@ -27,7 +27,7 @@ ament_package()
 
 
 def executable(container: str, components: list[Component]) -> str:
-    """Return the name of the program that is `container` with these components."""
+    """Return the name of the program for `container` with these components."""
     digest = hashlib.sha256("\n".join(_classes(components)).encode()).hexdigest()[:8]
     return f"{container}-{digest}"
 

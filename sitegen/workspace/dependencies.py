@@ -1,4 +1,4 @@
-"""Put packages in the order in which they are built."""
+"""Order packages for the build."""
 
 from __future__ import annotations
 
@@ -33,10 +33,11 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
 
 
 def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
-    """Return the package `name` after all that its programs are made of.
+    """Return the package `name` after all packages that its programs are made of.
 
-    Those are the packages it depends on and, if it may load plugins, those that have some for any
-    of these or for itself. They depend on it, so it is among them, too, as what they need.
+    These are the packages that it depends on and, if it may load plugins, the packages that have
+    plugins for any of these or for itself. Such packages depend on it, so it is also built as one
+    of their dependencies.
     """
     *before, package = with_dependencies(packages, name)
     known = {name, *(each.name for each in before)}

@@ -1,4 +1,4 @@
-"""Read values out of Python source without running it: literals, and what setup.py files do."""
+"""Evaluate Python source without running it: literals, and the expressions of setup.py files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 
 class NotLiteralError(Exception):
-    """A part of the source can only be known by running it."""
+    """The value of an expression is known only by running it."""
 
     def __init__(self, node: ast.AST) -> None:
         text = " ".join(ast.unparse(node).split())
@@ -20,7 +20,7 @@ class NotLiteralError(Exception):
 
 
 class Reader:
-    """Knows the values of a module's names; files are looked for in `folder`."""
+    """The values of a module's names; expressions that list files look in `folder`."""
 
     def __init__(self, tree: ast.Module, folder: Path) -> None:
         self._folder = folder
@@ -34,7 +34,10 @@ class Reader:
         self._depth = 0
 
     def value(self, node: ast.expr) -> Any:
-        """Return the value of an expression; raises NotLiteralError."""
+        """Return the value of an expression.
+
+        Raises: NotLiteralError if it is known only by running it.
+        """
         self._depth += 1
         try:
             if self._depth > 100:

@@ -21,13 +21,13 @@ DEPENDS = {
     "exec_depend",
     "run_depend",
 }
-# What conditions may ask for. The packages of ROS 2 that pages run are those of this distribution.
+# The variables of conditions. The packages of ROS 2 for pages are those of this distribution.
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION": "3"}
 
 
 @dataclass(frozen=True)
 class Manifest:
-    """What a package.xml says where its conditions hold; `build_type` is empty if it names none."""
+    """A package.xml without tags whose conditions are false; `build_type` may be empty."""
 
     name: str
     version: str
@@ -36,14 +36,14 @@ class Manifest:
 
 
 class _Tree(ElementTree.TreeBuilder):
-    """Refuses document types: their entities can read files and fill the memory."""
+    """Refuses document types, whose entities can read files and fill the memory."""
 
     def doctype(self, name: str, pubid: str | None, system: str | None) -> None:
         raise ValueError("a document type declaration is not allowed; remove the line <!DOCTYPE …>")
 
 
 def read_manifest(file: Path, problems: Problems) -> Manifest | None:
-    """Return the manifest in `file`, or note why it cannot be read."""
+    """Return the manifest in `file`, or report why it cannot be read."""
     try:
         xml = ElementTree.fromstring(file.read_bytes(), ElementTree.XMLParser(target=_Tree()))
     except ElementTree.ParseError as error:
@@ -71,7 +71,7 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
 
 
 def location_of(file: Path, tag: str) -> Location:
-    """Return the location of the first such tag, which the parser does not remember."""
+    """Return the location of the first tag with this name; the parser does not record it."""
     try:
         before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
     except OSError:
@@ -82,13 +82,13 @@ def location_of(file: Path, tag: str) -> Location:
 def _true(
     tags: ElementTree.Element | list[ElementTree.Element], file: Path, problems: Problems
 ) -> Iterator[ElementTree.Element]:
-    """Yield those tags whose condition holds."""
+    """Yield the tags whose condition is true."""
     for tag in tags:
         condition = tag.get("condition")
         if condition is None:
             yield tag
             continue
-        # Most packages have no condition, and the parser behind this takes a while to load.
+        # Most packages have no condition, and the parser of conditions takes a while to import.
         from catkin_pkg.condition import evaluate_condition
 
         try:

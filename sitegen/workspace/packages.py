@@ -1,4 +1,4 @@
-"""Turn a ROS workspace into Packages."""
+"""Find the packages of a ROS workspace."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SHEBANG = re.compile(rb"#!.*\bpython")
 
 
 def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package]:
-    """Return the packages below `folder` by name, noting (or raising) what is wrong with them."""
+    """Return the packages below `folder` by name, and report (or raise) what is wrong with them."""
     found = Problems(folder) if problems is None else problems
     packages: dict[str, Package] = {}
     for path in _folders(folder):
@@ -72,7 +72,7 @@ def _folders(folder: Path) -> Iterator[Path]:
         if IGNORE & set(files):
             folders.clear()
         elif "package.xml" in files:
-            # Like colcon: no packages inside of packages.
+            # As in colcon, a package contains no other packages.
             folders.clear()
             yield Path(path)
         at_root = Path(path) == folder
@@ -124,7 +124,7 @@ def _setup(path: Path) -> Setup:
 
 
 def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None:
-    """Return the programs and modules of Python that a package installs by CMake, if it does."""
+    """Return the Python programs and modules that a package installs by CMake, if any."""
     files = cmakelists.installed(listing, path)
     programs = {
         installed: file
@@ -133,7 +133,7 @@ def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None
     }
     if not programs and not any(installed.startswith("python/") for installed in files):
         return None
-    # What ament_package() installs; of the file in the index only the name counts.
+    # The files that ament_package() installs; of the file in the index, only the name matters.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
     return Setup({PurePosixPath(installed).name: installed for installed in programs}, files)

@@ -1,4 +1,4 @@
-"""Turn a file of parameters into what a command line has for it."""
+"""Read parameter files of ROS."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ OPTION = "--params-file"
 
 
 def read(file: Path) -> dict[str, str]:
-    """Return the parameters of a file as YAML text, by `pattern:name`; the last of two counts.
+    """Return the parameters of a file as YAML text, by `pattern:name`; of two, the last counts.
 
-    The pattern says which nodes they are for: `/arm/left`, `/**`. Raises a ValueError if the file
-    cannot be read.
+    The pattern says which nodes the parameter is for: `/arm/left`, `/**`.
+
+    Raises: ValueError if the file cannot be read.
     """
     try:
         given = yaml.safe_load(file.read_text(encoding="utf-8")) or {}
@@ -35,7 +36,7 @@ def read(file: Path) -> dict[str, str]:
 
 
 def merge(parameters: dict[str, str], more: Mapping[str, str]) -> None:
-    """Let `more` come after all that is in `parameters`: of two that fit, the last one counts."""
+    """Add the parameters `more` to `parameters`; they take precedence over all that are there."""
     for name, value in more.items():
         parameters.pop(name, None)
         parameters[name] = value

@@ -1,4 +1,4 @@
-"""Read what setuptools would install of a Python package, without running its setup.py."""
+"""Find the files that setuptools would install of a Python package, without running setup.py."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ READ = (
     *("entry_points", "scripts", "packages", "package_dir", "py_modules", "package_data"),
     "data_files",
 )
-# Where the programs of `scripts` are installed.
+# The installation folder for the programs in `scripts`.
 PROGRAMS = "lib/programs"
 
 
 @dataclass
 class Listing:
-    """What a package installs.
+    """The files that a package installs.
 
-    `scripts` are its executables, each "module:function" or the path of a file; `files` its files,
-    by their path below the prefix ("python/" stands for where modules are installed), relative to
-    the package. `fault` says what could not be read: a file, a line and a message.
+    `scripts` maps the names of executables to "module:function" or to the path of a file. `files`
+    maps paths below the prefix to paths relative to the package; modules are installed to
+    "python/". `fault` says what could not be read: a file, a line and a message.
     """
 
     scripts: dict[str, str] = field(default_factory=dict)
@@ -44,7 +44,7 @@ class _UnreadableError(Exception):
 
 
 def read(folder: Path) -> Listing:
-    """Return what the setup.py, setup.cfg and pyproject.toml of a package say."""
+    """Return what setup.py, setup.cfg and pyproject.toml of a package define."""
     listing = Listing()
     try:
         given = {**_pyproject(folder), **_cfg(folder), **_py(folder)}
@@ -61,7 +61,7 @@ def read(folder: Path) -> Listing:
 
 
 def _py(folder: Path) -> dict[str, Any]:
-    """Return the arguments of setup() in setup.py, as far as they matter here."""
+    """Return the relevant arguments of setup() in setup.py."""
     file = folder / "setup.py"
     if not file.is_file():
         return {}
@@ -96,7 +96,7 @@ def _is_setup(node: ast.AST) -> bool:
 
 
 def _cfg(folder: Path) -> dict[str, Any]:
-    """Return the same of setup.cfg."""
+    """Return the same values from setup.cfg."""
     file = folder / "setup.cfg"
     parser = configparser.ConfigParser(interpolation=None)
     try:
@@ -126,7 +126,7 @@ def _cfg(folder: Path) -> dict[str, Any]:
 
 
 def _pyproject(folder: Path) -> dict[str, Any]:
-    """Return the same of pyproject.toml."""
+    """Return the same values from pyproject.toml."""
     file = folder / "pyproject.toml"
     if not file.is_file():
         return {}
@@ -183,7 +183,7 @@ def _written_in(folder: Path, word: str) -> Path:
 
 
 def _files(folder: Path, given: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield where each file is installed, and where it is in the package."""
+    """Yield the installed path of each file, and its path in the package."""
     roots = given.get("package_dir") or {}
     top = folder / str(roots.get("", "src" if (folder / "src").is_dir() else "."))
     packages = given.get("packages")
@@ -209,7 +209,7 @@ def _patterns(given: Mapping[str, Any], package: str) -> list[str]:
 
 
 def _discovered(top: Path) -> Iterator[str]:
-    """Yield the packages that setuptools finds by itself."""
+    """Yield the packages that setuptools discovers automatically."""
     for file in sorted(top.rglob("__init__.py")):
         parts = file.relative_to(top).parts[:-1]
         if parts and parts[0] not in NOT_MODULES and not any(p.startswith(".") for p in parts):

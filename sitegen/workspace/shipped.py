@@ -1,4 +1,4 @@
-"""Add the packages that come with sitegen to those of a workspace."""
+"""The packages that come with sitegen."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from sitegen import shipped
 from sitegen.model import Package, Setup
 from sitegen.workspace.packages import PYTHON, scan
 
-# The package of sitegen's own Python programs.
+# The package of the Python programs of sitegen.
 SITEGEN = "sitegen"
 TURTLESIM, TURTLESIM_MSGS = "turtlesim", "turtlesim_msgs"
 IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
 
 
 def sitegen_package(packages: Mapping[str, Package]) -> Package:
-    """Return the package of sitegen's own Python programs, which may import any of `packages`."""
+    """Return the package of sitegen's Python programs, which may import all of `packages`."""
     setup = Setup({"prompt": "rclpy_backend.prompt:main"}, {})
     path = shipped.CLIENTS / "python"
     executables = tuple(setup.scripts)

@@ -1,4 +1,4 @@
-"""Turn the sources of a package into the libraries it needs that the browser does not have."""
+"""Find the libraries that a package needs and that are not available in browsers."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ UNSUPPORTED = {
 
 
 def unsupported_libraries(package: Package) -> dict[str, str]:
-    """Return the first unsupported library of each executable, as far as is known."""
+    """Return the first unsupported library of each executable, where it is known."""
     found: dict[str, str] = {}
     named = {file for files in package.sources.values() for file in files}
     sources = (file.relative_to(package.path).as_posix() for file in package.path.rglob("*.cpp"))
     others = [file for file in sources if file not in named and not file.startswith("test/")]
     for executable in package.executables or ():
         files = package.sources.get(executable, ())
-        # Which files a component is of is not known: it needs what all of them do.
+        # The source files of a component are not known, so it is assumed to need all libraries.
         missing = [_missing(package.path, (file,)) for file in files or others]
         if missing and (all(missing) or (files and any(missing))):
             found[executable] = next(filter(None, missing))
@@ -45,7 +45,7 @@ def _missing(folder: Path, files: tuple[str, ...]) -> str:
 
 
 def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
-    """Yield the texts of source files of a package, and of its own headers that these include."""
+    """Yield the source files of a package, and its own headers that they include, as text."""
     waiting, seen = [folder / file for file in files], set[Path]()
     while waiting:
         file = waiting.pop()

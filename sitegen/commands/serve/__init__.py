@@ -1,4 +1,4 @@
-"""Serve a site while its author edits it: every change is built, and open pages follow."""
+"""Serve a site while its author edits it: each change is built, and open pages are updated."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["serve"]
 def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> None:
     """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it.
 
-    With `debug`, its C++ nodes tell where they failed.
+    With `debug`, its C++ nodes report source lines.
     """
     live = LiveSite(folder, report, debug=debug)
     live.rebuild()

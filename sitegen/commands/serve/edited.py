@@ -1,4 +1,4 @@
-"""Render again those pages of a site whose text alone has changed."""
+"""Read the pages of a site again whose text alone has changed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from sitegen.model import Markdown, Page
 
 
 def edited(made: Made, changed: Sequence[Path]) -> Made | None:
-    """Return the site with the text of pages as it is now, None if more than text has changed."""
+    """Return the site with the current text of its pages; None if more than text has changed."""
     site = made.site
     fresh: dict[str, Page] = {}
     for file in {file.resolve() for file in changed}:
@@ -33,5 +33,5 @@ def edited(made: Made, changed: Sequence[Path]) -> Made | None:
 
 
 def _says(page: Page, file: Path) -> bool:
-    """Return whether text of `page` stands in `file`, its own or one that its content names."""
+    """Return whether `file` holds text of `page`: its own file, or one that its content names."""
     return any(part.location.file == file for part in page.leaves if isinstance(part, Markdown))

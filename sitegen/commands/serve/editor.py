@@ -9,9 +9,9 @@ import subprocess
 import threading
 from pathlib import Path
 
-# The variable that names the author's editor, with the places of file and line.
+# The variable with the command of the author's editor, with placeholders for file and line.
 VARIABLE = "SITEGEN_EDITOR"
-# Editors with a window of their own, as they are called with a file and a line.
+# Editors with their own window, and the arguments that open a file at a line.
 KNOWN = (
     "code --goto {file}:{line}",
     "codium --goto {file}:{line}",

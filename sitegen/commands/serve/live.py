@@ -1,4 +1,4 @@
-"""The site as it is now: the files of its last good build, and what is wrong since then."""
+"""The current state of the site: the files of its last good build, and the problems since then."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ from sitegen.options import Options
 from sitegen.report import Report, count
 from sitegen.site.pages import search
 
-# An idle connection says something this often (s), so that one that broke is noticed.
+# The interval of messages on an idle connection (s), which detect that it is broken.
 BEAT = 15
 
 
 class LiveSite:
-    """Built again and again; threads may ask for files and wait for news meanwhile."""
+    """A site that is built again and again; threads read its files and wait for its events."""
 
     def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
         self._folder = folder
         self._report = report
-        # Programs are built for the browsers that are open; most have JSPI.
+        # Programs are built for the browsers that are open; most of them have JSPI.
         self._options = Options(live=True, draft=True, debug=debug, engines=("jspi",))
         # Held while the site is built.
         self._building = threading.Lock()
         self._made: Made | None = None
-        # Where its 404.html takes it to live.
+        # The folder that its 404.html assumes for the site.
         self.base = "/"
-        # Whether its pages are to be isolated.
+        # Whether its pages are isolated.
         self.isolated = False
         self._files: Mapping[str, Artifact] = {}
         self._index: Callable[[], Sequence[Artifact]] = list
@@ -47,7 +47,7 @@ class LiveSite:
         self._changed = threading.Condition()
 
     def rebuild(self, changed: Sequence[Path] = ()) -> None:
-        """Build the site; if anything is wrong it stays as it is, and its pages say so."""
+        """Build the site; if anything is wrong, keep the last good build and show the error."""
         with self._building:
             self._rebuild(changed)
 
@@ -68,11 +68,11 @@ class LiveSite:
         files = {artifact.path: artifact for artifact in made.artifacts}
         digests = {path: _digest(artifact) for path, artifact in files.items()}
         different = {path for path, _ in set(digests.items()) ^ set(self._digests.items())}
-        # No open page has loaded a file that is new, or needs one that is no more.
+        # No open page has loaded a new file, or needs one that was removed.
         old = self._digests
         known = [p for p in different if (p in old and p in digests) or p.endswith(".html")]
         self._files, self._digests = files, digests
-        # It takes all pages, and a search is rare while one writes.
+        # The index needs all pages, and authors seldom search while they write.
         self._index = functools.cache(lambda: made.renderer.index(made.rendered))
         self.base = urlsplit(made.site.url).path or "/"
         self.isolated = bool(made.site.isolate)
@@ -92,7 +92,7 @@ class LiveSite:
         return self._files.get(path)
 
     def place(self, text: str) -> tuple[Path, int] | None:
-        """Return the file and the line of a problem that begins with `text`, if there is one."""
+        """Return the file and the line of the problem whose message begins with `text`, if any."""
         with self._changed:
             kind, lines = self._news[-1] if self._news else ("", ())
         file, _, line = text.rpartition(":")
@@ -101,9 +101,9 @@ class LiveSite:
         return (path, int(line)) if shown and line.isdecimal() and path.is_file() else None
 
     def news(self, engine: str) -> Iterator[str]:
-        """Yield what happens from now on, as server-sent events; first what is wrong, if it is.
+        """Yield server-sent events from now on; first the current error, if there is one.
 
-        The C++ nodes are built for `engine`, too, if that is another one.
+        If `engine` is new, the C++ nodes are built for it, too.
         """
         with self._changed:
             seen = len(self._news)
@@ -148,5 +148,5 @@ def _digest(artifact: Artifact) -> str:
 
 @functools.lru_cache(maxsize=10_000)
 def _digest_of_file(file: Path, time: int, size: int) -> str:
-    """Return the digest of a file, which is another one when it has another time or size."""
+    """Return the digest of a file; it is cached by modification time and size."""
     return hashlib.sha256(file.read_bytes()).hexdigest()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import mimetypes
 from pathlib import PurePosixPath
 
-# The machine's own table differs between systems, and a browser refuses a module, a style sheet or
-# a program with a wrong type.
+# The table of the operating system differs between machines, and browsers refuse a module, a style
+# sheet or a program with a wrong type.
 _TYPES = {
     ".avif": "image/avif",
     ".css": "text/css; charset=utf-8",
@@ -39,7 +39,7 @@ _TYPES = {
     ".xml": "application/xml",
     ".zip": "application/zip",
 }
-# Sources that a page shows or offers: to be read, not to be run.
+# Source files that a page shows or offers: they are read, not run.
 _TEXT = (".cpp", ".h", ".hpp", ".launch", ".md", ".msg", ".py", ".srv", ".yaml", ".yml")
 
 

@@ -1,4 +1,4 @@
-"""Turn a LiveSite into a local web server with live reload."""
+"""Serve a LiveSite on this computer, with live reload."""
 
 from __future__ import annotations
 
@@ -21,44 +21,44 @@ from sitegen.model import Artifact
 from sitegen.shipped import RUNTIME
 from sitegen.site import offline
 
-# The path of the files that the server adds to the site.
+# The folder of the files that the server adds to the site.
 PREFIX = "_sitegen/"
 HERE = Path(__file__).parent
 NEWS = f"{PREFIX}news"
 OPEN = f"{PREFIX}open"
 OWN = {f"{PREFIX}{name}": HERE / name for name in ("follow.js", "follow.css", "update.js")}
 OWN[f"{PREFIX}idiomorph.js"] = RUNTIME / "vendor" / "idiomorph.js"
-# The longest request for an editor (bytes).
+# The maximum size of a request for an editor (bytes).
 LONGEST = 4096
 FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
 # The number of ports to try, starting at the requested one.
 TRIES = 20
-# Shown before the first good build, with what is wrong; the site takes its place.
+# Shown with the problems before the first good build; afterwards, the site is shown.
 NOTHING_YET = '<!doctype html><html lang="en" data-nothing-yet><head><title>sitegen</title></head>'
 NOTHING_YET += "<body></body></html>"
 
 
 class Served(Protocol):
-    """What a server shows; a LiveSite, for `sitegen serve`."""
+    """What a server shows: for `sitegen serve`, a LiveSite."""
 
-    # Where its 404.html takes it to live.
+    # The folder that its 404.html assumes for the site.
     base: str
-    # Whether its pages are to be isolated.
+    # Whether its pages are isolated.
     isolated: bool
 
     def file(self, path: str) -> Artifact | None:
         """Return the file at `path` of the site."""
 
     def place(self, text: str) -> tuple[Path, int] | None:
-        """Return the file and the line of a problem that begins with `text`, if there is one."""
+        """Return the file and the line of the problem whose message begins with `text`, if any."""
 
     def news(self, engine: str) -> Iterator[str]:
-        """Yield what happens from now on, as server-sent events, for a browser with `engine`."""
+        """Yield server-sent events from now on, for a browser with `engine`."""
 
 
 class Server:
-    """Runs in threads of its own, on this computer only, from entering it to leaving it."""
+    """A server on this computer that runs in threads of its own while its context is entered."""
 
     def __init__(self, live: Served, port: int) -> None:
         self._http = _listen(partial(_Handler, live), port)
@@ -75,11 +75,11 @@ class Server:
 
 
 class _Http(ThreadingHTTPServer):
-    # A page asks for more files at once than the five that may wait by default.
+    # A page requests more files at once than the default queue of five holds.
     request_queue_size = 128
-    # Pages that listen for news do not hold the program up.
+    # Pages that wait for events do not keep the program running.
     daemon_threads = True
-    # A second server on the same port would hide this one, or be hidden.
+    # Otherwise a second server could use the same port, and one would hide the other.
     allow_reuse_port = False
 
     def handle_error(self, request: object, client_address: object) -> None:
@@ -125,7 +125,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._send_file(path)
 
     def do_POST(self) -> None:
-        """Open the author's editor at a problem that the page shows, and at nothing else."""
+        """Open the author's editor at a problem that the page shows, and nowhere else."""
         host = self.headers.get("Host", "")
         ours = _is_this_computer(host) and self.headers.get("Origin") == f"http://{host}"
         length = self.headers.get("Content-Length", "")
@@ -150,7 +150,8 @@ class _Handler(BaseHTTPRequestHandler):
         if file:
             self._send(path, _bytes(file))
         elif path == WORKER:
-            # Of a site that this port showed before: it would go on showing that.
+            # Removes the service worker of a site that used this port before, which would serve its
+            # pages.
             self._send(path, offline.RETIRED)
         elif self._live.file(pagepath.file_of(f"{path}/")):
             self._redirect(f"/{path}/")
@@ -197,9 +198,9 @@ class _Handler(BaseHTTPRequestHandler):
 
 
 def _is_this_computer(host: str) -> bool:
-    """Return whether a request named this computer.
+    """Return whether a request names this computer as its host.
 
-    A page of another site could otherwise read drafts by pointing its own name at 127.0.0.1.
+    Otherwise a page of another site could read drafts by resolving its own name to 127.0.0.1.
     """
     try:
         return urlsplit(f"//{host}").hostname in ("localhost", "127.0.0.1", "::1")

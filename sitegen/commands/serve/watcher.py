@@ -12,13 +12,14 @@ from watchdog.observers import Observer
 
 from sitegen.ignored import is_ignored
 
-# Editors write a file in several steps, and many files in one go: those within this time (s).
+# Editors write a file in several steps, or several files at once: events within this time (s)
+# belong together.
 PAUSE = 0.1
 CHANGES = {"created", "modified", "moved", "deleted", EVENT_TYPE_CLOSED}
 
 
 def changes(folder: Path) -> Iterator[list[Path]]:
-    """Yield the files below `folder` that changed since the last time, as soon as some did."""
+    """Yield the files below `folder` that changed since the last time, once there are some."""
     root = folder.resolve()
     changed: queue.Queue[Path] = queue.Queue()
     observer = Observer()
@@ -52,7 +53,7 @@ class _Listener(FileSystemEventHandler):
 
 
 def _ignored(path: Path) -> bool:
-    """Return whether a file is none of the author's: hidden, made by a tool, or a draft."""
+    """Return whether a file is not the author's: hidden, made by a tool, or temporary."""
     folders = enumerate(path.parts[:-1])
     return (
         any(part.startswith(".") for part in path.parts)

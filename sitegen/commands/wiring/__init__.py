@@ -1,4 +1,4 @@
-"""Say which nodes and widgets of a page will not hear each other, as far as sources tell."""
+"""Find nodes and widgets of a page that cannot communicate, as far as sources tell."""
 
 from sitegen.commands.wiring.pages import warnings
 

@@ -1,4 +1,4 @@
-"""Turn the sources of a C++ program into what they tell about its endpoints."""
+"""Find the endpoints in the sources of a C++ program."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ _CREATE = re.compile(
     r"(?P<scope>\brclcpp(?:_action)?\s*::\s*)?"
     r"\bcreate_(?P<generic>generic_)?(?P<kind>publisher|subscription|service|client)\b"
 )
-# How nodes begin: `: Node("talker")`, `Node::make_shared("talker")`, `make_shared<Node>("talker")`.
+# How nodes are created: `: Node("talker")`, `Node::make_shared("talker")`,
+# `make_shared<Node>("talker")`.
 _NODE = re.compile(r"\bNode\b\s*(?:::\s*make_shared\b|>)?\s*(?:\w+\s*)?(?=\(|\{\s*\")")
 _INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">\n]+)[">]', re.MULTILINE)
 _GUARD = re.compile(r"\A\s*#\s*ifndef\s+(\w+)\s*\n\s*#\s*define\s+\1\b")
 _CONDITION = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else)\b", re.MULTILINE)
-# With these, names may mean others than those that the source leads to.
+# With these, names may differ from those in the source.
 _RENAMES = re.compile(
     r"\bcreate_sub_node\b|\.\s*arguments\s*\(|\buse_global_arguments\b|--ros-args"
 )
@@ -32,7 +33,7 @@ _ALIAS = re.compile(
     r"|\bnamespace\s+(?P<new3>\w+)\s*=\s*(?P<old3>[\w:]+)\s*;"
     r"|\busing\s+(?P<old4>[\w:]+::(?P<new4>\w+))\s*;"
 )
-# What may be included without bringing endpoints: others' libraries may make some of their own.
+# Headers that create no endpoints; headers of other libraries may.
 _HARMLESS = re.compile(
     r"(rclcpp|rclcpp_action|rclcpp_components|rcutils|rcpputils|rmw|rcl|ament_index_cpp|Eigen|tf2"
     r"|sys)/.+|\w+_msgs/.+|\w+/(msg|srv|action)/.+|[\w.]+"
@@ -41,14 +42,14 @@ _SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".c")
 
 
 def read(package: Package, executable: str) -> Program:
-    """Return what the sources of `executable` tell, with the headers and libraries beside them."""
+    """Return what the sources of `executable`, with its headers and libraries, tell."""
     program = Program()
     names = package.sources.get(executable, ())
     others = [name for one, used in package.sources.items() if one != executable for name in used]
     program.open = not names
     seen: set[Path] = set()
     for name in names:
-        # What several programs are made of, one of them may have no use for.
+        # Of sources that several programs share, one program may use only a part.
         _take(package.path / name, package, program, seen, sure=name not in others)
     told = {package.path / name for used in package.sources.values() for name in used}
     for file in sorted(package.path.rglob("*")):
@@ -75,7 +76,7 @@ def _take(file: Path, package: Package, program: Program, seen: set[Path], *, su
     conditions = len(_CONDITION.findall(text.bare)) - bool(guarded)
     found = _program(text, file)
     if conditions or not sure:
-        # The preprocessor, or somebody who uses the header, decides.
+        # It depends on the preprocessor, or on how the header is used.
         found.endpoints = [replace(endpoint, sure=False) for endpoint in found.endpoints]
     program.take(found)
     for mark, name in _INCLUDE.findall(text.code):
@@ -93,11 +94,11 @@ def _program(text: Text, file: Path) -> Program:
     for found in _CREATE.finditer(text.bare):
         scope = (found["scope"] or "").replace("::", "").strip()
         if scope == "rclcpp_action":
-            # The topics of an action are hidden, and no concern of others.
+            # The topics of an action are hidden and are not checked.
             continue
         types, end = text.template(found.end())
         arguments = text.arguments(end) or []
-        # The function of that name is given the node first.
+        # The first argument of the function is the node.
         arguments = arguments[1:] if scope else arguments
         name = literal(arguments[0]) if arguments else None
         if name is None:
@@ -116,7 +117,7 @@ def _program(text: Text, file: Path) -> Program:
 
 
 def _nodes(text: Text) -> Iterator[tuple[str | None, str | None]]:
-    """Yield name and namespace of each node that is begun; None for what is not written out."""
+    """Yield name and namespace of each node that is created; None if they are not literals."""
     for found in _NODE.finditer(text.bare):
         name, *rest = text.arguments(found.end()) or [""]
         if not rest or "option" in rest[0].lower():
@@ -130,13 +131,13 @@ def _aliases(text: Text) -> dict[str, str]:
     for match in _ALIAS.finditer(text.bare):
         new = match["new"] or match["new2"] or match["new3"] or match["new4"]
         old = match["old"] or match["old2"] or match["old3"] or match["old4"]
-        # One name for two types is for those who know scopes.
+        # The same name for two types can only be resolved with scopes.
         found[new] = old.removeprefix("::") if found.get(new, old) == old else ""
     return found
 
 
 def _type(written: str, aliases: dict[str, str]) -> str:
-    """Return a type as ROS writes it, or nothing where its name does not tell."""
+    """Return a type as ROS writes it, or nothing if the name does not tell."""
     name = re.sub(r"\s+", "", written).removeprefix("::")
     for _ in range(3):
         first, mark, rest = name.partition("::")

@@ -1,4 +1,4 @@
-"""Turn C++ text into calls with their arguments: what a search in plain text would get wrong."""
+"""Find calls and their arguments in C++ source, with comments and strings taken into account."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ _CLOSING = {"(": ")", "[": "]", "{": "}"}
 
 @dataclass(frozen=True)
 class Text:
-    """A C++ source without its comments: `code` with texts in quotes, `bare` with them blanked.
+    """A C++ source without comments: `code` with its strings, `bare` with blanks in their place.
 
-    All three have the same length, so a position in one is a position in the others.
+    Both have the length of the source, so a position is the same in all three.
     """
 
     code: str
@@ -30,17 +30,17 @@ class Text:
 
     @classmethod
     def of(cls, source: str) -> Text:
-        """Return a source as it is to be searched."""
+        """Return a source without its comments."""
         code = _TOKEN.sub(lambda found: _blank(found[0]) if found["comment"] else found[0], source)
         bare = _TOKEN.sub(lambda found: f'"{_blank(found[0][1:-1])}"', code)
         return cls(code, bare)
 
     def line(self, at: int) -> int:
-        """Return the line of a position, from 1."""
+        """Return the line of a position, counted from 1."""
         return self.bare.count("\n", 0, at) + 1
 
     def template(self, at: int) -> tuple[list[str], int]:
-        """Return the template arguments that begin at `at`, if any do, and where they end."""
+        """Return the template arguments that begin at `at`, if there are any, and their end."""
         begin = _skip(self.bare, at)
         if self.bare[begin : begin + 1] != "<":
             return [], at
@@ -58,7 +58,7 @@ class Text:
         return [], at
 
     def arguments(self, at: int) -> list[str] | None:
-        """Return the arguments in the brackets that begin at `at`, None if none do."""
+        """Return the arguments in the parentheses that begin at `at`, None if there are none."""
         begin = _skip(self.bare, at)
         if self.bare[begin : begin + 1] not in _CLOSING or begin >= len(self.bare):
             return None
@@ -69,7 +69,7 @@ class Text:
 
 
 def literal(argument: str) -> str | None:
-    """Return the text that an argument is, None if it is none or has escapes."""
+    """Return the value of an argument that is a string literal without escapes, else None."""
     found = _LITERAL.fullmatch(argument)
     return found[1] if found else None
 

@@ -1,4 +1,4 @@
-"""What sources say about the endpoints of a program, and what they leave open."""
+"""The endpoints of a program as its sources tell them."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ KINDS = (PUBLISHER, SUBSCRIPTION, SERVICE, CLIENT)
 
 @dataclass(frozen=True)
 class Endpoint:
-    """A publisher, subscription, service or client as a source or a widget makes it.
+    """A publisher, subscription, service or client that a source or a widget creates.
 
-    `type` is like std_msgs/msg/String, empty where the source does not tell. One that is not `sure`
-    may be there or not: nothing is wrong with it, but it may be the other side of others.
+    `type` is like std_msgs/msg/String, or empty if it is unknown. An endpoint that is not `sure`
+    may exist or not: it causes no warning, but it may be the counterpart of others.
     """
 
     kind: str
@@ -29,9 +29,9 @@ class Endpoint:
 class Program:
     """What the sources of a program tell.
 
-    `open` says that it may have endpoints that they do not tell, `renames` that it may give its
-    endpoints other names than it writes. `names` are those of its nodes, `namespaces` theirs; None
-    stands for one that only running the program would tell.
+    An `open` program may have endpoints that are not known; one that `renames` may create its
+    endpoints under other names. `names` are the names of its nodes, `namespaces` theirs; None
+    stands for one that is known only at run time.
     """
 
     endpoints: list[Endpoint] = field(default_factory=list)

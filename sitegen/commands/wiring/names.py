@@ -1,4 +1,4 @@
-"""Turn the names that programs write into those of the graph, as rcl does."""
+"""Resolve the names that programs use to full names, as rcl does."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from sitegen.model import Node
 
 
 def resolved(program: Program, node: Node) -> Program:
-    """Return `program` as `node` of site.yaml starts it, with full names.
+    """Return `program` with full names, started as `node` of site.yaml.
 
-    What gets no name for sure is left out, and the program is open then.
+    Endpoints whose names cannot be resolved are left out, and the program is marked as open.
     """
     namespace = _namespace(program, node)
     name = next(iter(program.names)) if len(program.names) == 1 else None
     rules = [(_full(old, namespace, name), new) for old, new in node.remap.items()]
-    # A rule may be for some nodes or kinds only, and others may come in by the arguments.
+    # A rule may be for some nodes or kinds only, and the arguments may contain other rules.
     unclear = any(old is None or ":" in f"{old}{new}" for old, new in rules)
     if unclear or program.renames or "--ros-args" in node.arguments:
         return replace(program, endpoints=[], open=True)
@@ -32,16 +32,16 @@ def resolved(program: Program, node: Node) -> Program:
 
 
 def _namespace(program: Program, node: Node) -> str | None:
-    """Return the namespace of the program's nodes, ending in `/`; None if nobody can tell."""
+    """Return the namespace of the program's nodes, ending in `/`; None if it is unknown."""
     if len(program.namespaces) != 1 or None in program.namespaces:
         return None
-    # The one of site.yaml comes as an argument, which goes first.
+    # The namespace in site.yaml is passed as an argument, which takes precedence.
     given = node.namespace or next(iter(program.namespaces)) or ""
     return f"/{given.strip('/')}/".replace("//", "/")
 
 
 def _full(name: str, namespace: str | None, node: str | None) -> str | None:
-    """Return the full name of `name`, None where that is not known."""
+    """Return the full name of `name`, None if it is unknown."""
     if "{" in name or not name:
         return None
     if name.startswith("/"):

@@ -1,4 +1,4 @@
-"""Look at each page for endpoints that nobody is at the other side of."""
+"""Find the endpoints of each page that have no counterpart."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from sitegen.commands.wiring.names import resolved
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Page, Prebuilt, Python, Ros2wasm, Site, Widget
 
-# Every node and the tools of ROS have these.
+# Every node and the tools of ROS have these endpoints.
 _TOPICS = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
 _SERVICES = {
     *("describe_parameters", "get_parameter_types", "get_parameters", "get_type_description"),
@@ -28,16 +28,16 @@ _OTHER = {SUBSCRIPTION: PUBLISHER, PUBLISHER: SUBSCRIPTION, CLIENT: SERVICE}
 
 
 class _Side(NamedTuple):
-    """An endpoint, and what the author calls it that has it."""
+    """An endpoint, and the name of its node or widget in messages."""
 
     who: str
     endpoint: Endpoint
 
 
 def warnings(site: Site) -> list[str]:
-    """Return what will not work between the nodes and widgets of each page, a line each.
+    """Return what does not work between the nodes and widgets of each page, a line each.
 
-    Nothing is said where only running the programs would tell.
+    There is no warning about what only running the programs would tell.
     """
     problems = Problems(site.root)
     programs: dict[tuple[str, str], Program] = {}
@@ -64,7 +64,7 @@ def _look_at(
         heard = heard or any(each.kind == SUBSCRIPTION for each in program.endpoints)
     for side in sides:
         kind = side.endpoint.kind
-        # A page with nothing but talkers means it.
+        # A page that contains only talkers is intended.
         if side.endpoint.sure and not some_unknown and (kind != PUBLISHER or heard):
             _check_other_side(page, side, sides, problems)
     _check_types(sides, problems)
@@ -125,7 +125,7 @@ def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
 
 
 def _pairs(sides: list[_Side]) -> Iterator[tuple[_Side, _Side]]:
-    """Yield who publishes or serves, with each who subscribes or calls by the same name."""
+    """Yield each publisher or server, with the subscribers or clients of the same name."""
     for one in sides:
         if one.endpoint.kind in (PUBLISHER, SERVICE):
             asks = CLIENT if one.endpoint.kind == SERVICE else SUBSCRIPTION

@@ -1,4 +1,4 @@
-"""Turn the sources of a Python program into what they tell about its endpoints."""
+"""Find the endpoints in the sources of a Python program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from sitegen.model import Setup
 
 _CREATE = {f"create_{kind}": kind for kind in KINDS}
 _INTERFACE = re.compile(r"(\w+)\.(msg|srv)\.(\w+)")
-# What may be imported without bringing endpoints: others' modules may make some of their own.
+# Modules that create no endpoints; other modules may.
 _HARMLESS = {"ament_index_python", "numpy", "rclpy", "typing_extensions", "yaml"}
 _HARMLESS |= sys.stdlib_module_names - {"importlib"}
 _UNCLEAR = {"exec", "eval", "__import__"}
@@ -26,7 +26,7 @@ _Definition = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 
 @dataclass(frozen=True)
 class _Module:
-    """A source: `imports` has the full dotted name of each name that it imports."""
+    """A source file: `imports` maps each imported name to its full dotted name."""
 
     file: Path
     tree: ast.Module
@@ -35,7 +35,7 @@ class _Module:
 
 
 def read(setup: Setup, executable: str) -> Program:
-    """Return what the module of an entry point, or a program, and those that it imports tell."""
+    """Return what the module of an entry point, or a program, and the modules it imports tell."""
     program = Program()
     target = setup.scripts[executable]
     name, _, attribute = (target, "", "") if target in setup.files else target.partition(":")
@@ -49,7 +49,7 @@ def read(setup: Setup, executable: str) -> Program:
 
 
 def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
-    """Return the modules of the package that `first` needs; others may leave the program open."""
+    """Return the package's modules that `first` needs; other modules may leave the program open."""
     found: dict[str, _Module] = {}
     waiting = [first]
     while waiting:
@@ -97,7 +97,7 @@ def _imports(tree: ast.Module, package: str) -> Iterator[tuple[str, str]]:
 
 
 def _texts(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Yield the constants: names that are given a text once, at the top of the module."""
+    """Yield the constants: names that are assigned a string once, at the top of the module."""
     stored = Counter(
         node.id
         for node in ast.walk(tree)
@@ -112,9 +112,10 @@ def _texts(tree: ast.Module) -> Iterator[tuple[str, str]]:
 
 
 def _used(modules: dict[str, _Module], first: str, entry: str) -> set[str]:
-    """Return the definitions that the program may come to, by their names in any module.
+    """Return the definitions that the program may reach, by name, in any module.
 
-    It begins with the function `entry` of the module `first`, or as that module, if that is empty.
+    The program begins with the function `entry` of the module `first`, or, if `entry` is empty,
+    with the module itself.
     """
     definitions: dict[str, list[_Definition]] = {}
     used: set[str] = set()
@@ -183,7 +184,7 @@ def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sur
 def _nodes(
     statement: ast.stmt, calls: Iterable[ast.Call]
 ) -> Iterator[tuple[ast.Call, dict[str, ast.expr]]]:
-    """Yield the calls that begin a node, with their keywords; "" for those that are unpacked."""
+    """Yield the calls that create a node, with their keyword arguments; "" for unpacked ones."""
     is_node = isinstance(statement, ast.ClassDef) and any(
         _mentions_node(base) for base in statement.bases
     )
@@ -196,7 +197,7 @@ def _nodes(
 
 
 def _has_list(call: ast.Call) -> bool:
-    """Return whether arguments are made up here, instead of those that the program was given."""
+    """Return whether arguments are given as a list in place of the program's own."""
     given = [*call.args, *(keyword.value for keyword in call.keywords)]
     return any(isinstance(value, ast.List | ast.BinOp) for value in given)
 
@@ -212,7 +213,7 @@ def _text(given: ast.expr | None, module: _Module) -> str | None:
 
 
 def _type(given: ast.expr | None, module: _Module) -> str:
-    """Return a type as ROS writes it, or nothing where its name does not tell."""
+    """Return a type as ROS writes it, or nothing if the name does not tell."""
     if given is None:
         return ""
     first, mark, rest = ast.unparse(given).partition(".")

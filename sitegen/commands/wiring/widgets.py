@@ -1,4 +1,4 @@
-"""Say what the widgets of a page publish, subscribe to, serve and call."""
+"""Find the endpoints of widgets."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from sitegen.commands.wiring.endpoint import CLIENT, PUBLISHER, SUBSCRIPTION, Endpoint
 from sitegen.model import Widget
 
-# For a widget whose topic or service the visitor chooses.
+# Stands for a widget whose topic or service the visitor chooses.
 ANY = "*"
-# These start nodes or look at who is there, and are no side of anything.
+# These widgets start nodes or show the graph, and have no endpoints to check.
 _LOOK_ON = {"buttons", "console", "graph", "log", "nodes"}
 _TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
 _WINDOW = "turtlesim_window/msg/Window"
@@ -61,7 +61,7 @@ def _robot(widget: Widget) -> Iterator[Endpoint]:
     if given.get("odometry"):
         yield Endpoint(SUBSCRIPTION, str(given["odometry"]), _ODOMETRY, widget.location)
     else:
-        # It has the topics of its default whether somebody uses them or not.
+        # The endpoints of its default topics exist whether they are used or not.
         own = given["twist"] != "/cmd_vel"
         yield Endpoint(SUBSCRIPTION, str(given["twist"]), _TWIST, widget.location, sure=own)
     if given["kind"] == "vernie":

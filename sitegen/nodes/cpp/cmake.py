@@ -15,17 +15,17 @@ from sitegen.shipped import CLIENTS
 
 HERE = Path(__file__).parent
 CLIENT = CLIENTS / "cpp"
-# In programs that are to tell where they are, little is moved about.
+# Programs that record their source lines are optimized less, so that lines stay recognizable.
 OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
 SETTINGS = [
     "-DCMAKE_BUILD_TYPE=Release",
-    # Emscripten's own file lets CMake find packages in its system root only.
+    # Emscripten's toolchain file lets CMake find packages only in its own system root.
     "-DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH",
-    # A program of the page cannot be run to try the compiler out, and need not be.
+    # CMake cannot run a program for the page to test the compiler, and does not need to.
     "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
-    # Advice for the authors of CMake files would hide what stopped it.
+    # Warnings for developers would hide the error.
     *("-Wno-dev", "-Wno-deprecated"),
-    # Packages are looked for anew: they may have moved.
+    # CMake looks for packages again, because they may have moved.
     *("-U", "*_DIR"),
 ]
 
@@ -36,10 +36,10 @@ Done = subprocess.CompletedProcess[str]
 
 @dataclass(frozen=True)
 class CMake:
-    """What CMake makes of packages for `engine`, all of it below `work`.
+    """Runs CMake on packages for one `engine`; all files are below `work`.
 
-    With `debug`, programs can tell where they are. The library is the same, for it is not theirs.
-    A `draft` is not optimized as a whole: it is linked in a fifth of the time, and twice as large.
+    With `debug`, programs record their source lines; the library does not. A `draft` is linked
+    without link-time optimization, in a fifth of the time; it is twice as large.
     """
 
     tools: Toolchain
@@ -50,7 +50,7 @@ class CMake:
 
     @property
     def ros(self) -> Path:
-        """The prefix of the interface packages of ROS, which suits all engines."""
+        """The prefix of the interface packages of ROS, which is the same for all engines."""
         return self.work / "ros"
 
     @property
@@ -59,23 +59,23 @@ class CMake:
         return self.work / self.engine / "rclcpp" / "librclcpp.a"
 
     def tree(self, package: Package) -> Path:
-        """The build folder of `package`: by its place, so that a change compiles what changed."""
+        """The build folder of `package`, named by its location, so that builds are incremental."""
         what = "\n".join([str(package.path), *package.linked])
         place = hashlib.sha256(what.encode()).hexdigest()[:12]
         kind = f"{self.engine}-debug" if self.debug else self.engine
         return self.work / kind / "packages" / f"{package.name}-{place}"
 
     def prefix(self, package: Package) -> Path:
-        """Where `package` puts what other packages use of it."""
+        """The prefix to which `package` exports its headers and libraries."""
         return self.tree(package) / "prefix"
 
     def program(self, package: Package, executable: str) -> Path:
-        """Where the build leaves `executable`, less its suffix."""
+        """The path of a built `executable`, without its suffix."""
         return self.tree(package) / "bin" / executable
 
     @property
     def _launcher(self) -> list[str | Path]:
-        """What CMake runs in front of the compiler: see precompiled.py."""
+        """The program that CMake runs in place of the compiler: see precompiled.py."""
         store = self.work / self.engine / "precompiled"
         script = HERE / "precompiled.py"
         return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
@@ -87,22 +87,22 @@ class CMake:
         return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
 
     def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
-        """Configure `package`, with what the packages `needs` have for others.
+        """Configure `package`, with the prefixes of the packages `needs`.
 
-        Its programs call its folder `shown`.
+        Its programs show the path of its folder as `shown`.
         """
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
         return self._configure(package.path, tree, prefixes, shown, package.linked)
 
     def make(self, package: Package, *targets: str) -> Done:
-        """Build targets of a configured package; with several, what fails stops none but itself."""
+        """Build targets of a configured package; of several, a failure stops only its own one."""
         command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
         if len(targets) > 1:
             command += ["-k", "0"]
         done = self.tools.run(*command)
         if UNDEFINED in done.stdout:
-            # The linker knows who wants the symbol, but to let it look takes time at every link.
+            # The linker can find out who needs the symbol, but doing so takes time at every link.
             done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
         return done
 

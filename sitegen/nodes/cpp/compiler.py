@@ -40,7 +40,7 @@ GENERATOR = (
 
 @dataclass(frozen=True)
 class Job:
-    """What to compile: executables of one package, with the packages it needs built first."""
+    """What to compile: executables of one package, after the packages that it needs."""
 
     package: Package
     executables: tuple[str, ...]
@@ -94,14 +94,14 @@ def compile_nodes(
     return builds
 
 
-# The problems of packages that other packages depend on, by package.
+# The errors of packages that other packages depend on, by package.
 Failures = Mapping[str, list[str]]
-# What is done for a job and an engine.
+# The folders of a job for one engine.
 Step = Callable[[Job, str], None]
 
 
 def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
-    """Return those of `packages`, each after what it depends on, that `package` depends on."""
+    """Return the packages among `packages` that `package` depends on, in build order."""
     names = set(package.depends)
     for one in reversed(list(packages.values())):
         names |= set(one.depends) if one.name in names else set()
@@ -109,13 +109,13 @@ def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
 
 
 def sources() -> list[Path]:
-    """Return the files and folders of sitegen that decide what programs become."""
+    """Return the files and folders of sitegen that determine the result of a compilation."""
     return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
 
 
 def work_folder(tools: Toolchain, cache: Path) -> Path:
-    """Return the folder below `cache` for what CMake makes with `tools`."""
-    # What it makes names the files of this installation, and breaks where they are not.
+    """Return the folder below `cache` for the files that CMake makes with `tools`."""
+    # The generated files contain paths of this installation, and break when it moves.
     base = digest_of(sources(), tools.identity)
     return cache / "work" / digest_of([], base, str(PACKAGE))
 
@@ -123,9 +123,9 @@ def work_folder(tools: Toolchain, cache: Path) -> Path:
 class Compiler:
     """Compiles with one toolchain into one cache.
 
-    In the cache, `nodes/<digest>/` holds finished programs by a digest of all that went into them;
-    those that are drafts in `nodes/<digest>-draft/`; `work/<digest>/` holds what CMake makes on the
-    way, for one state of tools and library in one place.
+    In the cache, `nodes/<digest>/` holds finished programs by a digest of everything that they are
+    made from, and `nodes/<digest>-draft/` those that are drafts; `work/<digest>/` holds the build
+    folders of CMake for one version of the tools and the library.
     """
 
     def __init__(
@@ -139,7 +139,7 @@ class Compiler:
     ) -> None:
         self._tools = tools
         self._root = root
-        # Tools write folders of their own here, which are not sources of a package.
+        # Tools write their own folders here, which are not sources of a package.
         self._roots = roots
         self._report = report
         self._debug = options.debug
@@ -151,18 +151,19 @@ class Compiler:
         self._folders: dict[tuple[Path, str], Path] = {}
 
     def builds(self, job: Job, engines: Iterable[str]) -> list[Build]:
-        """Where the programs of `job` are, or will be."""
+        """Return the locations of the programs of `job`, whether they exist or not."""
         return [self.build(job, name, engine) for engine in engines for name in job.executables]
 
     def build(self, job: Job, executable: str, engine: str) -> Build:
-        """Where one program is, or will be."""
+        """Return the location of one program, whether it exists or not."""
         folder = self._folder(job, engine)
         stem = f"{executable}.{engine}"
         suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
         return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
 
     def _folder(self, job: Job, engine: str) -> Path:
-        # What is there as it is published needs no draft. Asked once: by then, it may be there.
+        # A program that already exists in its final form needs no draft. Asked once, because the
+        # answer may change while compiling.
         key = (job.package.path, engine)
         if key not in self._folders:
             folder = self._nodes / self._digest(job.package, job.needs)
@@ -180,22 +181,26 @@ class Compiler:
         return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them), *places)
 
     def _shown(self, package: Package) -> str:
-        """What programs call the folder of a package; only those that tell lines know its place."""
+        """Return the path that programs show for a package's folder, real only with `debug`."""
         below = self._debug and package.path.is_relative_to(self._root)
         return package.path.relative_to(self._root).as_posix() if below else package.name
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
-        """Compile all `jobs`, some at a time; raise one SiteError with all that failed."""
+        """Compile all `jobs`, several at a time.
+
+        Raises: SiteError with all failures.
+        """
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
         use(self._work)
         with FileLock(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             self._write_ros()
-            # Every program needs what the packages it needs have for others, and then the library.
+            # Every program needs the exports of the packages it depends on, and then the library.
             wanted = [[job for job, one in jobs if one == engine] for engine in engines]
             failed = dict(zip(engines, pool.map(self._prepare, engines, wanted), strict=True))
             told = self._told(pool, partial(self._configure_job, failed), jobs)
-            # What CMake misses is known in seconds; the library takes minutes, the first time.
+            # CMake reports missing packages within seconds; the library takes minutes the first
+            # time.
             ready = [at for at, lines in enumerate(told) if not lines]
             if ready:
                 list(pool.map(self._compile_library, engines))
@@ -207,7 +212,7 @@ class Compiler:
             raise SiteError(problems)
 
     def _told(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
-        """Take a step for all `jobs`, some at a time; return what is wrong with each."""
+        """Run a step for all `jobs`, several at a time; return the errors of each."""
 
         def attempt(job: Job, engine: str) -> list[str]:
             try:
@@ -240,10 +245,10 @@ class Compiler:
             raise RuntimeError(f"the rclcpp library could not be compiled:\n{done.stdout}")
 
     def _prepare(self, engine: str, jobs: Sequence[Job]) -> Failures:
-        """Make the interfaces and libraries of the packages that others need.
+        """Build the interfaces and libraries of the packages that others need.
 
-        Returns the problems by package. Whether they matter is seen when a job ends for the lack of
-        that package: many are needed for nothing but to be there when the robot starts.
+        Returns the errors by package. They count only if a job then fails because of that package:
+        many dependencies are needed only when the robot starts.
         """
         failed: dict[str, list[str]] = {}
         needs = {need.name: need for job in jobs for need in job.needs}
@@ -290,7 +295,7 @@ class Compiler:
     def _configure(
         self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Failures
     ) -> None:
-        # Drafts are made in the same tree: what it was prepared as may not be what it is now.
+        # Drafts are built in the same folder, whose contents may be those of another kind of build.
         self._stamp(cmake, package).unlink(missing_ok=True)
         done = cmake.configure(package, needs, self._shown(package))
         if done.returncode:
@@ -312,7 +317,7 @@ class Compiler:
             self._report.doing(name, "compiling")
         problems = []
         done = cmake.make(package, *job.executables)
-        # If anything fails, each is asked for by itself, to know what is said of which.
+        # If anything failed, build each program alone, to attribute the output to it.
         again = bool(done.returncode) and len(job.executables) > 1
         for executable, name in names.items():
             if again:
@@ -342,7 +347,7 @@ class Compiler:
             lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
             build.lines.write_text(json.dumps(lines, separators=(",", ":")))
         shutil.copyfile(program.with_suffix(".js"), build.script)
-        # Last, and in one step: its presence says that the program is complete.
+        # Last, and in one step: the presence of this folder means that the program is complete.
         draft = build.wasm.with_suffix(".draft")
         shutil.copyfile(program.with_suffix(".wasm"), draft)
         draft.replace(build.wasm)

@@ -1,4 +1,4 @@
-"""Turn what CMake, Ninja and the compiler print into problems of the site."""
+"""Turn the output of CMake, Ninja and the compiler into errors of the site."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
-# The command lines of a build, and what Ninja and em++ say about them.
+# The command lines of a build, and lines that Ninja and em++ add.
 COMMANDS = re.compile(
     r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
     r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|\S.* -I -S \S.*/precompiled\.py|em(\+\+|cc): error: '"
     r"|Call Stack \(most recent call first\):$|See also \""
 )
-# In CMake's cache, a package that was looked for in vain.
+# An entry of CMake's cache for a package that was not found.
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
-# Packages that are headers only, which authors install, and how.
+# Header-only packages that authors can install, and how.
 INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
-# Headers of packages that CMake finds and that have nothing in them (clients/cpp/share).
+# Headers of packages that CMake finds although they are empty (clients/cpp/share).
 HOLLOW = re.compile(r"fatal error: '(opencv2)/")
 HOLLOW_NAMES = {"opencv2": "OpenCV"}
 NO_BUILD = "has no build for the page"
@@ -30,18 +30,18 @@ FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """Says what is wrong with `package`; files are shown as one types them from `root`."""
+    """Explains the errors of `package`; paths are relative to `root`, as one types them there."""
 
     root: Path
     package: Package
 
     def missing(self, output: str) -> str:
-        """Return the package that CMake did not find, empty if it failed by something else."""
+        """Return the required package that CMake did not find; "" if it failed otherwise."""
         found = NOT_FOUND.search(output)
         return found[1] if found else ""
 
     def of_cmake(self, output: str) -> list[str]:
-        """Say why CMake could not configure the package."""
+        """Return why CMake could not configure the package."""
         own = re.findall(rf"^{PROBLEM}(.+)$", output, re.M)
         if own:
             return [line.replace(f"{self.root}/", "") for line in own]
@@ -52,7 +52,7 @@ class Diagnosis:
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
-        """Say why `executable` could not be compiled in the build folder `tree`."""
+        """Return why `executable` could not be compiled in the build folder `tree`."""
         if f"unknown target '{executable}'" in output:
             what = f"has no executable '{executable}'"
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
@@ -78,7 +78,7 @@ class Diagnosis:
         return relative(file, self.root)
 
     def _quote(self, output: str) -> str:
-        """Return a tool's own words, without the command lines around them."""
+        """Return the output of a tool without the command lines in it."""
         shown = [line.rstrip() for line in output.splitlines() if not COMMANDS.match(line)]
         shown = [line for line in shown if not line.startswith("-- ")]
         text = re.sub(r"\n{3,}", "\n\n", "\n".join(shown)).strip()
@@ -86,6 +86,6 @@ class Diagnosis:
 
 
 def _not_found(tree: Path) -> list[str]:
-    """Return the packages that CMake looked for and could do without."""
+    """Return the optional packages that CMake did not find."""
     cache = tree / "CMakeCache.txt"
     return ABSENT.findall(cache.read_text(encoding="utf-8")) if cache.exists() else []

@@ -1,10 +1,11 @@
-"""Run the compiler of C++, with rclcpp.hpp compiled beforehand where that changes nothing.
+"""Run the C++ compiler, with a precompiled rclcpp.hpp if that does not change the result.
 
-CMake runs this in front of each command of em++, as a program of its own:
-`python precompiled.py STORE ROS em++ ...`. To read rclcpp.hpp is most of what compiling a node
-takes, so it is done once for the same flags and kept in the folder STORE. A source gets it only if
-it includes rclcpp.hpp before anything of its author's could make a difference to it. Whenever the
-compiler has anything to say, it is asked again without, so it always speaks of the author's files.
+CMake runs this in place of each em++ command, as a separate program: `python precompiled.py STORE
+ROS em++ ...`. Most of the time that a node takes to compile is spent on reading rclcpp.hpp, so it
+is precompiled once for each set of flags and kept in the folder STORE. A source file uses it only
+if it includes rclcpp.hpp before anything that could make a difference. If the compiler prints
+anything, it runs again without the precompiled header, so that messages are always about the
+author's files.
 """
 
 from __future__ import annotations
@@ -18,27 +19,27 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-# Run as a program, without sitegen on its path: this repeats a little of shipped.py.
+# This runs as a separate program, without sitegen on its path, so it repeats a part of shipped.py.
 PACKAGE = Path(__file__).absolute().parents[2]
 LIBRARY = PACKAGE / "clients" / "cpp" / "include"
 HEADER = LIBRARY / "rclcpp" / "rclcpp.hpp"
-# Interfaces that come with sitegen, a folder each. What is generated from them is in ROS.
+# The interface packages that come with sitegen. The headers generated from them are in ROS.
 INTERFACES = PACKAGE / "ros" / "include"
-# Nothing in these depends on what was included before it.
+# Nothing in these headers depends on what was included before them.
 OURS = (PACKAGE / "clients" / "cpp", PACKAGE / "packages", INTERFACES)
 
 FOLDERS = ("-I", "-isystem")
-# Options with another word behind them that are of one file.
+# Options whose argument is a file of this one compilation.
 OF_ONE_FILE = ("-o", "-MT", "-MF", "-MQ")
-# Those that change nothing of rclcpp.hpp: the compiler does not warn of headers that are not the
-# author's.
+# Options that do not change the result of reading rclcpp.hpp: the compiler does not warn about
+# headers that are not the author's.
 NO_MATTER = re.compile(r"-(c|MM?D|W(?!system-headers)[^,]*|f\w+-prefix-map=.*)$")
-# Those that do something else, or change what is read.
+# Options that ask for something else, or change what is read.
 UNUSUAL = re.compile(
     r"@|-(E|S|M|MM|[xX].*|fmodules.*|include-pch|i(dirafter|macros|prefix|quote|with).*)$"
 )
 
-# What a backslash goes on with in the next line is left to the compiler.
+# Lines that continue after a backslash are left to the compiler.
 COMMENT = re.compile(r"//(?:[^\\\n]|\\(?!\s*$))*|/\*.*?\*/", re.DOTALL | re.MULTILINE)
 INCLUDE = re.compile(r'#\s*include\s*(?:"([^"]+)"|<([^>]+)>)$')
 GUARD = re.compile(r"#\s*ifndef\s+([A-Za-z]\w*)\s*\n\s*#\s*define\s+(\w+)\s*$")
@@ -47,17 +48,17 @@ GENERATED = re.compile(r"\w+/(msg|srv|action)/\w+\.hpp")
 
 @dataclass
 class Command:
-    """What a command of the compiler says."""
+    """A parsed command of the compiler."""
 
     source: Path = Path()
-    # Where headers are looked for, in this order.
+    # The folders with headers, in the order of the search.
     folders: list[Path] = field(default_factory=list)
-    # What makes one translation differ from another, besides its files.
+    # Everything besides its files that distinguishes one compilation from another.
     flags: list[str] = field(default_factory=list)
 
     @staticmethod
     def read(words: Sequence[str]) -> Command | None:
-        """Read the words after the compiler; None if they ask for anything unusual."""
+        """Parse the arguments of the compiler; return None if any of them is unusual."""
         command, sources = Command(), list[Path]()
         near, far = list[Path](), list[Path]()
         rest = iter(words)
@@ -89,16 +90,16 @@ class Command:
 
 @dataclass
 class Reader:
-    """Reads the beginning of a source as the preprocessor would."""
+    """Reads the beginning of a source file as the preprocessor does."""
 
     folders: Sequence[Path]
     ros: Path
     _read: set[Path] = field(default_factory=set)
 
     def finds(self, source: Path) -> bool:
-        """Tell whether `source` includes rclcpp.hpp before all that could make a difference.
+        """Return whether `source` includes rclcpp.hpp before anything that could make a difference.
 
-        For sources of ours, nothing does: it is enough that they include anything of rclcpp.
+        For the sources of sitegen, including any header of rclcpp is enough.
         """
         if self._reads(source):
             return True
@@ -106,7 +107,7 @@ class Reader:
         return _is_in(source, OURS) and any(_is_in(file, parts) for file in self._read)
 
     def _reads(self, file: Path) -> bool | None:
-        """Tell what comes first: rclcpp.hpp (True), something else (False), or the end (None)."""
+        """Return what comes first: rclcpp.hpp (True), something else (False), or the end (None)."""
         self._read.add(file)
         text = COMMENT.sub(" ", file.read_text(encoding="utf-8", errors="replace"))
         lines = [line.strip() for line in text.splitlines() if line.strip()]
@@ -144,13 +145,13 @@ def _is_in(file: Path, folders: Sequence[Path]) -> bool:
 
 @dataclass(frozen=True)
 class Store:
-    """Keeps what was compiled of rclcpp.hpp in `folder`, one for each set of flags."""
+    """Keeps precompiled headers in `folder`, one for each set of flags."""
 
     folder: Path
     ros: Path
 
     def find(self, compiler: str, command: Command) -> Path | None:
-        """Return what suits `command`, made if need be; None if there is no such thing."""
+        """Return the precompiled header for `command`, made if necessary; None if there is none."""
         key = hashlib.sha256("\0".join(command.flags).encode()).hexdigest()[:16]
         made = self.folder / f"{key}.pch"
         names = made.with_suffix(".names")
@@ -160,7 +161,7 @@ class Store:
                 names.write_text("\n".join(self._make(compiler, command.flags, made)))
         taken = set(names.read_text().split("\n"))
         others = set(command.folders) - set(self._folders)
-        # A header of the same name in a folder of the author's would be read instead.
+        # A header with the same name in a folder of the author's would take precedence.
         there = {entry.name for folder in others if folder.is_dir() for entry in folder.iterdir()}
         return made if made.exists() and taken.isdisjoint(there) else None
 
@@ -169,7 +170,7 @@ class Store:
         return [LIBRARY, *sorted(self.ros.iterdir()), *sorted(INTERFACES.iterdir())]
 
     def _make(self, compiler: str, flags: Sequence[str], made: Path) -> set[str]:
-        """Compile rclcpp.hpp; return the first parts of the names of all headers in it."""
+        """Precompile rclcpp.hpp; return the prefixes of the names of all headers in it."""
         draft, listed = made.with_suffix(".draft"), made.with_suffix(".d")
         work = self.ros.parent.parent
         maps = [f"-ffile-prefix-map={LIBRARY.parent}=rclcpp", f"-ffile-prefix-map={work}=build"]
@@ -215,7 +216,7 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
     """Run the compiler; return its exit code."""
     made = None
     command = Command.read(words)
-    # A compiler that fails here would only say so in other words than it is used to.
+    # If the compiler fails here, it will report the same error for the source file.
     with contextlib.suppress(OSError, ValueError):
         if command and Reader(command.folders, Path(ros)).finds(command.source):
             made = Store(Path(store), Path(ros)).find(compiler, command)
@@ -226,7 +227,7 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
     again = _run([compiler, *words])
     sys.stdout.buffer.write(again.stdout)
     if made and not again.returncode and not again.stdout:
-        # The compiler's own headers were installed again, and it wants to read them again.
+        # The compiler's own headers were installed again, which makes precompiled headers invalid.
         made.with_suffix(".names").unlink(missing_ok=True)
     return again.returncode
 

@@ -1,4 +1,4 @@
-"""Describe a C++ program to the pages that run it."""
+"""Describe a C++ program for page.json."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from sitegen.model import Artifact, Build, Node
 class CppProgram:
     """A C++ program, compiled here or elsewhere.
 
-    `builds` has one build for each of `engines`, or none if the programs were only checked.
+    `builds` has one build for each of `engines`, or is empty if the programs were only checked.
     """
 
     package: str
@@ -33,7 +33,7 @@ class CppProgram:
 
     @cached_property
     def files(self) -> Sequence[Artifact]:
-        """Return the module, the WebAssembly and, if there are any, the lines of each build."""
+        """Return the module, the WebAssembly and, with `debug`, the source lines of each build."""
         artifacts = []
         for build in self.builds:
             stem = self._stem(build.engine)
@@ -52,14 +52,14 @@ class CppProgram:
         }
 
     def types(self, node: Node) -> Mapping[str, object]:
-        """Return the message types that its WebAssembly names, none if there is none."""
+        """Return the message types that its WebAssembly names."""
         if not self.builds:
             return {}
         found: dict[str, object] = json.loads(self.builds[0].types.read_text())
         return found
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the addresses of each build."""
+        """Return the NodeEntry of `node`, with the URLs of each build."""
         return {
             "package": self.package,
             "executable": self.executable,
@@ -70,7 +70,7 @@ class CppProgram:
     def _addresses(self, engine: str, link: Callable[[str], str]) -> dict[str, str]:
         stem = link(self._stem(engine))
         version, has_lines = self._versions.get(engine, ("", False))
-        # A changed program gets another address, so that browsers may keep this one for good.
+        # The hash changes the URL with the program, so that browsers can cache it forever.
         query = f"?v={version}" if version else ""
         found = {"script": f"{stem}.js{query}", "wasm": f"{stem}.wasm{query}"}
         return found | ({"lines": f"{stem}.lines.json{query}"} if has_lines else {})

@@ -8,17 +8,18 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 DIGITS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"
-# A stretch of a program: where it begins (bytes), its source by number (-1: unknown), and its line.
+# A range of a program: its first byte, the number of its source file (-1: unknown), and its line.
 Stretch = tuple[int, int, int]
 
 
 def lines_of(source_map: Path, folders: Sequence[str]) -> dict[str, object]:
-    """Return the lines of all that is in `folders`: see Lines in runtime/workers/cpp/stackTrace.js.
+    """Return the lines of the files in `folders`: see Lines in runtime/workers/cpp/stackTrace.js.
 
-    `folders` are what compilers call those of the author; all other files are left out.
+    `folders` are the paths that the compiler was given for the author's folders; all other files
+    are left out.
     """
     data = json.loads(source_map.read_text(encoding="utf-8"))
-    # Emscripten makes them relative to the map, though they are names that compilers were told.
+    # Emscripten makes paths relative to the map, although they are names given to the compiler.
     sources = [re.sub(r"^(\.\./)+", "", source) for source in data["sources"]]
     files: dict[str, int] = {}
     at: list[int] = []
@@ -48,7 +49,7 @@ def _stretches(mappings: str) -> Iterator[Stretch]:
 
 
 def _numbers(segment: str) -> Iterator[int]:
-    """Decode base64 VLQ: five bits in each digit, the lowest first, and the sign in the first."""
+    """Decode base64 VLQ: five bits in each digit, the lowest first, the sign in the first bit."""
     value = shift = 0
     for digit in segment:
         bits = DIGITS.index(digit)

@@ -11,21 +11,21 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
-# Debian's Emscripten calls acorn, which its Node finds only here.
+# Emscripten of Debian uses acorn, which its Node finds only in this folder.
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
-# Where Debian, those who compile it, and Homebrew have Eigen.
+# The folders of Eigen in Debian, after `make install`, and in Homebrew.
 EIGEN = [Path(root, "share/eigen3/cmake") for root in ("/usr", "/usr/local", "/opt/homebrew")]
 
 
 class ToolMissingError(Exception):
-    """A tool is not installed: the message names it and says how to get it."""
+    """A tool is not installed; the message says how to install it."""
 
 
 @dataclass(frozen=True)
 class Toolchain:
-    """The tools that compile C++ for the page, and what identifies the compiler.
+    """The tools that compile C++ for the page, and the identity of the compiler.
 
-    `eigen` is the folder with CMake's package of Eigen, if its headers are installed.
+    `eigen` is the folder with the CMake package of Eigen, if its headers are installed.
     """
 
     compiler: Path
@@ -36,17 +36,17 @@ class Toolchain:
 
     @staticmethod
     def find() -> Toolchain:
-        """Look for the tools on the PATH and beside the running Python."""
+        """Find the tools on the PATH and beside the running Python."""
         compiler = _find("em++", "apt-get install emscripten, or see emscripten.org")
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
         eigen = _eigen()
-        # Another Eigen makes other programs.
+        # Programs depend on the version of Eigen.
         identity = _identity(compiler) + (f" {eigen.stat().st_mtime_ns}" if eigen else "")
         return Toolchain(compiler, cmake, ninja, identity, eigen)
 
     def run(self, *command: str | Path, flags: str = "") -> subprocess.CompletedProcess[str]:
-        """Run a tool, em++ below it with `flags`; its output, errors included, is in `stdout`."""
+        """Run a tool, em++ below it with `flags`; `stdout` has its output, errors included."""
         paths = [os.environ.get("NODE_PATH", ""), str(DEBIAN_NODE_PATH)]
         env = os.environ | {"NODE_PATH": os.pathsep.join(path for path in paths if path)}
         if flags:
@@ -63,17 +63,17 @@ class Toolchain:
 
     @property
     def platform_file(self) -> Path:
-        """Emscripten's CMake toolchain file."""
+        """The CMake toolchain file of Emscripten."""
         return home(self.compiler) / "cmake" / "Modules" / "Platform" / "Emscripten.cmake"
 
 
 def home(compiler: Path) -> Path:
-    """Return Emscripten's folder: `em++` on the PATH is in it or links to it."""
+    """Return the folder of Emscripten: `em++` on the PATH is in it or links to it."""
     return compiler.resolve().parent
 
 
 def _find(name: str, how: str) -> Path:
-    # A virtual environment that is not activated has its scripts off the PATH.
+    # The scripts of a virtual environment that is not activated are not on the PATH.
     found = shutil.which(name) or shutil.which(name, path=sysconfig.get_path("scripts"))
     if not found:
         raise ToolMissingError(f"{name} not found ({how})")
@@ -81,7 +81,7 @@ def _find(name: str, how: str) -> Path:
 
 
 def _eigen() -> Path | None:
-    """Return where CMake's package of Eigen is: from PyPI, or where systems have it."""
+    """Return the folder of the CMake package of Eigen, from PyPI or from the system."""
     folders = [*EIGEN]
     with contextlib.suppress(metadata.PackageNotFoundError):
         place = metadata.distribution("cmeel-eigen").locate_file("cmeel.prefix/share/eigen3/cmake")
@@ -90,7 +90,7 @@ def _eigen() -> Path | None:
 
 
 def _identity(compiler: Path) -> str:
-    """Tell one compiler from another without the fifth of a second that asking it takes."""
+    """Return a value that identifies the compiler; asking it would take a fifth of a second."""
     version = home(compiler) / "emscripten-version.txt"
     text = version.read_text().strip() if version.exists() else ""
     return f"{text} {compiler.stat().st_mtime_ns}"

@@ -1,4 +1,4 @@
-"""Turn compiled nodes into an archive for other sites, and unpack untrusted archives.
+"""Pack compiled nodes into an archive for other sites, and unpack untrusted archives.
 
 `manifest.json` in an archive lists its nodes; all other file names follow from their names.
 """
@@ -19,11 +19,11 @@ from typing import Any
 from sitegen import __version__
 from sitegen.model import Build
 
-# Increased when nodes need a different page: host.h, the worker and the graph depend on it.
+# Increased when compiled nodes need a different page: it covers host.h, the worker and the graph.
 FORMAT = 1
 MANIFEST = "manifest.json"
 ENGINES = ("jspi", "asyncify")
-# The largest archive, and what it may become.
+# The maximum sizes of an archive, packed and unpacked.
 LARGEST, LARGEST_UNPACKED = 200_000_000, 800_000_000
 MOST_NODES = 1000
 PACKAGE = re.compile(r"[A-Za-z][\w-]{0,99}", re.ASCII)
@@ -37,7 +37,7 @@ class ArchiveError(Exception):
 
 @dataclass(frozen=True)
 class Member:
-    """A node of an archive, with its compiled forms where they were unpacked."""
+    """A node of an archive, and its unpacked builds."""
 
     package: str
     executable: str
@@ -45,7 +45,7 @@ class Member:
 
 
 def pack(builds: Mapping[tuple[str, str], Sequence[Build]], to: Path) -> None:
-    """Write an archive of nodes; the same nodes always make the same bytes."""
+    """Write an archive of nodes; the same nodes always result in the same bytes."""
     nodes = [
         {"package": package, "executable": executable, "engines": [form.engine for form in forms]}
         for (package, executable), forms in sorted(builds.items())
@@ -118,7 +118,7 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
     }
     folders = {f"{package}/" for package, _, _ in nodes}
     for entry in entries:
-        # Its other bits say what it is, where it was packed on Unix.
+        # The upper bits are the type of the file, if it was packed on Unix.
         kind = stat.S_IFMT(entry.external_attr >> 16)
         is_file = kind in (0, stat.S_IFREG) and entry.filename in wanted
         if not is_file and not (kind in (0, stat.S_IFDIR) and entry.filename in folders):
@@ -137,7 +137,7 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
 
 
 def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, most: int) -> bytes:
-    # What its head says of its size need not be true.
+    # The size in the header may be wrong.
     with archive.open(entry) as file:
         data = file.read(most + 1)
     if len(data) > most:

@@ -1,4 +1,4 @@
-"""Turn the archives of prebuilt programs into the builds that nodes name."""
+"""Find the builds of prebuilt programs in their archives."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Builds = Mapping[tuple[str, str], Sequence[Build]]
 
 
 def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
-    """Return the site with what archives say about its nodes, and the builds of those.
+    """Return the site with the nodes that its archives contain, and the builds of these nodes.
 
-    Raises: SiteError if archives cannot be read, or do not contain the nodes that the site names.
+    Raises: SiteError if an archive cannot be read, or does not contain a node that the site names.
     """
     problems = Problems(site.root)
     nodes = [node for page in site.pages for node in page.nodes.values()]
@@ -65,7 +65,7 @@ def _named(node: Node, found: Mapping[Prebuilt, Node]) -> Node:
 def _unpacked(
     given: Prebuilt, root: Path, cache: Path, problems: Problems, report: Report
 ) -> Path | None:
-    """Return where the archive is unpacked; its hash is that of the author, or its own."""
+    """Return the folder of the unpacked archive, which is named by its hash."""
     try:
         if isinstance(given.source, Path):
             name, file = given.source.relative_to(root).as_posix(), given.source

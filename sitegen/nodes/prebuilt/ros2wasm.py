@@ -1,4 +1,4 @@
-"""Describe the programs of the ROS2WASM project to the pages that run them."""
+"""Describe ROS2WASM programs for page.json."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sitegen.interfaces import messages
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Artifact, Node, Ros2wasm, Site
 
-# The page publishes on /rosout what such a program logs.
+# The page publishes the log of such a program on /rosout.
 LOG = "rcl_interfaces/msg/Log"
 
 
@@ -32,7 +32,7 @@ class Ros2wasmProgram:
 
     @property
     def files(self) -> Sequence[Artifact]:
-        """Return its files, with their paths unchanged, because they refer to each other."""
+        """Return its files at unchanged paths, because they refer to each other."""
         return [Artifact(self._path(file), file) for file in self.program.files]
 
     @property
@@ -45,7 +45,7 @@ class Ros2wasmProgram:
         return self.messages
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the address of its script."""
+        """Return the NodeEntry of `node`, with the URL of its script."""
         return {
             "package": "ros2wasm",
             "executable": self.program.script.name,
@@ -64,7 +64,7 @@ class Ros2wasmProgram:
 def ros2wasm_programs(
     site: Site, nodes: Sequence[Node], *, cache: Path
 ) -> dict[tuple[str, ...], Ros2wasmProgram]:
-    """Return those programs of `nodes` that the ROS2WASM project compiled.
+    """Return the programs among `nodes` that the ROS2WASM project compiled.
 
     Raises: SiteError if interface definitions of the workspace are wrong.
     """
@@ -80,7 +80,7 @@ def ros2wasm_programs(
 
 
 def _parts(program: Ros2wasm) -> Iterator[str]:
-    """Yield the messages that travel on the topics and services of `program`."""
+    """Yield the message types of the topics and services of `program`."""
     yield LOG
     for name in program.types.values():
         parts = ("_Request", "_Response") if "/srv/" in name else ("",)

@@ -1,4 +1,4 @@
-"""Turn Python nodes into archives that their pages unpack: rclpy for all, and each package."""
+"""Pack Python programs into archives that pages unpack: one for rclpy, one for each package."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
 
 KINDS = ("msg", "srv", "action")
-# What is most likely to be typed at a prompt.
+# The interfaces that are most likely to be typed at a prompt.
 TYPED = (
     "import example_interfaces.msg, example_interfaces.srv, geometry_msgs.msg, std_msgs.msg, "
     "std_srvs.srv"
 )
-# What every node of rclpy has in the graph, beside what its program makes.
+# The interfaces that every rclpy node uses, besides those of its program.
 SERVICES = (
     *("DescribeParameters", "GetParameterTypes", "GetParameters", "ListParameters"),
     *("SetParameters", "SetParametersAtomically"),
@@ -36,21 +36,21 @@ OF_RCLPY = {
     "type_description_interfaces/srv/GetTypeDescription",
 }
 COMMON = "nodes/ros.zip"
-# Our arrays by the name of numpy, for programs that need no more of it.
+# sitegen's arrays under the name of numpy, for programs that need no more of it.
 NUMPY = "nodes/numpy.zip"
 ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
 NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
-# What Pyodide brings beside Python itself.
+# The modules that Pyodide has besides those of Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
 
 
 @dataclass(frozen=True)
 class Bundles:
-    """The archives of a site's Python nodes, by their path.
+    """The archives of a site's Python nodes, by path.
 
-    `needed` has the paths of those that a program needs, by package and executable, `own` names the
-    modules of the workspace among them; `types` has the message types of each package's nodes.
+    `needed` has the paths of the archives of each program, by package and executable; `own` names
+    the modules of the workspace in them; `types` has the message types of each package's nodes.
     """
 
     archives: Mapping[str, bytes] = field(default_factory=dict)
@@ -62,7 +62,7 @@ class Bundles:
 def python_programs(
     site: Site, nodes: Sequence[Node], *, cache: Path, say: Callable[[str], None]
 ) -> dict[tuple[str, ...], PythonProgram]:
-    """Return those programs of `nodes` that are written in Python.
+    """Return the Python programs among `nodes`.
 
     Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
     """
@@ -85,10 +85,9 @@ def python_programs(
 def bundle(
     site: Site, nodes: Iterable[Node], *, cache: Path, say: Callable[[str], None] = lambda _: None
 ) -> Bundles:
-    """Return the archives for those of `nodes` that are Python's.
+    """Return the archives of the Python programs among `nodes`.
 
-    Raises a SiteError that says what is wrong with the definitions of the workspace, or which
-    modules are missing.
+    Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
     """
     programs = {(node.package, node.executable) for node in nodes if isinstance(node.kind, Python)}
     if not programs:
@@ -132,7 +131,7 @@ def _own(package: str) -> str:
 
 
 def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
-    """Return the modules that a node imports in every run, and that no page has by itself.
+    """Return the modules that a node always imports and that no page has by default.
 
     `packages` are those of the workspace and those that come with sitegen.
     """
@@ -153,7 +152,7 @@ def _wanted(
     needs: Mapping[str, Sequence[Package]],
     common: Iterable[str],
 ) -> dict[tuple[str, str], dict[str, imports.Import]]:
-    """Return the modules that each program imports and that are not on every page."""
+    """Return the modules that each program imports and that not every page has."""
     there = {path.split("/")[1].removesuffix(".py") for path in common}
     there |= sys.stdlib_module_names | IN_THE_PAGE
     found = {}
@@ -166,7 +165,7 @@ def _wanted(
 
 
 def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:
-    """Return the files that a program of the last of `packages` has, and where it begins."""
+    """Return the files of a program of the last of `packages`, and its entry point."""
     setups = [each.setup for each in packages if each.setup]
     files = {path: file for setup in setups for path, file in setup.files.items()}
     return files, setups[-1].scripts[executable]
@@ -175,7 +174,7 @@ def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Pa
 def _content_with_ours(
     wanted: Mapping[tuple[str, str], Iterable[str]], needs: Mapping[str, Sequence[Package]]
 ) -> set[tuple[str, str]]:
-    """Return those programs that use no more of numpy than our arrays have."""
+    """Return the programs for which sitegen's arrays can stand in for numpy."""
     return {
         (package, executable)
         for (package, executable), modules in wanted.items()
@@ -185,14 +184,14 @@ def _content_with_ours(
 
 
 def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files of a package and of those that it needs, by path."""
+    """Yield the files of a package and of the packages that it needs, by path."""
     for package in packages:
         for path, file in (package.setup.files if package.setup else {}).items():
             yield path, file.read_bytes()
 
 
 def _rclpy() -> dict[str, bytes]:
-    """Return rclpy with all that it imports but message classes, by path."""
+    """Return rclpy and all modules that it imports, except message classes, by path."""
     given = {share.name for share in generator.shares([ROS])}
     return {
         path: content for path, content in bytecode.brought() if path.split("/")[1] not in given
@@ -216,7 +215,7 @@ def _classes(packages: Iterable[str], prefix: Path) -> Iterator[tuple[str, bytes
 
 
 def _named(packages: Iterable[Package]) -> Iterator[str]:
-    """Yield the packages whose messages `packages` may use: declared, or imported all the same."""
+    """Yield the packages whose messages `packages` may use: declared or imported ones."""
     for package in packages:
         yield package.name
         yield from package.depends
@@ -237,7 +236,7 @@ def _sources(package: Package) -> Iterator[str]:
 
 
 def _with_nested(names: Iterable[str], prefix: Path) -> list[str]:
-    """Return those of `names` that define interfaces, and all whose messages they nest."""
+    """Return those of `names` that define interfaces, and all packages nested in these."""
     shares = _shares(prefix)
     found: set[str] = set()
     waiting = list(names)
@@ -254,7 +253,7 @@ def _with_nested(names: Iterable[str], prefix: Path) -> list[str]:
 
 
 def _types(packages: Iterable[Package], prefix: Path) -> dict[str, MessageType]:
-    """Return the message types that the modules of `packages` import, with all that they nest."""
+    """Return the message types that modules of `packages` import, and the types nested in them."""
     shares = _shares(prefix)
     names = set(OF_RCLPY)
     for package in packages:
@@ -268,7 +267,7 @@ def _types(packages: Iterable[Package], prefix: Path) -> dict[str, MessageType]:
 
 
 def _imported(text: str, shares: Mapping[str, Path]) -> Iterator[str]:
-    """Yield the interfaces that a module imports; all of a package that it imports as a whole."""
+    """Yield the interfaces that a module imports; for a package imported as a whole, all of it."""
     try:
         tree = ast.parse(text)
     except SyntaxError:

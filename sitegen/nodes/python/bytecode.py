@@ -1,6 +1,7 @@
-"""Bring the bytecode of the Python modules that pages load, which was made with sitegen itself.
+"""Add bytecode to the Python modules that pages load.
 
-It belongs to the Python of pages, which hatch_build.py runs in Node.js. Builds run with any Python.
+It was compiled when sitegen was built, by the Python of pages (hatch_build.py runs it in Node.js).
+Builds of sites run with any Python.
 """
 
 from __future__ import annotations
@@ -15,23 +16,23 @@ from sitegen.shipped import CLIENTS, ROS
 
 CLIENT = CLIENTS / "python"
 PAGE = ROS / "page"
-# By digests of the module and its place, so that a module that has changed has none.
+# By a digest of the module and its path: a module that has changed has no bytecode.
 STORE = ROS / "bytecode.zip"
-# What pages need of what generators need too: of the parser only the types of slots.
+# The modules of the generators that pages need, too: of the parser, only the types of slots.
 SHARED = (
     *("rosidl_parser/__init__.py", "rosidl_parser/definition.py", "rpyutils/__init__.py"),
     *("rpyutils/add_dll_directories.py", "rpyutils/import_c_library.py"),
 )
-# As Python calls such files: that of pages is 3.14.
+# The suffix of bytecode files of the Python in pages, which is 3.14.
 TAG = "cpython-314"
-# Generated classes have fixed arrays of numbers in numpy's.
+# Generated classes use numpy for their fixed-size arrays of numbers.
 NUMPY = re.compile(rb"^import numpy\b", re.MULTILINE)
 OUR_NUMPY = b"from rclpy_backend.arrays import numpy"
 GENERATED = re.compile(r"python/(?!rclpy/)\w+/(msg|srv|action)/\w+\.py")
 
 
 def brought() -> Iterator[tuple[str, bytes]]:
-    """Yield what sitegen has for pages of Python, message classes and all, by path."""
+    """Yield the Python modules for pages that come with sitegen, with messages, by path."""
     for file in sorted(PAGE.rglob("*")):
         if file.is_file():
             yield f"python/{file.relative_to(PAGE).as_posix()}", with_our_numpy(file.read_bytes())
@@ -44,14 +45,14 @@ def brought() -> Iterator[tuple[str, bytes]]:
 
 
 def modules() -> list[str]:
-    """Return the names of these modules, without what is below them."""
+    """Return the names of these modules, without the modules nested in them."""
     return [file.name for folder in (PAGE, CLIENT) for file in folder.iterdir()] + [
         name.split("/")[0] for name in SHARED
     ]
 
 
 def with_our_numpy(module: bytes) -> bytes:
-    """Let a generated module import numpy only where the site has it."""
+    """Let a generated module import numpy only if the site has it."""
     return NUMPY.sub(OUR_NUMPY, module)
 
 
@@ -61,9 +62,9 @@ def key(path: str, module: bytes) -> str:
 
 
 def added(files: Mapping[str, bytes]) -> dict[str, bytes]:
-    """Return `files`, with bytecode beside those modules that have some.
+    """Return `files` with bytecode added to the modules that have some.
 
-    It replaces generated classes, whose lines nobody looks for in a traceback.
+    For generated classes, whose lines do not appear in tracebacks, it replaces the source.
     """
     found = {}
     known = _known()

@@ -20,13 +20,13 @@ from sitegen.nodes.python.imports import Import
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.shipped import VENDOR
 
-# The packages of the Pyodide distribution, with their hashes.
+# The index of the Pyodide distribution: its packages and their hashes.
 DISTRIBUTION = VENDOR / "pyodide-packages.json"
 PURE = "-none-any.whl"
 LARGEST = 100_000_000
 # Packages that every page has, because rclpy needs them.
 THERE = {"pyyaml", "typing-extensions"}
-# The prefix of ROS packages on PyPI, which come with rclpy and the messages.
+# The prefix of ROS packages on PyPI; pages have these with rclpy and the messages.
 OF_ROS = "ros-"
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
 POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
@@ -45,8 +45,8 @@ def collect(
 ) -> dict[Program, list[Wheel]]:
     """Return the wheels that each program needs.
 
-    `wanted` maps each program to the modules that it imports from elsewhere. Modules that are
-    imported only conditionally and cannot be found are reported by `say`.
+    `wanted` maps each program to the modules that it imports from elsewhere. `say` reports modules
+    that are imported only conditionally and cannot be found.
 
     Raises: SiteError if modules or wheels cannot be found, with the line of each import.
     """
@@ -61,7 +61,7 @@ def collect(
         for module, (location, sure) in modules.items():
             report = problems if sure else notes
             if module in given:
-                # What one of them needs is among them, or the build has said so.
+                # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
                 report.add(location, f"import {module}", _unavailable(module, origins, lock))
@@ -95,7 +95,7 @@ def _unavailable(module: str, origins: Mapping[str, str], lock: Mapping[str, Any
 
 
 def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:
-    """Return the wheels that the author pinned, with what they need of the distribution."""
+    """Return the wheels that the author pinned, and those of the distribution that they need."""
     file = site.pyodide.requirements
     if file is None:
         return []
@@ -123,7 +123,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
 
 
 def _line(file: Path, package: str) -> int:
-    """Return where a file of requirements names `package`."""
+    """Return the location of `package` in a requirements file."""
     lines = file.read_text(encoding="utf-8").splitlines()
     names = (canonicalize_name(re.split(r"[\[=; ]", line.strip())[0]) for line in lines)
     return next((n for n, name in enumerate(names, 1) if name == package), 1)

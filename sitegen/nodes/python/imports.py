@@ -1,4 +1,4 @@
-"""Read what a Python program imports, through the modules of its own that it imports."""
+"""Find the modules that a Python program imports, directly or through its own modules."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ from typing import NamedTuple
 
 from sitegen.errors import Location
 
-# Who catches one of these can do without the module.
+# A program that catches one of these exceptions works without the module.
 CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
 
 
 class Import(NamedTuple):
-    """Where a module is imported, and whether every run comes there: not in an if of a function."""
+    """The location of an import, and whether it always runs: not if it is conditional."""
 
     location: Location
     sure: bool
 
 
 def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
-    """Return the modules from elsewhere that a program asks for and does not do without.
+    """Return the modules from elsewhere that a program requires.
 
-    `files` are those of its package and of the packages that it needs, by their place below the
+    `files` are the files of its package and of the packages that it needs, by path below the
     prefix; `program` is an entry point ("module:function") or the path of a file.
     """
     return _walk(files, program)[0]
 
 
 def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
-    """Return these modules, and the files of the program's own."""
+    """Return the modules from elsewhere, and the files of the program's own modules."""
     modules = {_name(path): file for path, file in files.items() if _is_module(path)}
     found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
@@ -47,7 +47,7 @@ def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], l
 
 
 def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
-    """Return the names of `module` that a program uses, with "*" where that is not clear."""
+    """Return the names of `module` that a program uses, with "*" if that cannot be determined."""
     found: set[str] = set()
     for file in _walk(files, program)[1]:
         try:
@@ -69,7 +69,7 @@ def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
         of = [node for node in ast.walk(tree) if isinstance(node, ast.Attribute)]
         of = [node for node in of if isinstance(node.value, ast.Name) and node.value.id in known]
         found |= {node.attr for node in of}
-        # Handed on as a whole, nobody knows what it is used for.
+        # The module is passed on as a whole, so its uses cannot be determined.
         if len(of) < sum(node.id in known for node in names):
             found.add("*")
     return found
@@ -91,7 +91,7 @@ def _sort(
     waiting: list[str],
     found: dict[str, Import],
 ) -> None:
-    """Put what one module imports where it belongs: `waiting` if it is the program's own."""
+    """Classify the imports of one module; the program's own modules are added to `waiting`."""
     package = name if file.name == "__init__.py" else name.rpartition(".")[0]
     for imported, line, sure in _imports(file, package):
         above = imported.split(".")
@@ -106,7 +106,10 @@ def _sort(
 
 
 def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
-    """Yield whole names of modules, and of what may be one, their lines, and whether for sure."""
+    """Yield the full names of imported modules, their lines, and whether they always run.
+
+    A name imported from a package may be a module or not.
+    """
     try:
         tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
     except (SyntaxError, ValueError):
@@ -126,7 +129,7 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
 def _unconditional(
     tree: ast.AST, *, within: bool = False, sure: bool = True
 ) -> Iterator[tuple[ast.AST, bool]]:
-    """Yield the nodes below `tree`, but what is for type checkers or may fail, and if for sure.
+    """Yield the nodes below `tree` that are not type checks, and whether they always run.
 
     `within` says whether `tree` is in a function.
     """

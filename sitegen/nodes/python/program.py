@@ -1,4 +1,4 @@
-"""Describe a Python program to the pages that run it."""
+"""Describe a Python program for page.json."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Archive:
 
     @cached_property
     def version(self) -> str:
-        """Return a digest of its bytes."""
+        """Return a digest of the archive."""
         return hashlib.sha256(self.data).hexdigest()[:10]
 
 
@@ -29,7 +29,7 @@ class PythonProgram:
     """A Python program.
 
     `target` is its entry point ("module:function") or the path of its script; `archives` are
-    unpacked in this order; `modules` names those of the workspace among them; `messages` are the
+    unpacked in this order; `modules` names the modules of the workspace in them; `messages` are the
     message types that it may use.
     """
 
@@ -67,10 +67,10 @@ class PythonProgram:
         return self.messages
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the addresses of its archives."""
+        """Return the NodeEntry of `node`, with the URLs of its archives."""
         module, _, attribute = self.target.partition(":")
         python = {
-            # A changed archive gets another address, so that browsers may keep this one for good.
+            # The digest changes the URL with the archive, so that browsers can cache it forever.
             "bundles": [f"{link(one.path)}?v={one.version}" for one in self.archives],
             "size": download_size() + self._archived,
             "module": module,

@@ -1,4 +1,4 @@
-"""Know the Pyodide that pages load: its files, its Python, its platform."""
+"""The Pyodide that pages load: its files, its version of Python, its platform."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ def files() -> Sequence[Path]:
 
 @cache
 def download_size() -> int:
-    """Return how many bytes of them a page reports progress for: all but the modules."""
+    """Return the size of the files whose progress a page shows: all except modules."""
     return sum(file.stat().st_size for file in files() if file.suffix != ".mjs")
 
 
 @cache
 def python_version() -> str:
-    """Return the version of its Python: major and minor, like 3.14."""
+    """Return the version of its Python, major and minor, such as 3.14."""
     version: str = _info()["python"]
     return version.rpartition(".")[0]
 
 
 @cache
 def platform() -> str:
-    """Return the platform tag of wheels that are compiled for it."""
+    """Return the platform tag of the wheels that are compiled for it."""
     return f"pyemscripten_{_info()['abi_version']}_{_info()['arch']}"
 
 

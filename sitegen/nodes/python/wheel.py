@@ -1,4 +1,4 @@
-"""Turn a wheel into an archive of its files where the page has modules."""
+"""Turn a wheel into an archive with the layout of the modules in a page."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from sitegen.nodes.python import pyodide
 
 @dataclass(frozen=True)
 class Wheel:
-    """Files that are installed together: the modules that can be imported, and the archive.
+    """An installed unit: its archive, and the modules that can be imported from it.
 
-    `package` and `needs` are names as indices of packages compare them.
+    `package` and `needs` are normalized names of packages.
     """
 
     name: str
@@ -30,7 +30,7 @@ class Wheel:
 
     @property
     def package(self) -> str:
-        """What it is a wheel of."""
+        """The name of its package."""
         return canonicalize_name(self.name.partition("-")[0])
 
 

@@ -1,4 +1,4 @@
-"""Turn the files of a site into its service worker, which knows each by its hash."""
+"""Write the service worker of a site, which knows every file by its hash."""
 
 from __future__ import annotations
 
@@ -15,21 +15,22 @@ from sitegen.model import Artifact, Site
 PATH = "sw.js"
 HERE = Path(__file__).parent
 RETIRED = (HERE / "retired.js").read_bytes()
-# A site up to this size (bytes) is kept as a whole; of a larger one, programs and images come with
-# the first page that needs them.
+# A site up to this size in bytes is cached as a whole; the programs and images of a larger site are
+# cached with the first page that needs them.
 WHOLE = 8_000_000
 LATER = ("nodes/", "ros2wasm/", "media/", "runtime/vendor/pyodide/")
-# Nobody looks at these in a browser that has no network.
+# Files that are useless without a network.
 LEFT_OUT = {".nojekyll", "CNAME", "feed.xml", "robots.txt", "sitemap.xml"}
 SOURCE = re.compile(r'\s(?:src|poster)="([^"]+)"')
 
 
 def artifacts(site: Site, made: Iterable[Artifact]) -> list[Artifact]:
-    """Return the service worker for all files of a site, if it is to have one."""
+    """Return the service worker for all files of a site, if the site has one."""
     if site.offline is None and site.isolate is None:
         return []
     if not site.offline and not site.isolate:
-        # Visitors who have one from before would keep its pages for good.
+        # Visitors of an earlier version have its service worker, which would serve the old pages
+        # forever.
         return [Artifact(PATH, RETIRED)]
     if not site.offline:
         return [Artifact(PATH, _written({"isolate": True}, "passing.js"))]
@@ -61,7 +62,7 @@ def _written(build: Mapping[str, object], *names: str) -> bytes:
 
 
 def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequence[str]:
-    """Return those files that come later which the page at `path` needs."""
+    """Return the files that the page at `path` needs and that are not cached with the site."""
     if not later:
         return []
     addresses = SOURCE.findall(contents[pagepath.file_of(path)].decode())
@@ -81,7 +82,7 @@ def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequenc
 
 
 def _inside(path: str, address: str) -> str:
-    """Return the path inside `dist/` that an address of the page at `path` means."""
+    """Return the path inside `dist/` for a URL in the page at `path`."""
     base = "http://site/"
     return unquote(urlsplit(urljoin(f"{base}{path}", address)).path).removeprefix("/")
 

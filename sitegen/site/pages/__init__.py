@@ -1,4 +1,4 @@
-"""Turn the Site's pages into HTML, one page.json for each that runs nodes, and their files."""
+"""Turn the pages of a Site into HTML, a page.json for each page with nodes, and other files."""
 
 from sitegen.site.pages.render import Rendered, Renderer, render
 

@@ -1,10 +1,10 @@
-"""Say what a visitor can do on a page, by its widgets."""
+"""Determine what a visitor can do on a page, from its widgets."""
 
 from __future__ import annotations
 
 from sitegen.model import Page, Widget
 
-# What widgets let visitors do, the most telling first; with none of these, they can "watch". The
+# What widgets let visitors do, the most important first; with other widgets, they can "watch". The
 # words are in the texts of themes.
 ABILITIES = {
     "edit": {"editor"},
@@ -15,7 +15,7 @@ ABILITIES = {
     "call": {"services"},
     "look": {"topics", "nodes", "graph", "log"},
 }
-# More than these would not be read.
+# A longer list would not be read.
 MOST = 3
 
 

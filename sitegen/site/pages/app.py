@@ -1,4 +1,4 @@
-"""Make a site one that can be installed: its manifest and its icons."""
+"""Make a site installable as an app: its manifest and its icons."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 MANIFEST = "manifest.webmanifest"
 PAPER = "#ffffff"
 SIZES = (192, 512)
-# Of an icon that a device cuts to its own shape, this part is always seen.
+# The part of an icon that is visible on every device, whatever shape it is cut to.
 SAFE = 0.8
 
 
 def artifacts(site: Site) -> list[Artifact]:
-    """Return the manifest and the icons, if the site works without a network."""
+    """Return the manifest and the icons of a site that works without a network."""
     if not site.offline:
         return []
     icons = [(size, purpose) for size in SIZES for purpose in ("any", "maskable")]
@@ -54,7 +54,7 @@ def artifacts(site: Site) -> list[Artifact]:
 
 def _drawn(site: Site, size: int, purpose: str) -> bytes:
     logo = site.look.logo
-    # Pillow draws no SVG.
+    # Pillow cannot draw SVG.
     if logo and logo.suffix.lower() != ".svg":
         return _png_of_logo(logo, size, purpose)
     return _png_of_letters(_initials(site.title), site.look.accent or ACCENT, size, purpose)
@@ -70,7 +70,7 @@ def _initials(title: str) -> str:
 def _png_of_letters(letters: str, accent: str, size: int, purpose: str) -> bytes:
     from PIL import Image, ImageDraw
 
-    # Drawn larger, so that corners become smooth.
+    # Drawn larger and reduced, which smooths the corners.
     large = 2 * size
     image = Image.new("RGBA", (large, large), (0, 0, 0, 0))
     draw = ImageDraw.Draw(image)

@@ -1,4 +1,4 @@
-"""Turn the content of a page into what the template shows: text, and rows of panels."""
+"""Turn the content of a page into the blocks that the template shows: text and rows of panels."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from sitegen.site.prose import Prose
 
 @dataclass(frozen=True)
 class Slot:
-    """The place of a widget in the page: the `id` of its element, which page.json names too."""
+    """The place of a widget in the page: the `id` of its element, which page.json refers to."""
 
     id: str
     kind: str
@@ -25,9 +25,9 @@ class Slot:
 
 @dataclass(frozen=True)
 class Panel:
-    """Neighbouring widgets of one node, shown as one thing, or one that is about all nodes.
+    """Neighbouring widgets of one node, shown as one panel, or a widget about all nodes.
 
-    `source` is the HTML of a file that stands beside them; there may be no slots then.
+    `source` is the HTML of a source file beside them; there may be no slots then.
     """
 
     title: str
@@ -39,7 +39,7 @@ class Panel:
 class ShownCell:
     """A cell of a layout, ready to be shown: `title` and `size` are those of the Cell.
 
-    `id` is that of its tab, if it has one.
+    `id` is the id of its tab, if it has one.
     """
 
     blocks: tuple[Block, ...]
@@ -50,7 +50,7 @@ class ShownCell:
 
 @dataclass(frozen=True)
 class Block:
-    """A stretch of the page: text, a row of panels, or a layout of the kind `layout`."""
+    """A block of the page: text, a row of panels, or a layout of the kind `layout`."""
 
     html: str = ""
     panels: tuple[Panel, ...] = ()
@@ -59,7 +59,7 @@ class Block:
 
 
 def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Block]:
-    """Return the content in its order; widgets in a row stand beside each other."""
+    """Return the blocks of the content, in order; widgets in a row are shown side by side."""
     slots = {id(widget): slot for widget, slot in slots_of(page)}
     numbers = itertools.count(1)
 
@@ -88,7 +88,7 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
 
 
 def flat(blocks: Iterable[Block]) -> Iterator[Block]:
-    """Yield the text and the rows of panels of `blocks`, those in layouts too."""
+    """Yield the text and the rows of panels of `blocks`, including those in layouts."""
     for block in blocks:
         if block.layout:
             for cell in block.cells:
@@ -98,9 +98,10 @@ def flat(blocks: Iterable[Block]) -> Iterator[Block]:
 
 
 def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
-    """Yield the widgets of a page with their places.
+    """Yield the widgets of a page with their slots.
 
-    The id of a place says what is there, so that it stays the same when others come and go.
+    The id of a slot describes its widget, so it stays the same when other widgets are added or
+    removed.
     """
     counts: Counter[str] = Counter()
     for widget in page.leaves:

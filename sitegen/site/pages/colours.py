@@ -1,17 +1,17 @@
-"""Turn the one colour that an author gives into two that can be read: on white, and on black."""
+"""Derive two readable colours from the author's: one for light paper and one for dark."""
 
 from __future__ import annotations
 
 import colorsys
 
-# The papers of the default theme that text in the accent stands on, the one hardest to read.
+# The backgrounds of the default theme on which text in the accent colour is hardest to read.
 LIGHT, DARK = "#e6eaf4", "#232a3d"
-# WCAG AA, with a little to spare for tints.
+# WCAG AA, with a margin for tints.
 CONTRAST = 4.6
 
 
 def shades(colour: str) -> tuple[str, str]:
-    """Return `colour`, #rrggbb, as dark as text on light paper needs, and as light as on dark."""
+    """Return `colour`, #rrggbb, darkened for text on light paper and lightened for dark paper."""
     return _readable(colour, LIGHT, -0.01), _readable(colour, DARK, 0.01)
 
 

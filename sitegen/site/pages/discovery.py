@@ -1,4 +1,4 @@
-"""Write what helps others to find the pages: sitemap.xml, robots.txt, and a feed."""
+"""Write the files by which pages are found: sitemap.xml, robots.txt, and a feed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ XML = '<?xml version="1.0" encoding="utf-8"?>\n'
 
 
 def artifacts(site: Site, changed: Mapping[Path, str]) -> list[Artifact]:
-    """Return the files of a site whose address is known; `changed` has the day of each source."""
+    """Return these files if the URL of the site is known; `changed` has the day of each source."""
     if not site.url:
         return []
     found = [
@@ -41,7 +41,7 @@ def _sitemap(site: Site, changed: Mapping[Path, str]) -> str:
 
 
 def _feed(site: Site) -> str:
-    """Return the pages with a date as an Atom feed, the newest first."""
+    """Return an Atom feed of the pages with a date, the newest first."""
     dated = sorted((page for page in site.pages if page.date), key=lambda page: page.path)
     dated = sorted(dated, key=lambda page: page.date, reverse=True)[:NEWEST]
     newest = dated[0].date if dated else "1970-01-01"

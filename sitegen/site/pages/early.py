@@ -1,4 +1,4 @@
-"""Find what the HTML of a page asks for itself, so that nodes start as soon as possible."""
+"""Find the URLs that the HTML of a page requests at once, so that nodes start soon."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from sitegen.site.prose import address
 
 @dataclass(frozen=True)
 class Early:
-    """A program that starts by itself: the addresses of one of its builds."""
+    """A program that starts with the page: the URLs of one of its builds."""
 
     engine: str
     script: str
@@ -23,9 +23,9 @@ class Early:
 def modules(
     site: Site, page: Page, programs: Programs, entry: Mapping[str, Any] | None
 ) -> list[str]:
-    """Return the addresses of the modules that `page` runs or starts workers with.
+    """Return the URLs of the modules that `page` runs or starts workers with.
 
-    They would otherwise be asked for one after the other.
+    Otherwise the browser would discover and request them one after the other.
     """
     if not entry:
         return []
@@ -36,7 +36,7 @@ def modules(
 
 
 def programs(entry: Mapping[str, Any] | None) -> list[Early]:
-    """Return the builds of the C++ programs that start by themselves."""
+    """Return the builds of the C++ programs that start with the page."""
     nodes = entry["nodes"].values() if entry else ()
     found = (
         Early(engine, build["script"], build["wasm"])

@@ -1,4 +1,4 @@
-"""Find the files that the editors of a page are about."""
+"""Find the files that the editors of a page edit."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ _LARGEST = 200_000
 
 
 def edited(site: Site, page: Page, problems: Problems) -> dict[str, dict[str, str]]:
-    """Return where the file of each editor is installed, its name and its text, by the slot's id.
+    """Return, by slot id, the installed path, the name and the text of each editor's file.
 
-    What is wrong with one is noted.
+    Errors are reported.
     """
     found = {}
     for widget, slot in slots_of(page):
@@ -56,7 +56,7 @@ def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[st
 
 
 def _main(setup: Setup, node: Node, package: Package) -> str:
-    """Return the file that the executable of a node is made of."""
+    """Return the file with the entry point of a node's executable."""
     module, _, attribute = setup.scripts[node.executable].partition(":")
     if not attribute:
         return relative(setup.files[module], package.path)

@@ -1,4 +1,4 @@
-"""Write page.json: what the page runs, as protocol.js describes it."""
+"""Write page.json, which describes what the page runs (see protocol.js)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from sitegen.site.prose import address
 def page_entry(
     site: Site, page: Page, programs: Programs, edited: Mapping[str, Mapping[str, str]]
 ) -> dict[str, Any]:
-    """Return the page's PageEntry; `edited` has the files of its editors, by their slots."""
+    """Return the page's PageEntry; `edited` has the files of its editors by slot id."""
     link = partial(address, page)
     waiting = {
         widget.target
@@ -52,5 +52,5 @@ def page_entry(
 
 
 def written(entry: Mapping[str, Any]) -> bytes:
-    """Return a PageEntry as page.json has it."""
+    """Return a PageEntry as the text of page.json."""
     return json.dumps(entry, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()

@@ -1,4 +1,4 @@
-"""Say when the source of a page last changed, and where it can be edited."""
+"""Find the day on which the source of a page last changed, and the link to edit it."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from urllib.parse import quote, urlsplit
 
 from sitegen.model import Page, Site
 
-# What stands between the address of a repository and the branch, where pages are edited.
+# The path between a repository and a branch in the URL for editing a file.
 EDITORS = {"gitlab": "-/edit", "codeberg.org": "_edit", "gitea": "_edit", "forgejo": "_edit"}
 
 
 def changed_days(site: Site) -> Mapping[Path, str]:
-    """Return the day of the last commit to each file, like 2026-11-21; nothing outside of git.
+    """Return the day of the last commit to each file, like 2026-11-21; nothing without git.
 
-    A clone without its history has one commit for all files, so it tells nothing.
+    In a shallow clone all files have the same commit, which says nothing, so nothing is returned.
     """
     if not any(page.file for page in site.pages):
         return {}
@@ -38,7 +38,7 @@ def changed_days(site: Site) -> Mapping[Path, str]:
 
 
 def edit_link(site: Site, page: Page) -> str:
-    """Return where the source of `page` can be edited, or nothing."""
+    """Return the URL at which the source of `page` can be edited, or nothing."""
     if not site.repository or not page.file:
         return ""
     top = _top(site.root)
@@ -52,7 +52,7 @@ def _inside(file: Path, top: Path) -> str:
 
 
 def _top(root: Path) -> Path:
-    """Return the folder of the repository; without one, the site is all of it."""
+    """Return the folder of the repository; without one, the site's folder."""
     return next((at for at in (root, *root.parents) if (at / ".git").exists()), root)
 
 

@@ -1,4 +1,4 @@
-"""Make the page that a server shows where no page is: 404.html."""
+"""Make 404.html, the page that a server shows for an unknown address."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ PATH = "404.html"
 
 
 def missing(site: Site, said: SimpleNamespace) -> Page:
-    """Return the page, in the language of the site; `said` is what its theme says.
+    """Return the page, in the language of the site; `said` has the texts of its theme.
 
-    It is shown at any depth, so its addresses begin at the site's folder on the server: the path
-    of `url`. A site that does not say where it lives is taken to have a server of its own.
+    The server shows it at any depth, so its URLs start at the site's folder on the server: the path
+    of `url`. Without `url`, the site is assumed to be at the root of its server.
     """
     home = next((page for page in site.pages if not page.path), site.pages[0])
     text = f"{said.missing_text}\n\n[{said.missing_home}](/{home.path})\n"

@@ -1,4 +1,4 @@
-"""Turn the order of the pages into menus, paths of links, and what comes before and after."""
+"""Build the navigation: menus, breadcrumbs, and links to the previous and the next page."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from sitegen.site.prose import address
 
 
 class Link(NamedTuple):
-    """A link: in the menu, `current` says that we are there and `inside` has the lines below it.
+    """A link; in a menu, `inside` has the items below it and `current` marks the page itself.
 
-    `open` says that we are there or below.
+    `open` marks the page and the items above it.
     """
 
     title: str
@@ -35,7 +35,7 @@ class Form(NamedTuple):
 
 @dataclass
 class _Entry:
-    """A line of the navigation; one without page and address is a group."""
+    """An item of the navigation; one without a page and a URL is a group."""
 
     title: str
     page: str | None = None
@@ -44,7 +44,7 @@ class _Entry:
     above: _Entry | None = None
 
     def pages(self) -> Iterator[str]:
-        """Yield the pages here and below, in order."""
+        """Yield the pages of this item and below, in order."""
         if self.page is not None:
             yield self.page
         for entry in self.inside:
@@ -52,9 +52,9 @@ class _Entry:
 
 
 class Navigation:
-    """The pages as a tree; a page sees the top, its ancestors' branches and its own.
+    """The tree of pages; a menu shows the top, the branches above the page, and its own.
 
-    A menu of everything would make the size of a site grow with the square of its pages.
+    If each page showed all others, the size of a site would grow with the square of its pages.
     """
 
     def __init__(self, site: Site) -> None:
@@ -68,12 +68,12 @@ class Navigation:
         self._places = {path: index for index, path in enumerate(self._order)}
 
     def menu(self, page: Page) -> list[Link]:
-        """Return the lines of the menu on `page`."""
+        """Return the items of the menu on `page`."""
         above = {id(entry) for entry in self._above(page)}
         return [self._link(entry, page, above) for entry in self._top]
 
     def trail(self, page: Page) -> list[Link]:
-        """Return the links from the top to `page`, without itself."""
+        """Return the breadcrumbs: the links from the top to `page`, without itself."""
         way = self._above(page)[1:]
         return [self._link(entry, page, set()) for entry in reversed(way)]
 
@@ -87,7 +87,7 @@ class Navigation:
         return self._to(before, page), self._to(after, page)
 
     def languages(self, page: Page, site: Site) -> list[Form]:
-        """Return the forms of `page`, its own too, or nothing if there is only one."""
+        """Return all forms of `page`, or nothing if there is only one."""
         path = _original(page)
         forms = [(site.language, self._originals[path])] if path in self._originals else []
         for language in site.languages:
@@ -115,7 +115,7 @@ class Navigation:
             self._index(entry.inside, entry)
 
     def _above(self, page: Page) -> list[_Entry]:
-        """Return the entry of a page and those that it is in, nearest first."""
+        """Return the item of a page and the items above it, nearest first."""
         way, entry = [], self._entries.get(_original(page))
         while entry:
             way.append(entry)
@@ -142,7 +142,7 @@ class Navigation:
         return Link(title, address(page, shown.path))
 
     def _shown(self, path: str, page: Page) -> Page:
-        """Return the page of that path in the language of `page`, or the original."""
+        """Return the page with that path in the language of `page`, or the original."""
         return self._translated.get((page.language, path)) or self._originals[path]
 
 

@@ -1,16 +1,17 @@
-"""Write the Content-Security-Policy of a page: what it needs, and nothing from elsewhere."""
+"""Write the Content-Security-Policy of a page: it allows what the page needs and nothing else."""
 
 from __future__ import annotations
 
 import base64
 import hashlib
 
-# Browsers start no worker in a page that was opened as a file, so the page says what to do.
+# Browsers start no worker in a page opened as a file, so the page says how to open it.
 FILE_NOTE = (
     'if (location.protocol === "file:") document.getElementById("file-note").hidden = false;'
 )
-# Browsers differ in which build of a program they run, and only a script can tell: this one lets
-# them ask for theirs before anything else has come. nodeProcess.js chooses in the same way.
+# Browsers differ in the build of a program that they run, and only a script can tell which. This
+# script requests the right one before anything else is loaded. nodeProcess.js makes the same
+# choice.
 CHOICE = (
     '{ const suspends = "Suspending" in WebAssembly && "promising" in WebAssembly; '
     'const engine = suspends ? "jspi" : "asyncify"; '
@@ -20,9 +21,9 @@ CHOICE = (
 
 
 def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
-    """Return the policy of a page with `text`, HTML.
+    """Return the policy of a page whose HTML is `text`.
 
-    It is `live` when it runs nodes, and `offline` when it works without a network.
+    A `live` page runs nodes; an `offline` page works without a network.
     """
     rules = ["default-src 'none'", "style-src 'self'", "img-src 'self' data:"]
     if live:
@@ -30,7 +31,7 @@ def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
         rules.append(f"script-src 'self' 'wasm-unsafe-eval' {hashes}")
         rules += ["connect-src 'self'", "worker-src 'self'"]
     else:
-        # The theme's own: the switch of colours, the search and its index.
+        # The scripts of the theme: the colour switch, the search and its index.
         rules += ["script-src 'self'", "connect-src 'self'"]
         if offline:
             rules.append("worker-src 'self'")

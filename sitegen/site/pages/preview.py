@@ -1,4 +1,4 @@
-"""Draw the picture that others show beside a link to a page (Open Graph), 1200 by 630 pixels."""
+"""Draw the preview of a page for links on other sites (Open Graph), 1200 by 630 pixels."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ PAPER, INK, QUIET = "#10141f", "#f4f6fb", "#a0aabf"
 ACCENT = "#2b4bd8"
 TITLE_SIZES = (96, 84, 70, 58)
 ROWS = 3
-# Drawn again when this changes: a page's picture is named by what is on it.
+# Increased when the drawing changes, because the name of a picture is a digest of its contents.
 DESIGN = "1"
 
 
 def path(site: Site, page: Page) -> str:
-    """Return where the picture is in `dist/`, by what it shows."""
+    """Return the path of the picture in `dist/`, which is a digest of what it shows."""
     shown = "\0".join((DESIGN, *_shown(site, page)))
     return f"media/preview.{hashlib.sha256(shown.encode()).hexdigest()[:10]}.png"
 
@@ -66,7 +66,7 @@ def _drawn(title: str, name: str, description: str, accent: str) -> bytes:
 
 
 def _graph(draw: object, colour: str) -> None:
-    """Draw what sitegen's sites are about, small: two nodes and the topic between."""
+    """Draw a small graph: two nodes and the topic between them."""
     x, y, step = WIDTH - MARGIN - 150, HEIGHT - 96, 75
     draw.line((x, y, x + 2 * step, y), fill=QUIET, width=4)  # type: ignore[attr-defined]
     for number, fill in enumerate((colour, PAPER, colour)):
@@ -76,7 +76,7 @@ def _graph(draw: object, colour: str) -> None:
 
 
 def _fitting(title: str) -> tuple[int, list[str]]:
-    """Return the largest size at which a title fits, and its rows."""
+    """Return the largest font size at which a title fits, and its lines."""
     for size in TITLE_SIZES:
         rows = list(_wrapped(title, font(size, "Bold"), WIDTH - 2 * MARGIN))
         if len(rows) <= ROWS:
@@ -98,7 +98,7 @@ def _wrapped(text: str, font: FreeTypeFont, width: int) -> Iterator[str]:
 
 
 def known(text: str) -> str:
-    """Return the text without letters that the font lacks."""
+    """Return the text without characters that the font lacks."""
     missing = _glyph("\uffff")
     return "".join(c for c in text if c.isspace() or _glyph(c) != missing)
 
@@ -110,9 +110,9 @@ def _glyph(letter: str) -> bytes:
 
 @functools.cache
 def font(size: int, weight: str = "Regular") -> FreeTypeFont:
-    """Return the letters of pictures."""
+    """Return the font of previews."""
     from PIL import ImageFont
 
-    # A package from PyPI, so the same on every machine.
+    # From PyPI, so that it is the same on every machine.
     folder = importlib.resources.files("font_source_sans_pro") / "files"
     return ImageFont.truetype(str(folder / f"SourceSansPro-{weight}.ttf"), size)

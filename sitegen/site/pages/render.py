@@ -1,4 +1,4 @@
-"""Turn the Site's pages into HTML, one page.json for each that runs nodes, and their files."""
+"""Render the pages of a Site to HTML, with a page.json for each page that runs nodes."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ from sitegen.site.pages.policy import CHOICE, FILE_NOTE, policy
 from sitegen.site.pages.theme import Sheet, Theme, look_files
 from sitegen.site.prose import Anchor, Heading, Library, Prose, address, lasting_name
 
-# Below this, starting processes takes longer than they save.
+# With fewer pages, starting processes takes longer than they save.
 MANY = 150
-# Ids that every page has.
+# The ids that every page has.
 ALWAYS = frozenset({"main", "top"})
 
 
 @dataclass(frozen=True)
 class Rendered:
-    """What one page became: its artifacts, and what the site has to know of it.
+    """The result for one page: its artifacts, and what the whole site needs to know about it.
 
-    `ids` are what links can lead to in the page, `anchors` the links that have to be there,
-    `sheets` the style sheets that it loads joined, `found` its problems as Problems keeps them.
+    `ids` are the targets for links into the page, `anchors` the links whose targets must exist,
+    `sheets` the joined style sheets that it loads, `found` its problems in the form of Problems.
     """
 
     page: Page
@@ -58,7 +58,7 @@ def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
 
 
 class Renderer:
-    """Renders the pages of one site, all of them or each alone."""
+    """Renders the pages of one site, all of them or one at a time."""
 
     def __init__(self, site: Site, programs: Programs) -> None:
         self.site = tags.with_tags(site)
@@ -77,16 +77,16 @@ class Renderer:
         return changed_days(self.site)
 
     def every_page(self) -> list[Rendered]:
-        """Return all pages, with more than one process where there are many."""
+        """Return all pages; if there are many, they are rendered in several processes."""
         pages, workers = self.site.pages, min(os.cpu_count() or 1, 8)
-        # Elsewhere, a process cannot part safely, or not at all.
+        # On other systems, fork() is unsafe or missing.
         if len(pages) < MANY or workers < 2 or sys.platform != "linux":
             return [self.page(page) for page in pages]
-        # Other sites need not wait for these to load.
+        # Imported only by sites that use several processes.
         from concurrent.futures import ProcessPoolExecutor
         from multiprocessing import get_context
 
-        # What all need is found once, before the processes part.
+        # What all pages need is computed once, before the fork.
         _ = self._changed
         global _forked
         _forked = self
@@ -97,9 +97,9 @@ class Renderer:
             return [page for chunk in pool.map(_chunk, chunks) for page in chunk]
 
     def page(self, page: Page, *, alone: bool = False) -> Rendered:
-        """Return one page; it may be newer than that of the site, with the same path.
+        """Return one page; it may be a newer version of the site's page with the same path.
 
-        One that is `alone` has no menu and no search.
+        With `alone`, it has no menu and no search.
         """
         problems = Problems(self.site.root)
         library = self._library
@@ -113,7 +113,7 @@ class Renderer:
         entry = None
         if any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
-            # One that is opened as a file has no service worker.
+            # A page opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
             entry = page_entry(site, page, self._programs, files)
         html, sheets = self._html(page, parts, prose, entry, alone=alone)
@@ -135,7 +135,7 @@ class Renderer:
         )
 
     def alone(self, page: Page) -> tuple[str, list[Artifact]]:
-        """Return the HTML of one page without the site around it, and what it and themes load."""
+        """Return the HTML of one page without the site around it, and the files that it loads."""
         rendered = self.page(page, alone=True)
         first, *rest = rendered.artifacts
         assert isinstance(first.source, bytes)
@@ -147,13 +147,15 @@ class Renderer:
         return first.source.decode(), [*rest, *theme.artifacts(), *sheets, *self._files]
 
     def index(self, rendered: Iterable[Rendered]) -> list[Artifact]:
-        """Return what a search looks into."""
+        """Return the search index."""
         return search.artifacts(self.site, ((each.page, each.passages) for each in rendered))
 
     def site_artifacts(self, rendered: Iterable[Rendered]) -> list[Artifact]:
-        """Return the artifacts of pages and those of the whole site, or raise a SiteError.
+        """Return the artifacts of the pages and of the whole site, without the search index.
 
-        All but the index, which takes as long as all the others together.
+        The index takes as long as all the others together.
+
+        Raises: SiteError if pages have problems.
         """
         rendered = list(rendered)
         problems = Problems(self.site.root)
@@ -184,7 +186,7 @@ class Renderer:
         *,
         alone: bool,
     ) -> tuple[str, Sequence[Sheet]]:
-        """Return a page, and the style sheets that it loads joined."""
+        """Return the HTML of a page, and the joined style sheets that it loads."""
         site, navigation = self.site, self._navigation
         if alone:
             navigation = Navigation(replace(site, pages=(), nav=()))
@@ -199,7 +201,7 @@ class Renderer:
         fonts = (site.look.font, site.look.code_font)
         searched = search.wanted(site) and not alone
         offline = bool(site.offline) and not alone and not page.base
-        # Nobody links to one that is shown in place of others.
+        # Nobody links to a page that is shown in place of others.
         public = site.url and not page.base
         sheets: list[Sheet] = []
 
@@ -261,7 +263,7 @@ def _chunk(indexes: range) -> list[Rendered]:
 
 
 def _toc(headings: Sequence[Heading]) -> list[Heading]:
-    """Return the headings that a table of contents shows, if there is more than one."""
+    """Return the headings for a table of contents, if there is more than one."""
     shown = [heading for heading in headings if heading.level in (2, 3)]
     return shown if len(shown) > 1 else []
 

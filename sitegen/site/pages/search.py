@@ -1,6 +1,6 @@
-"""Write the index that the page searches: an index of MiniSearch, one for each language.
+"""Write the search index in the format of MiniSearch, one for each language.
 
-The format is MiniSearch's own (serializationVersion 2), so that the browser only has to load it.
+The format is that of MiniSearch (serializationVersion 2), so that browsers only have to load it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import NamedTuple
 from sitegen.model import Artifact, NavItem, Page, Site
 from sitegen.site.prose import plain
 
-# As searchIndex.js splits what a visitor asks for.
+# The same pattern as in searchIndex.js, which splits queries.
 WORD = re.compile(r"[^\W_]+")
 FIELDS = ("title", "heading", "text")
 EXCERPT = 160
@@ -24,7 +24,7 @@ _NOT_SAID = re.compile(r"<(math|svg)\b.*?</\1>", re.DOTALL)
 
 
 class Passage(NamedTuple):
-    """A stretch of a page that a search can find: the id of its heading, that heading, its text."""
+    """A section of a page that a search can find: its heading, the id of that, and its text."""
 
     id: str
     heading: str
@@ -32,17 +32,17 @@ class Passage(NamedTuple):
 
 
 def wanted(site: Site) -> bool:
-    """Return whether there is anything to search: more than one page."""
+    """Return whether the site has a search: it has more than one page."""
     return len(site.pages) > 1
 
 
 def path(language: str) -> str:
-    """Return where the index of a language is in `dist/`."""
+    """Return the path in `dist/` of the index of a language."""
     return f"search.{language.lower()}.json"
 
 
 def passages(page: Page, texts: Iterable[str]) -> Iterator[Passage]:
-    """Yield the passages of a page: one for each heading, and the text before the first one."""
+    """Yield the passages of a page: one for each heading, and the text before the first heading."""
     _, *rest = pieces = _PART.split(_NOT_SAID.sub(" ", "\n".join(texts)))
     before = plain(pieces[0])
     if before or not rest:
@@ -52,7 +52,7 @@ def passages(page: Page, texts: Iterable[str]) -> Iterator[Passage]:
 
 
 def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Passage]]]) -> list[Artifact]:
-    """Return an index for each language that a site has pages in, of their passages."""
+    """Return an index of passages for each language of the site."""
     if not wanted(site):
         return []
     weights = _weights(site)
@@ -66,10 +66,10 @@ def artifacts(site: Site, found: Iterable[tuple[Page, Sequence[Passage]]]) -> li
 
 
 def _weights(site: Site) -> Mapping[str, float]:
-    """Return how much a hit in each page counts, by its path in the first language.
+    """Return the weight of a match in each page, by the path of the original.
 
-    Authors put first what readers need first, so that is the order of the navigation: from 1 for
-    the first page to LEAST for the last one and for those that are not in it.
+    Authors put first what readers need first, so weights follow the navigation: from 1 for the
+    first page to LEAST for the last one and for pages that are not in it.
     """
     order = list(_listed(site.nav)) or [page.path for page in site.pages]
     step = (1 - LEAST) / max(len(order) - 1, 1)
@@ -98,7 +98,8 @@ def _index(rows: Iterable[tuple[Page, Passage]], weights: Mapping[str, float]) -
         weight = weights.get(original, LEAST)
         stored[number] = {**shown, "weight": weight, **({"heading": heading} if heading else {})}
         lengths[number] = []
-        # A page's title counts where it begins only, or all its passages would come first.
+        # The title counts only for the first passage; otherwise all passages of the page would come
+        # first.
         first = page.path not in begun
         title = page.title if first else ""
         begun.add(page.path)

@@ -1,4 +1,4 @@
-"""Turn a Source into highlighted code: the file of a node, or a part of any file of the site."""
+"""Turn a Source into highlighted code: a file of a node, or a part of any file of the site."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from sitegen.errors import Problems, nearest, relative
 from sitegen.model import Package, Site, Source
 from sitegen.site.prose import code, language_of
 
-# As editors fold them; the lines themselves are not shown.
+# The comments with which editors fold regions; they are not shown.
 _BEGIN = re.compile(r"^\s*(?://|#|<!--|--)\s*#?region\s+(?P<name>\S+)")
 _END = re.compile(r"^\s*(?://|#|<!--|--)\s*#?endregion\b")
 _LARGEST = 500_000
 
 
 def shown(source: Source, site: Site, problems: Problems) -> str:
-    """Return the HTML of a source, or nothing where it is wrong, which is noted."""
+    """Return the HTML of a source; nothing if it is wrong, which is reported."""
     file = _file(source, site, problems)
     if file is None:
         return ""
@@ -60,7 +60,7 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
         return None
     file = (folder / name).resolve()
     if not file.is_file() and not source.file:
-        # A CMakeLists.txt further down names files from where it is.
+        # A CMakeLists.txt in a subfolder names files relative to that folder.
         file = next(iter(sorted(folder.rglob(Path(name).name))), file).resolve()
     if not file.is_relative_to(root):
         message = (
@@ -77,12 +77,12 @@ def _file(source: Source, site: Site, problems: Problems) -> Path | None:
 
 
 def _package(source: Source, site: Site) -> Package | None:
-    """Return the package of the node; one that others compiled has none."""
+    """Return the package of the node; a program compiled elsewhere has none."""
     return site.packages.get(source.node.package) if source.node else None
 
 
 def _range(source: Source, lines: list[str], name: str, problems: Problems) -> tuple[int, int]:
-    """Return the first and the last line to show, from 1."""
+    """Return the first and the last line to show, counted from 1."""
     if source.lines:
         first, last = source.lines
         if not first <= last <= len(lines):

@@ -14,14 +14,14 @@ from sitegen.site.pages.texts import texts
 
 
 def with_tags(site: Site) -> Site:
-    """Return the site with a page for each tag, and one of all tags, in each language."""
+    """Return the site with a page for each tag, and a page of all tags, in each language."""
     languages = (site.language, *site.languages)
     made = [page for language in languages for page in _pages(site, language)]
     return replace(site, pages=(*site.pages, *made)) if made else site
 
 
 def links(site: Site) -> Callable[[Page], list[tuple[str, str]]]:
-    """Return a function that gives the tags of a page with the paths of their pages."""
+    """Return a function that returns the tags of a page and the paths of their pages."""
 
     def of(page: Page) -> list[tuple[str, str]]:
         language = page.language or site.language

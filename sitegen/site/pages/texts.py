@@ -1,4 +1,4 @@
-"""Find what a theme says in the language of a page."""
+"""Find the texts of a theme in the language of a page."""
 
 from __future__ import annotations
 
@@ -11,9 +11,10 @@ import yaml
 
 
 def texts(folders: Iterable[Path], language: str) -> SimpleNamespace:
-    """Return the texts of a theme by name, English where it does not know the language.
+    """Return the texts of a theme by name, in English if the theme lacks the language.
 
-    `folders` are those of the theme, the most general first. A text of `de` serves `de-AT` too.
+    `folders` are those of the theme, the most general first. The texts of `de` are used for
+    `de-AT`, too.
     """
     found: dict[str, Any] = {}
     for tag in dict.fromkeys(("en", language.partition("-")[0].lower(), language)):

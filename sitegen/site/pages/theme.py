@@ -1,4 +1,4 @@
-"""Turn a theme into a template and the files that its pages load."""
+"""Load a theme: its template, and the files that its pages load."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ NOT_SERVED = {".html", ".yaml", ".md"}
 
 @dataclass(frozen=True)
 class Sheet:
-    """A style sheet that a template asked for, and those it is joined from.
+    """A style sheet that a template requested, and the sheets that it is joined from.
 
-    `theme` is the folder of the theme; `parts` have the name of a sheet and its media, or none.
+    `theme` is the folder of the theme; each of `parts` is the name of a sheet and its media, or "".
     """
 
     theme: Path
@@ -33,7 +33,7 @@ class Sheet:
 
 @dataclass(frozen=True)
 class Theme:
-    """A theme: its folder before that of the default one, and where its files are in `dist/`."""
+    """A theme: its folder, then that of the default theme; and its path in `dist/`."""
 
     folders: tuple[Path, ...]
     path: str
@@ -43,7 +43,7 @@ class Theme:
 
     @classmethod
     def of(cls, folder: Path, site: Site) -> Theme:
-        """Return the theme of a folder, made to look as the site says."""
+        """Return the theme of a folder, with the look of the site."""
         folders = tuple(dict.fromkeys((DEFAULT_THEME, folder)))
         environment = jinja2.Environment(
             loader=jinja2.FileSystemLoader(folders[::-1]),
@@ -61,7 +61,7 @@ class Theme:
         return cls(folders, path, template, _style(site.look))
 
     def html(self, /, **names: Any) -> str:
-        """Return a page."""
+        """Return the HTML of a page."""
         try:
             return self.template.render(**names)
         except jinja2.TemplateError as error:
@@ -69,20 +69,20 @@ class Theme:
             raise SiteError([f"{where}: theme: {error.message}; see docs/themes.md"]) from error
 
     def texts(self, language: str) -> SimpleNamespace:
-        """Return what the theme says in a language."""
+        """Return the texts of the theme in a language."""
         if language not in self._texts:
             self._texts[language] = texts(self.folders, language)
         return self._texts[language]
 
     def artifacts(self) -> list[Artifact]:
-        """Return everything that its pages load, without joined style sheets."""
+        """Return all files that its pages load, without joined style sheets."""
         found = [Artifact(self.path + name, file) for name, file in sorted(self._files().items())]
         if self.style:
             found.append(Artifact(f"{self.path}site.css", self.style.encode()))
         return found
 
     def joined(self, sheet: Sheet) -> Artifact:
-        """Return a style sheet that is several in one, so that a page asks for one file."""
+        """Return several style sheets joined to one, which a page loads with one request."""
         files = self._files()
         texts = []
         for name, media in sheet.parts:
@@ -98,7 +98,7 @@ class Theme:
         return Artifact(self.path + sheet.name, "".join(texts).encode())
 
     def _files(self) -> dict[str, Path]:
-        """Return the files that are served: those of the theme go before the default's."""
+        """Return the files to serve: those of the theme replace those of the default theme."""
         return {
             file.relative_to(folder).as_posix(): file
             for folder in self.folders
@@ -115,7 +115,7 @@ def look_files(look: Look) -> list[Artifact]:
 
 
 def _style(look: Look) -> str:
-    """Return the variables that the look of a site changes, as CSS."""
+    """Return the CSS variables that the look of a site changes."""
     rules, variables = [], []
     if look.accent:
         variables.append("--accent: light-dark({}, {});".format(*shades(look.accent)))

@@ -1,4 +1,4 @@
-"""Turn a page's Markdown into HTML whose links work in the site, and name the files it needs."""
+"""Turn the Markdown of a page into HTML whose links work in the site, and find its files."""
 
 from sitegen.site.prose.highlight import code, language_of
 from sitegen.site.prose.links import Anchor, Library, address

@@ -1,4 +1,4 @@
-"""Say what Markdown means here: every extension of Python-Markdown that pages may use."""
+"""The dialect of Markdown: the extensions of Python-Markdown that pages may use."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from sitegen.site.prose.fences import FENCES
 
 
 class Syntax(NamedTuple):
-    """An extension, and what a text that needs it surely contains; each costs time per page."""
+    """An extension, and what every text that needs it contains; each extension costs time."""
 
     made: Callable[[], Extension]
     sign: re.Pattern[str]
@@ -68,8 +68,8 @@ EXTENSIONS = (
 )
 
 
-# Patterns of Python-Markdown itself that few texts need, with the same kind of sign. Each is tried
-# at every place of a text, which is most of the time that a page takes.
+# Patterns of Python-Markdown itself that few texts need, with what such texts contain. Each pattern
+# is tried at every character, which is most of the time that a page takes.
 PATTERNS = {
     ("reference", "image_reference", "short_reference", "short_image_ref"): re.compile(r"\]:"),
     ("autolink", "automail", "html"): re.compile("<"),
@@ -81,7 +81,7 @@ PATTERNS = {
 
 
 def converter(text: str) -> markdown.Markdown:
-    """Return the converter for `text`, ready for it."""
+    """Return a converter with the extensions that `text` needs."""
     signs = (*(syntax.sign for syntax in EXTENSIONS), *PATTERNS.values())
     return _converter(tuple(bool(sign.search(text)) for sign in signs)).reset()
 

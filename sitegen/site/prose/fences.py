@@ -1,4 +1,4 @@
-"""Say what becomes of a fenced block: code, or a diagram to draw."""
+"""Handle fenced blocks: highlight code, and draw diagrams."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from markupsafe import escape
 
 from sitegen.site.prose.highlight import code
 
-# What can stand after the language: ```cpp title="talker.cpp" linenums="1" hl_lines="2 4-6"
+# The options after the language: ```cpp title="talker.cpp" linenums="1" hl_lines="2 4-6"
 OPTIONS = {
     "title": re.compile(r"[^\n]*"),
     "linenums": re.compile(r"[1-9]\d*"),
@@ -26,7 +26,7 @@ def _options(
     attributes: dict[str, str],
     converter: object,
 ) -> bool:
-    """Take over what is known; a fence with anything else is no fence, and seen as text."""
+    """Accept the known options; a fence with any other is shown as text."""
     fits = {name: value for name, value in inputs.items() if name in OPTIONS}
     options.update(fits)
     return all(OPTIONS[name].fullmatch(value) for name, value in fits.items())
@@ -58,5 +58,5 @@ def _fence(name: str, form: Callable[..., str]) -> dict[str, Any]:
     return {"name": name, "class": name, "format": form, "validator": _options}
 
 
-# The last one that fits is taken.
+# The last format that matches is used.
 FENCES = [_fence("*", _code), _fence("mermaid", _diagram)]

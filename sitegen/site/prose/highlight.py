@@ -1,4 +1,4 @@
-"""Turn source code into HTML with a class for each kind of word; the theme has the colours."""
+"""Turn source code into HTML with a class for each kind of token; the theme sets the colours."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pygments.token import Comment, Generic, Keyword, Name, Number, Operator, St
 from pygments.token import _TokenType as TokenType
 from pygments.util import ClassNotFound
 
-# Fewer kinds than Pygments has: a reader tells a dozen colours apart at most.
+# Fewer kinds than Pygments has: readers distinguish a dozen colours at most.
 CLASSES = {
     Comment: "c",
     Comment.Preproc: "m",
@@ -43,7 +43,7 @@ CLASSES = {
     Token: "",
 }
 
-# What files of a ROS workspace are written in, by the end of their name.
+# The languages of files in ROS workspaces, by suffix.
 LANGUAGES = {
     ".c": "c",
     ".cc": "cpp",
@@ -86,21 +86,21 @@ def code(
     numbers: tuple[int, ...] = (),
     marked: tuple[int, ...] = (),
 ) -> str:
-    """Return a block of code: `numbers` are those of its lines, if any; `marked` lines stand out.
+    """Return a block of code; `numbers` are its line numbers, if shown; `marked` lines stand out.
 
-    Marked lines count from 1, whatever their numbers are.
+    Marked lines are counted from 1, whatever their numbers are.
     """
     body = "".join(_words(text.removesuffix("\n") + "\n", language))
     if numbers or marked:
         body = "".join(_lines(body, numbers, marked))
     head = f'<p class="code-title">{escape(title)}</p>' if title else ""
     name = f' class="language-{escape(language)}"' if language else ""
-    # It may be wider than the page, and who has no mouse scrolls what has the focus.
+    # It may be wider than the page: with the focus, it can be scrolled by the keyboard.
     return f'<div class="code">{head}<pre tabindex="0"><code{name}>{body}</code></pre></div>'
 
 
 def _words(text: str, language: str) -> Iterator[str]:
-    """Yield the pieces of the HTML; no span reaches over the end of a line."""
+    """Yield pieces of HTML; no span continues over the end of a line."""
     lexer = _lexer(language)
     if lexer is None:
         yield escape(text)

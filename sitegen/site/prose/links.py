@@ -1,4 +1,4 @@
-"""Turn the links of an author into addresses that work in the site, from any folder."""
+"""Turn the links of an author into URLs that work in the site, from any folder."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from sitegen.errors import Location, Problems, nearest, relative
 from sitegen.model import Markdown, Page, Site
 from sitegen.site.prose.media import lasting_name
 
-# Every page's menu names every page of its branch: quoting each name once is a third of the time.
+# Every menu links to many pages: quoting each name once saves a third of the time.
 _quote = functools.cache(quote)
 
 
@@ -31,7 +31,7 @@ def address(page: Page, path: str) -> str:
 
 
 class Anchor(NamedTuple):
-    """A link to a location in a page: the page's path, the id there, and where it was written."""
+    """A link to an id in a page: the page's path, the id, and where the link was written."""
 
     path: str
     id: str
@@ -40,7 +40,7 @@ class Anchor(NamedTuple):
 
 @dataclass(frozen=True)
 class Library:
-    """What links can lead to: the pages by path, and by the Markdown file that they show."""
+    """The possible targets of links: pages by path, and by the Markdown file that they show."""
 
     site: Site
     pages: Mapping[str, Page]
@@ -59,7 +59,7 @@ class Library:
 
 @dataclass
 class Links:
-    """The links of one page; `files` gathers what to copy, `anchors` what to look for."""
+    """The links of one page; `files` collects files to copy, `anchors` targets to check."""
 
     library: Library
     page: Page
@@ -72,9 +72,9 @@ class Links:
         self._own = {os.path.realpath(file) for file in files if file.suffix == ".md"}
 
     def resolve(self, url: str, key: str, source: Markdown) -> tuple[str | None, Path | None]:
-        """Return where `url` leads from this page, None if it is right as written, and the file.
+        """Return the URL and the file for the link `url`; no URL if it is right as written.
 
-        `key` says what names it: "link", "frame", "image" or "media".
+        `key` is the kind of link in messages: "link", "frame", "image" or "media".
         """
         try:
             parts = urlsplit(url)
@@ -97,7 +97,7 @@ class Links:
         elif key in ("link", "frame"):
             target = self._page(name, source)
         if target is not None:
-            # What a browser is to look for in the text has no id.
+            # A text fragment (`#:~:text=`) has no id.
             if parts.fragment and not parts.fragment.startswith(":~:"):
                 location = line_of(source, url)
                 self.anchors.append(Anchor(target, unquote(parts.fragment), location))
@@ -111,7 +111,7 @@ class Links:
         return urlunsplit(("", "", found, parts.query, parts.fragment)), file
 
     def _page(self, name: str, source: Markdown) -> str | None:
-        """Return the path of the page that `name` means: its source file or its path."""
+        """Return the path of the page that `name` refers to, by its source file or its path."""
         written = os.path.normpath(source.folder / name)
         known = self.library.sources
         shown = known.get(written) or (known.get(os.path.realpath(written)) if known else None)
@@ -128,7 +128,7 @@ class Links:
     def _file(
         self, name: str, key: str, source: Markdown, url: str
     ) -> tuple[str | None, Path | None]:
-        """Note that the file `name` is to be copied; return its path inside `dist/`, and itself."""
+        """Record that the file `name` is to be copied; return its path in `dist/` and itself."""
         root = self.library.site.root.resolve()
         file = (source.folder / name).resolve()
         fault = ""
@@ -137,7 +137,7 @@ class Links:
         elif not file.is_file():
             fault = self._missing(name, file, key)
         else:
-            # A link keeps the name as written beside the page: a `../` would leave its folder.
+            # The link keeps the name relative to the page's source: a `../` would leave its folder.
             written = re.sub(r"^(\.\./)+", "", posixpath.normpath(name))
             linked = key in ("link", "frame")
             path = self.page.folder + written if linked else lasting_name(file)
@@ -161,7 +161,7 @@ class Links:
 
 
 def line_of(source: Markdown, text: str) -> Location:
-    """Return the line of `source` that first has `text`, as the author wrote or escaped it."""
+    """Return the line of `source` that first contains `text`, plain or escaped."""
     written = (text, html.escape(text), quote(text))
     for number, line in enumerate(source.text.split("\n")):
         if any(form in line for form in written):

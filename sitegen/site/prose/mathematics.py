@@ -1,4 +1,4 @@
-"""Turn TeX formulas into MathML Core, which browsers draw by themselves."""
+"""Turn TeX formulas into MathML Core, which browsers draw without a library."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import re
 
 from math_core import LatexError, LatexToMathML
 
-# What ArithmatexExtension leaves, in its generic form.
+# The output of ArithmatexExtension in its generic form.
 FORMULA = re.compile(
     r'<(?P<tag>span|div) class="arithmatex">\\[(\[](?P<tex>.*?)\\[)\]]</(?P=tag)>', re.DOTALL
 )
 
-# The page's policy forbids style attributes; the classes are in the theme's figures.css.
+# The page's policy forbids style attributes; the theme's figures.css has these classes.
 STYLES = {
     "text-align: right": "right",
     "text-align: left": "left",
@@ -31,7 +31,7 @@ _STYLE = re.compile(r' style="([^"]*)"')
 
 
 class FormulaError(ValueError):
-    """`formula` is not what TeX would understand."""
+    """`formula` is not valid TeX."""
 
     def __init__(self, formula: str, fault: str) -> None:
         super().__init__(fault)
@@ -39,7 +39,7 @@ class FormulaError(ValueError):
 
 
 def formulas(text: str, wrong: list[FormulaError]) -> str:
-    """Return `text`, HTML, with its formulas as MathML; those that are `wrong` are noted there."""
+    """Return `text`, HTML, with formulas as MathML; invalid formulas are added to `wrong`."""
 
     def draw(found: re.Match[str]) -> str:
         tex, block = html.unescape(found["tex"]).strip(), found["tag"] == "div"

@@ -1,4 +1,4 @@
-"""Turn the images of a page into what a browser needs to know: a name for good, and a size."""
+"""Prepare the images of a page for browsers: lasting names, sizes, lazy loading."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ import hashlib
 import re
 from pathlib import Path
 
-# A name without these goes into any address as it is.
+# A name with only these characters needs no quoting in a URL.
 _UNSAFE = re.compile(r"[^\w.-]+")
 _LENGTH = re.compile(r"""\s(width|height)\s*=\s*["']?(\d+)["'\s>]""", re.IGNORECASE)
 _LAZY = ("loading", "lazy"), ("decoding", "async")
 
 
 def lasting_name(file: Path) -> str:
-    """Return a path inside `dist/` that no other content of `file` will ever have."""
+    """Return a path inside `dist/` that depends on the content of `file`."""
     name = _UNSAFE.sub("-", file.stem) or "file"
     return f"media/{name}.{_digest(file, file.stat().st_mtime_ns)}{file.suffix.lower()}"
 
 
 def sized(tag: str, file: Path) -> str:
-    """Return an `<img>` with the size of `file`, so that nothing moves when it comes, and lazy."""
+    """Return an `<img>` that loads lazily and has the size of `file`, so that nothing moves."""
     given = {name.lower(): int(length) for name, length in _LENGTH.findall(tag)}
     width, height = _size(file, file.stat().st_mtime_ns)
     if width > 0 and height > 0:
@@ -49,8 +49,8 @@ def _digest(file: Path, changed: int) -> str:
 
 @functools.cache
 def _size(file: Path, changed: int) -> tuple[int, int]:
-    """Return width and height in pixels; -1 where the file does not tell."""
-    # It loads what speaks HTTP, which takes longer than a page of text.
+    """Return width and height in pixels; -1 if they are unknown."""
+    # It imports HTTP libraries, which takes longer than a page of text.
     import imagesize
 
     try:

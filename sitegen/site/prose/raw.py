@@ -1,11 +1,11 @@
-"""Find HTML of the author that the page's policy would stop without a word."""
+"""Find HTML in Markdown that the page's policy would block silently."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
-# Most pages have none of these; the words may stand in the text as well.
+# Most pages contain none of these words; a page that does may use them in its text.
 _SUSPECT = re.compile(r"<(?:script|style|object|embed|form|base|meta|link)\b|\s(?:on\w+|style)\s*=")
 _TAG = re.compile(r"""<([a-z][\w-]*)((?:[^>"']|"[^"]*"|'[^']*')*)>""", re.IGNORECASE)
 _ATTRIBUTE = re.compile(r"""\s([\w:-]+)\s*=\s*(?:"[^"]*"|'[^']*'|[^\s"'>]+)""")
@@ -23,7 +23,7 @@ REFUSED = {
 
 
 def refused(text: str) -> Iterator[tuple[str, str]]:
-    """Yield what the policy of the page stops in `text`, HTML: as written, and why."""
+    """Yield what the page's policy blocks in `text`, HTML: the code as written, and the reason."""
     if not _SUSPECT.search(text):
         return
     for tag in _TAG.finditer(text):

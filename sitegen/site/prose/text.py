@@ -19,18 +19,18 @@ from sitegen.site.prose.links import Library, Links, line_of
 from sitegen.site.prose.mathematics import FormulaError, formulas
 from sitegen.site.prose.media import sized
 
-# Code in the output has its `<` escaped, so these find real tags, in raw HTML of the author too.
+# Every `<` in code is escaped, so these match real tags only, including raw HTML of the author.
 _TAG = re.compile(
     r"""<(a|img|source|video|audio|track|iframe)\b(?:[^>"']|"[^"]*"|'[^']*')*>""", re.I
 )
 _ADDRESS = re.compile(r"""(\s(?:href|src|poster)\s*=\s*)(["'])(.*?)\2""", re.I | re.S)
 _HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>", re.I | re.S)
 _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
-# A box to tick, and the words that say what for.
+# A checkbox, and the words that label it.
 _TASK = re.compile(
     r'(<input type="checkbox" disabled(?: checked)?/>.*?)(?=<[uo]l|</li>|</p>)', re.S
 )
-# The title of an admonition that has its kind for a title.
+# The title of an admonition whose title is its kind.
 _TITLE = re.compile(r'(<p class="admonition-title">|<summary>)(\w+)(</p>|</summary>)')
 _SRC = re.compile(r"""\ssrc\s*=\s*(["'])(.*?)\1""", re.I | re.S)
 _ALT = re.compile(r"""\salt\s*=\s*(?:(["'])(?P<text>.*?)\1|\S+)""", re.I | re.S)
@@ -48,9 +48,9 @@ class Heading(NamedTuple):
 
 @dataclass
 class Prose:
-    """The Markdown of one page, part by part: ids are unique in the page.
+    """The Markdown of one page, converted part by part, with ids that are unique in the page.
 
-    `titles` are those of admonitions that the author gave none, by kind, in the page's language.
+    `titles` are the default titles of admonitions by kind, in the page's language.
     """
 
     library: Library
@@ -85,7 +85,7 @@ class Prose:
             self.problems.add(line_of(source, written), "html", why)
 
     def _drawn(self, text: str, source: Markdown) -> str:
-        """Return `text` with its formulas and diagrams drawn."""
+        """Return `text` with its formulas and diagrams rendered."""
         wrong: list[FormulaError] = []
         if 'class="arithmatex"' in text:
             text = formulas(text, wrong)
@@ -107,7 +107,7 @@ class Prose:
             return ""
 
     def _apart(self, text: str) -> str:
-        """Return `text` with the ids of extensions told from those of the page's other parts."""
+        """Return `text` with the ids of extensions made different from those of other parts."""
         if "__tabbed_" in text:
             text = text.replace("__tabbed_", f"tab_{self._part}_")
         if self._part > 1 and 'class="footnote' in text:
@@ -122,7 +122,7 @@ class Prose:
         self.ids.add(name)
         self.headings.append(Heading(level, name, title))
         attributes = attributes if given else f' id="{html.escape(name)}"{attributes}'
-        # The table of contents is for the keyboard; this one is to copy an address.
+        # The table of contents is for the keyboard; this link is for copying the address.
         link = f'<a class="anchor" href="#{name}" aria-hidden="true" tabindex="-1"></a>'
         link = link if 1 < level < 5 else ""
         return f"<h{level}{attributes}>{inner}{link}</h{level}>"
@@ -145,9 +145,9 @@ class Prose:
 
 
 def without_text(source: Markdown) -> Iterator[tuple[str, Location]]:
-    """Yield the images of `source` that have no text, with their locations.
+    """Yield the images of `source` without alternative text, with their locations.
 
-    An `alt=""` that the author wrote as HTML says that there is nothing to see.
+    An explicit `alt=""` in HTML marks an image as decorative.
     """
     for tag in _TAG.finditer(converter(source.text).convert(source.text)):
         if tag[1].lower() != "img":
@@ -165,7 +165,7 @@ def plain(text: str) -> str:
 
 
 def _slug(title: str, taken: set[str]) -> str:
-    """Return an id for a heading, in the manner of other generators: `über-uns`, `über-uns_1`."""
+    """Return an id for a heading in the style of other generators: `über-uns`, `über-uns_1`."""
     slug = name = slugify_unicode(title, "-") or "section"
     number = 0
     while name in taken:

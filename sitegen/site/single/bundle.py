@@ -18,7 +18,7 @@ TYPES = {
     ".zip": "application/zip",
 }
 
-# Gives the bytes of a file inside `dist/`.
+# Returns the contents of a file inside `dist/`.
 Read = Callable[[str], bytes]
 
 
@@ -31,8 +31,8 @@ def bundle(
 ) -> str:
     """Return the files `paths` and `page`, a page.json, as base64.
 
-    `entries` are the modules that start.js runs, `workers` those that it starts workers with, each
-    with the scripts that it loads.
+    `entries` are the modules that start.js runs; `workers` maps the worker scripts to the scripts
+    that they load.
     """
     parts: dict[str, bytes] = {"page.json": page} if page else {}
     for path in [*paths, *entries]:
@@ -54,7 +54,7 @@ def bundle(
 
 
 def packed_size(contents: Iterable[bytes]) -> int:
-    """Return how many bytes of the page its files `contents` take."""
+    """Return the size in bytes that the files `contents` take in the page."""
     return len(_packed(b"".join(contents)))
 
 
@@ -63,7 +63,7 @@ def _packed(content: bytes) -> str:
 
 
 def _add(path: str, parts: dict[str, bytes], read: Read) -> None:
-    """Add a file after those that it imports, which it then names by their paths."""
+    """Add a file after the files that it imports; its imports then refer to these by path."""
     if path in parts:
         return
     content = read(path)

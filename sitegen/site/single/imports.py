@@ -1,4 +1,4 @@
-"""Find what a module of a theme imports, whose graph esbuild does not know."""
+"""Find the imports of a theme's module, which are not in the module graph of esbuild."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pygments.lexers.javascript import JavascriptLexer
 
 
 class Specifier(NamedTuple):
-    """The relative path of an import, and where it is written, with its quotes."""
+    """The relative path in an import, and its position with quotes."""
 
     name: str
     start: int
@@ -17,12 +17,12 @@ class Specifier(NamedTuple):
 
 
 def imports(text: str) -> Iterator[Specifier]:
-    """Yield the static imports of a module that name a file of the site."""
+    """Yield the static imports of files of the site in a module."""
     before = ""
     for start, kind, value in JavascriptLexer().get_tokens_unprocessed(text):
         if kind[:1] == ("Comment",) or not value.strip():
             continue
-        # Nothing else in the language is one of these words and a string.
+        # No other syntax of JavaScript has one of these words followed by a string.
         if kind[:2] == ("Literal", "String") and before in ("from", "import") and value[1:2] == ".":
             yield Specifier(value[1:-1], start, start + len(value))
         before = value

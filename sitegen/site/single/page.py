@@ -1,4 +1,4 @@
-"""Put what a page loads into its HTML."""
+"""Embed the files that a page loads in its HTML."""
 
 from __future__ import annotations
 
@@ -19,25 +19,25 @@ from sitegen import pagepath
 from sitegen.model import Artifact, Page, Site
 from sitegen.site.single.bundle import bundle
 
-# By this, a file is known to be one that sitegen wrote.
+# Marks a file that sitegen wrote.
 HELD = '<script type="application/octet-stream" id="sitegen-files">'
 START = Path(__file__).with_name("start.js")
 URL = re.compile(r"""url\(\s*["']?([^"')]+)["']?\s*\)""")
-# The page seems to lie here, so that its links can be resolved.
+# The assumed URL of the page, against which its links are resolved.
 HERE = "site:/"
-# What stands for the policy until it is known.
+# Placeholder for the policy until it is known.
 POLICY = "sitegen:policy"
 # Python itself, and the workers that load it.
 PYTHON = "runtime/vendor/pyodide/"
 PYTHON_WORKERS = "runtime/workers/python/"
-# What there is no use for without a server.
+# Files that are useless without a server.
 DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
 
 
 def single_file(site: Site, page: Page, text: str, artifacts: Mapping[str, Artifact]) -> str:
-    """Return the HTML of `page`, with `text` as it is in the site, as one file.
+    """Return `page` as one HTML file; `text` is its HTML in the site.
 
-    `artifacts` are those of the page and all that it may load, by path.
+    `artifacts` are those of the page and of everything that it may load, by path.
     """
     writer = _Writer(site, page, artifacts)
     writer.feed(text)
@@ -144,19 +144,19 @@ class _Writer(HTMLParser):
         if path in self.artifacts and not path.endswith(".html"):
             found = self._data(path)
         else:
-            # Another page: where the site lives, or nowhere.
+            # Another page: its URL on the web, or no link.
             found = self.site.url + self._absolute(value).removeprefix(HERE)
             if not self.site.url:
                 return re.sub(rf"""\s{name}=("[^"]*"|'[^']*'|[^\s>]+)""", "", written, count=1)
         return written.replace(html.escape(value), html.escape(found), 1)
 
     def _absolute(self, address: str) -> str:
-        # urljoin knows relative paths of http only.
+        # urljoin resolves relative paths of http URLs only.
         base = f"http://site/{self.page.path}"
         return urljoin(base, address).replace("http://site/", HERE, 1)
 
     def _path(self, address: str) -> str | None:
-        """Return the path inside `dist/` that an address of the page means, if it means one."""
+        """Return the path inside `dist/` for a URL in the page, if it has one."""
         absolute = self._absolute(address)
         if not address or not absolute.startswith(HERE):
             return None
@@ -202,7 +202,7 @@ class _Writer(HTMLParser):
         workers = [path for path in modules if path.startswith("runtime/workers/")]
         scripts = [path for path in programs if path.endswith(".js")]
         wasm = [path for path in programs if path.endswith(".wasm")]
-        # A worker has a bundle of its own, with what it loads only when a program asks for it.
+        # Each worker has its own bundle, including modules that it loads on demand.
         later = [path for path in modules if path.startswith("runtime/messages/filter/")]
         begun = [path for path in workers if path.endswith("Node.js")]
         starts = {

@@ -1,5 +1,5 @@
-// Publishes the positions of all joints of the robot on /robot_description: those that other topics
-// told (`source_list`), else zero, or the middle where zero is not possible.
+// Publishes the positions of all joints of the robot on /robot_description: those received from
+// other topics (`source_list`), else zero, or the middle of the range if it does not contain zero.
 #include <chrono>
 #include <map>
 #include <memory>

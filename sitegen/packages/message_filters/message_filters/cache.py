@@ -26,7 +26,7 @@ class Cache(SimpleFilter):
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Take a message in."""
+        """Add a message."""
         stamp = stamp_of(msg, self.allow_headerless, "cache")
         if stamp is None:
             return
@@ -52,7 +52,7 @@ class Cache(SimpleFilter):
         """Return the time of the last message."""
         return self.cache_times[-1] if self.cache_times else None
 
-    # As upstream spells it.
+    # The spelling of upstream.
     getLastestTime = getLatestTime
 
     def getOldestTime(self) -> Time | None:

@@ -1,4 +1,4 @@
-"""Pass on what comes on a topic."""
+"""The filter that receives the messages of a topic."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from message_filters.simple_filter import SimpleFilter
 
 
 class Subscriber(SimpleFilter):
-    """Takes a node, and what its `create_subscription` takes but the callback."""
+    """Takes a node and the arguments of its `create_subscription`, without the callback."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__()
@@ -18,7 +18,7 @@ class Subscriber(SimpleFilter):
         self.sub = self.node.create_subscription(kind, self.topic, self.callback, *others, **kwargs)
 
     def callback(self, msg: Any) -> None:
-        """Pass a message on."""
+        """Pass on a message."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:

@@ -68,7 +68,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         now, slop = stamp.nanoseconds, self.slop.nanoseconds
         with self.lock:
             self._keep(now, msg, my_queue)
-            # The nearest first; of the filter itself only the new message.
+            # The nearest first; of the filter of the new message, only that message.
             choices = [
                 [now]
                 if queue is my_queue

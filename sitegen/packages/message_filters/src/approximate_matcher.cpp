@@ -62,14 +62,14 @@ ApproximateMatcher::Interval ApproximateMatcher::interval() const
   return found;
 }
 
-/// Whether `next` is narrower than the candidate, less the penalty for being later.
+/// Whether `next` is smaller than the candidate, with the penalty for being later.
 bool ApproximateMatcher::is_better(const Interval & next) const
 {
   const double later = static_cast<double>(next.end - candidate_end_) * (1 + age_penalty_);
   return later < static_cast<double>(next.start - candidate_start_);
 }
 
-/// Whether no interval that begins after `next` and has the pivot can be better.
+/// Whether no interval that begins after `next` and contains the pivot can be better.
 bool ApproximateMatcher::is_best(const Interval & next) const
 {
   const double later = static_cast<double>(next.end - candidate_end_) * (1 + age_penalty_);
@@ -102,7 +102,7 @@ void ApproximateMatcher::search(const std::function<void(const Match &)> & emit)
       if (i != at.last) {topics_[i].dropped = false;}
     }
     if (!pivot_) {
-      // With a message that was dropped, the pivot might have been in a better match.
+      // A dropped message might have been a better match than the pivot.
       if (at.end - at.start > max_interval_ || topics_[at.last].dropped) {
         topics_[at.first].waiting.pop_front();
         continue;
@@ -147,7 +147,7 @@ void ApproximateMatcher::come_back(std::size_t index, std::size_t count)
   }
 }
 
-/// Go on with the earliest messages that could come, and see whether these could be better.
+/// Continue with the earliest possible messages, and check whether they could be better.
 bool ApproximateMatcher::no_other_can_be_better()
 {
   std::vector<std::size_t> moves(topics_.size());
@@ -156,7 +156,7 @@ bool ApproximateMatcher::no_other_can_be_better()
     const Interval at = interval();
     best = is_best(at);
     if (best || is_better(at)) {break;}
-    // Not at the pivot yet, so this topic has a message that waits.
+    // The search has not reached the pivot, so this topic has another message.
     go_past(at.first);
     ++moves[at.first];
   }

@@ -17,7 +17,7 @@ void ExactMatcher::add(
   if (std::all_of(items.begin(), items.end(), [](const auto & each) {return each.has_value();})) {
     Match match;
     for (auto & each : items) {match.push_back(std::move(*each));}
-    // What is older will not be complete any more.
+    // Older sets will never be complete.
     waiting_.erase(waiting_.begin(), std::next(place));
     emit(match);
   }

@@ -17,7 +17,7 @@ void LatestMatcher::add(
   const bool first = !topic.latest;
   topic.latest = std::move(item);
   if (first) {
-    // A rate is known from the second message on.
+    // The rate is known from the second message on.
     if (weights_.size() == topics_.size()) {
       topic.weights = weights_[index];
     } else if (weights_.size() == 1) {
@@ -35,7 +35,7 @@ void LatestMatcher::add(
   emit(match);
 }
 
-/// Learn the rate of `topic` from the time since its last message; false if none has passed.
+/// Update the rate of `topic` with the time since its last message; false if no time has passed.
 bool LatestMatcher::measure(Topic & topic, std::int64_t now) const
 {
   const double period = static_cast<double>(now - topic.last) / 1e9;
@@ -54,7 +54,7 @@ bool LatestMatcher::measure(Topic & topic, std::int64_t now) const
   return true;
 }
 
-/// The topic with the highest rate, of those that are not late.
+/// The topic with the highest rate among those that are not late.
 std::optional<std::size_t> LatestMatcher::fastest(std::int64_t now) const
 {
   std::optional<std::size_t> found;

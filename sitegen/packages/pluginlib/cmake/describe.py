@@ -1,7 +1,7 @@
 """Turn a plugin description into sources that register it: `describe.py file package category out`.
 
-For each library that the file names, `<category>.<library>.cpp` is written to the folder `out`. The
-names of the libraries are printed, as a list of CMake.
+For each library in the file, it writes `<category>.<library>.cpp` to the folder `out`. It prints
+the names of the libraries as a list of CMake.
 """
 
 from __future__ import annotations

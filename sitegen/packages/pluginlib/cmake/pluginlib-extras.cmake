@@ -1,11 +1,11 @@
-# Plugins: classes of libraries that a file in XML describes.
+# Plugins: classes in libraries, which an XML file describes.
 set(_pluginlib_describe "${CMAKE_CURRENT_LIST_DIR}/describe.py")
 set(_pluginlib_include "${CMAKE_CURRENT_LIST_DIR}/../include")
 if(NOT TARGET sitegen_plugins)
   add_library(sitegen_plugins INTERFACE IMPORTED GLOBAL)
 endif()
 
-# Only ament_package() knows all libraries.
+# All libraries of a package are known only in ament_package().
 function(pluginlib_export_plugin_description_file category file)
   set_property(GLOBAL APPEND PROPERTY SITEGEN_PLUGINS "${category}@${file}")
   set_property(GLOBAL APPEND PROPERTY SITEGEN_BEFORE_PACKAGE _pluginlib_describe_all)
@@ -14,7 +14,7 @@ endfunction()
 function(pluginlib_enable_plugin_testing)
 endfunction()
 
-# Put what describes plugins into their libraries, and these into the programs of this package.
+# Add the plugin descriptions to their libraries, and link these into the programs of this package.
 function(_pluginlib_describe_all)
   get_property(items GLOBAL PROPERTY SITEGEN_PLUGINS)
   foreach(item IN LISTS items)
@@ -42,7 +42,7 @@ function(_pluginlib_describe_all)
   endforeach()
 endfunction()
 
-# The target of which `library` is the file, without "lib" before its name.
+# The target that builds `library`, whose file name may begin with "lib".
 function(_pluginlib_target library file result)
   sitegen_libraries_below("${PROJECT_SOURCE_DIR}" targets)
   foreach(target IN LISTS targets)

@@ -146,7 +146,7 @@ private:
       published_.clear();
     }
     last_time_ = time;
-    // The joint that was published longest ago decides; one that never was, at once.
+    // The rate is limited by the joint whose last publication is the oldest.
     std::int64_t oldest = time;
     for (const std::string & name : state.name) {oldest = std::min(oldest, published_[name]);}
     const auto period = static_cast<std::int64_t>(1000.0 / frequency_) * 1000000;

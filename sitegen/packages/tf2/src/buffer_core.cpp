@@ -9,7 +9,7 @@ namespace tf2
 namespace
 {
 
-/// How far the square of a quaternion's length may be from 1.
+/// The tolerance for the squared length of a quaternion, which should be 1.
 constexpr double kTolerance = 10e-3;
 constexpr TransformableRequestHandle kNever = 0xffffffffffffffffULL;
 
@@ -23,7 +23,7 @@ TimePoint time_of(const builtin_interfaces::msg::Time & stamp)
   return TimePoint(std::chrono::seconds(stamp.sec) + std::chrono::nanoseconds(stamp.nanosec));
 }
 
-/// Why a transform is none, one line for each reason.
+/// Why a transform is invalid, one line for each reason.
 std::vector<std::string> faults(
   const geometry_msgs::msg::Transform & transform, const std::string & parent,
   const std::string & child, const std::string & authority)
@@ -249,7 +249,7 @@ void BufferCore::answer_requests()
       each = result ? requests_.erase(each) : std::next(each);
     }
   }
-  // Without the lock: who is called back looks the transform up.
+  // Called without the lock, because callbacks look up the transform.
   for (std::size_t i = 0; i < done.size(); ++i) {
     const auto & [handle, request] = done[i];
     request.callback(handle, request.target, request.source, request.time, results[i]);

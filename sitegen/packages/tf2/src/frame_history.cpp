@@ -9,7 +9,7 @@ namespace detail
 namespace
 {
 
-/// What lies between two samples, of which `newer` was later.
+/// Interpolate between two samples, of which `newer` is the later one.
 Sample between(const Sample & older, const Sample & newer, TimePoint time)
 {
   const double ratio = static_cast<double>((time - older.stamp).count()) /

@@ -1,4 +1,4 @@
-// What a buffer says of its frames, and of what it cannot find.
+// The descriptions of frames, and the messages of exceptions.
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// How a buffer finds the way from one frame to another.
+// The search for a path between two frames.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -132,7 +132,7 @@ bool BufferCore::can_find(
 TF2Error BufferCore::latest_common_time(
   CompactFrameID target, CompactFrameID source, TimePoint & time, std::string * error) const
 {
-  // What is true at any time does not limit the time.
+  // Static transforms do not limit the time.
   const auto limit = [this](const std::vector<CompactFrameID> & frames) {
       TimePoint common = TimePoint::max();
       for (const CompactFrameID frame : frames) {

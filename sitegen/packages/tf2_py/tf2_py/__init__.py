@@ -1,4 +1,4 @@
-"""The buffer of transforms, and what it raises."""
+"""The buffer of transforms, and its exceptions."""
 
 from tf2_py.buffer_core import BufferCore
 from tf2_py.exceptions import (

@@ -1,4 +1,4 @@
-"""All that is known of all frames; they are a tree: each has one parent."""
+"""A tree of frames with their transforms over time; each frame has one parent."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from tf2_py.geometry import IDENTITY, Pose, chained, inverted
 
 KEPT = 10_000_000_000
 DEEPEST = 1000
-# How far the square of a quaternion's length may be from 1.
+# The tolerance for the squared length of a quaternion, which should be 1.
 TOLERANCE = 10e-3
 
 
 class _Climb(NamedTuple):
-    """From one frame upwards: where it ended, the transform to there, and why it failed."""
+    """A path from a frame upwards: its end, the transform to there, and why it failed."""
 
     end: str
     pose: Pose
@@ -36,7 +36,7 @@ class _Climb(NamedTuple):
 
 
 class BufferCore:
-    """Takes transforms in, and answers questions about the way from one frame to another."""
+    """Stores transforms, and computes the transform between any two frames."""
 
     def __init__(self, cache_time: Duration | None = None) -> None:
         self._kept = KEPT if cache_time is None else cache_time.nanoseconds
@@ -44,17 +44,17 @@ class BufferCore:
         self._names: dict[str, None] = {}  # of those that are known as parents only, too
 
     def clear(self) -> None:
-        """Forget all that is not static."""
+        """Remove all transforms that are not static."""
         for history in self._histories.values():
             if not history.is_static:
                 history.samples.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Take in where a frame is at a time."""
+        """Store the transform of a frame at a time."""
         self._set(transform, authority, is_static=False)
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Take in where a frame is at all times."""
+        """Store the transform of a frame for all times."""
         self._set(transform, authority, is_static=True)
 
     def _set(self, transform: TransformStamped, authority: str, *, is_static: bool) -> None:
@@ -84,7 +84,10 @@ class BufferCore:
     def lookup_transform_core(
         self, target_frame: str, source_frame: str, time: Time
     ) -> TransformStamped:
-        """Return what brings coordinates of the source to the target; raises what is missing."""
+        """Return the transform from the source frame to the target frame.
+
+        Raises: TransformException if it is not available.
+        """
         pose, stamp = self._look_up(target_frame, source_frame, time.nanoseconds)
         return _stamped(pose, stamp, target_frame, source_frame)
 
@@ -96,7 +99,7 @@ class BufferCore:
         source_time: Time,
         fixed_frame: str,
     ) -> TransformStamped:
-        """Return the same where the times differ: `fixed_frame` stood still in between."""
+        """Return the transform between two times; `fixed_frame` does not move in between."""
         frames = {"target": target_frame, "source": source_frame, "fixed": fixed_frame}
         for which, frame in frames.items():
             self._check(f"lookupTransform argument {which}_frame", frame)
@@ -107,7 +110,7 @@ class BufferCore:
     def can_transform_core(
         self, target_frame: str, source_frame: str, time: Time
     ) -> tuple[bool, str]:
-        """Return whether there is a transform, and why not."""
+        """Return whether the transform is available, and the reason if not."""
         return self._can(target_frame, source_frame, time.nanoseconds)
 
     def can_transform_full_core(
@@ -118,7 +121,7 @@ class BufferCore:
         source_time: Time,
         fixed_frame: str,
     ) -> tuple[bool, str]:
-        """Return the same for two times."""
+        """Return the same for a transform between two times."""
         can, why = self._can(target_frame, fixed_frame, target_time.nanoseconds)
         return self._can(fixed_frame, source_frame, source_time.nanoseconds) if can else (can, why)
 
@@ -134,7 +137,7 @@ class BufferCore:
         )
 
     def all_frames_as_yaml(self) -> str:
-        """Return all that is known of all frames, as YAML."""
+        """Return the state of all frames as YAML."""
         text = ""
         for name, history in self._histories.items():
             length = (history.newest - history.oldest) / 1e9
@@ -171,7 +174,7 @@ class BufferCore:
     def _look_up(
         self, target: str, source: str, time: int, asking: str = "lookupTransform"
     ) -> tuple[Pose, int]:
-        """Return the transform, and the time that it is of."""
+        """Return the transform and its time."""
         if target == source:
             history = self._histories.get(target)
             return IDENTITY, history.newest if history and time == 0 else time
@@ -221,7 +224,7 @@ class BufferCore:
         if top is None:
             raise _unconnected(target, source)
         frames = up[: up.index(top)] + other[: other.index(top)]
-        # What is true at any time does not limit the time.
+        # Static transforms do not limit the time.
         times = [self._histories[frame].newest for frame in frames]
         return min(filter(None, times), default=0)
 
@@ -249,7 +252,7 @@ def _stamped(pose: Pose, stamp: int, target: str, source: str) -> TransformStamp
 
 
 def _faults(t: object, r: object, parent: str, child: str, authority: str) -> list[str]:
-    """Return why a transform is none, a line for each reason."""
+    """Return why a transform is invalid, a line for each reason."""
     found = []
     if child == parent:
         found.append(

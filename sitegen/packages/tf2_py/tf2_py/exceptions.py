@@ -1,27 +1,27 @@
-"""What a buffer raises: nothing is wrong with the program, a transform is not there."""
+"""The exceptions of a buffer: a transform is not available."""
 
-# Upstream's names do not end in "Error".
+# The names of upstream, which do not end in "Error".
 
 
 class TransformException(Exception):
-    """What all of these are."""
+    """The base class of these exceptions."""
 
 
 class ConnectivityException(TransformException):
-    """Two frames are there, and no transforms lead from one to the other."""
+    """Both frames exist, but no transforms connect them."""
 
 
 class LookupException(TransformException):
-    """Nobody has said anything about a frame yet."""
+    """A frame does not exist yet."""
 
 
 class ExtrapolationException(TransformException):
-    """A time is outside of what is kept."""
+    """A time is outside the buffered times."""
 
 
 class InvalidArgumentException(TransformException):
-    """A name cannot be that of a frame."""
+    """A frame name is invalid."""
 
 
 class TimeoutException(TransformException):
-    """It took too long."""
+    """The transform was not available in time."""

@@ -1,4 +1,4 @@
-"""What is known of one frame: where it was in its parent, at which times."""
+"""The history of one frame: its transforms to its parent, by time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from tf2_py.geometry import Pose, between
 
 
 class Sample(NamedTuple):
-    """Where a frame was; `stamp` is in nanoseconds."""
+    """A transform of a frame; `stamp` is in nanoseconds."""
 
     stamp: int
     pose: Pose
@@ -17,7 +17,7 @@ class Sample(NamedTuple):
 
 
 class FrameHistory:
-    """The samples of one frame, of the last `kept` nanoseconds."""
+    """The samples of one frame within the last `kept` nanoseconds."""
 
     def __init__(self, is_static: bool, kept: int) -> None:
         self.is_static = is_static
@@ -27,7 +27,7 @@ class FrameHistory:
 
     @property
     def newest(self) -> int:
-        """The time of the newest sample; 0 where all is true at any time."""
+        """The time of the newest sample; 0 for a static frame."""
         return 0 if self.is_static or not self.samples else self.samples[-1].stamp
 
     @property
@@ -41,7 +41,7 @@ class FrameHistory:
         return self.samples[-1].parent if self.samples else ""
 
     def insert(self, sample: Sample) -> bool:
-        """Return False if it is older than what is kept."""
+        """Add a sample; return False if it is older than the history."""
         if self.is_static:
             self.samples = [sample]
             return True
@@ -57,7 +57,7 @@ class FrameHistory:
         return True
 
     def at(self, time: int) -> Sample | str:
-        """Return the frame at a time, at 0 the newest; or why it cannot be had."""
+        """Return the sample at a time, or the newest one for 0; or the reason why there is none."""
         if not self.samples:
             return ""
         if self.is_static or time == 0:
@@ -92,5 +92,5 @@ class FrameHistory:
 
 
 def shown(time: int) -> str:
-    """Write a time in seconds."""
+    """Return a time in seconds as text."""
     return f"{time / 1e9:.6f}"

@@ -83,7 +83,7 @@ bool Buffer::wait(
   const rclcpp::Time begun = clock_->now();
   const rclcpp::Time end = begun + rclcpp::Duration(timeout);
   std::string why;
-  // A clock that runs backwards means a recording that begins again.
+  // A clock that jumps back means that a recording was restarted.
   while (!can(&why) && clock_->now() < end && clock_->now() + rclcpp::Duration(3, 0) >= begun &&
     rclcpp::ok())
   {
@@ -141,7 +141,7 @@ TransformStampedFuture Buffer::waitForTransform(
     const auto timer = timer_interface_->createTimer(
       clock_, timeout, [this, handle, future, fail, callback, way](const TimerHandle &) {
         cancelTransformableRequest(handle);
-        // Copies, since this function goes with its timer.
+        // Copies, because this function is destroyed with its timer.
         const auto [give_up, call, answer, text] = std::tuple(fail, callback, future, way);
         remove_timer(handle);
         give_up(tf2::TimeoutException("Timed out waiting for transform " + text));

@@ -17,7 +17,7 @@ rclcpp_action::CancelResponse BufferServer::cancel(const GoalHandle & handle)
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto one = waiting_.begin(); one != waiting_.end(); ++one) {
     if (one->handle->get_goal_id() == handle->get_goal_id()) {
-      // It is told as canceled when it is looked at next.
+      // It is reported as canceled at the next check.
       one->end = tf2::TimePoint::min();
       return rclcpp_action::CancelResponse::ACCEPT;
     }

@@ -1,4 +1,4 @@
-// A program that answers BufferClients from what is said on /tf and /tf_static.
+// A program that serves the transforms of /tf and /tf_static to BufferClients.
 #include <memory>
 
 #include "rclcpp/rclcpp.hpp"

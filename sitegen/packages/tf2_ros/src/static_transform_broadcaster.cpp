@@ -14,7 +14,7 @@ void StaticTransformBroadcaster::sendTransform(
 void StaticTransformBroadcaster::sendTransform(
   const std::vector<geometry_msgs::msg::TransformStamped> & transforms)
 {
-  // Who comes late gets the last message only, so each has all of them.
+  // Late subscribers receive only the last message, so each message contains all transforms.
   auto & all = net_message_.transforms;
   for (const auto & transform : transforms) {
     const auto known = std::find_if(

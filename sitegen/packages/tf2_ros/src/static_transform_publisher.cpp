@@ -18,7 +18,7 @@ constexpr const char * kUsage =
   "[--qw QW] [--roll ROLL] [--pitch PITCH] [--yaw YAW] --frame-id FRAME_ID "
   "--child-frame-id CHILD_FRAME_ID\n"
   "Lengths are in meters, angles in radians.";
-/// What may be given, and its value where it is not.
+/// The options and their defaults.
 const std::map<std::string, double> kNumbers{
   {"x", 0}, {"y", 0}, {"z", 0}, {"qx", 0}, {"qy", 0}, {"qz", 0}, {"qw", 1},
   {"roll", 0}, {"pitch", 0}, {"yaw", 0}};
@@ -116,7 +116,7 @@ Given parse(const std::vector<std::string> & arguments)
   return given;
 }
 
-/// Publishes one transform, once: who comes later gets it too.
+/// Publishes one transform, once; it is transient local, so late subscribers receive it, too.
 class StaticTransformPublisher : public rclcpp::Node
 {
 public:

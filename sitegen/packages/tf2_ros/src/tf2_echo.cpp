@@ -1,4 +1,4 @@
-// tf2_echo SOURCE_FRAME TARGET_FRAME [RATE]: print a transform again and again.
+// tf2_echo SOURCE_FRAME TARGET_FRAME [RATE]: print a transform repeatedly.
 #include <cmath>
 #include <cstdio>
 #include <exception>

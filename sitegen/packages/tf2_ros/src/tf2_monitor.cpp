@@ -1,4 +1,4 @@
-// tf2_monitor [SOURCE_FRAME TARGET_FRAME]: print how late and how often transforms come.
+// tf2_monitor [SOURCE_FRAME TARGET_FRAME]: print the delay and the rate of transforms.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,11 +16,11 @@
 namespace
 {
 
-// The middleware does not tell who sent a transform.
+// Messages do not identify the node that sent them.
 constexpr char kAuthority[] = "<no authority available>";
 constexpr std::size_t kKept = 1000;
 
-/// The newest of many numbers.
+/// A window of the newest values.
 struct Series
 {
   void add(double number)
@@ -120,7 +120,7 @@ private:
     times_.add(now);
   }
 
-  /// A frame and those above it.
+  /// A frame and its ancestors.
   std::vector<std::string> above(std::string frame) const
   {
     std::vector<std::string> frames{frame};
@@ -131,7 +131,7 @@ private:
     return frames;
   }
 
-  /// From the source up to what both are below, and down to the target.
+  /// From the source up to the common ancestor, and down to the target.
   std::vector<std::string> chain() const
   {
     auto up = above(source_);

@@ -10,7 +10,7 @@ namespace tf2_ros
 namespace
 {
 
-/// A node for a listener that was given none, with a name that no other has.
+/// Create a node with a unique name, for a listener without a node.
 rclcpp::Node::SharedPtr make_node(const void * listener)
 {
   char name[64];

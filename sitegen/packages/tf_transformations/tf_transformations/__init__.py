@@ -1,6 +1,6 @@
 """Functions on quaternions, which are lists of x, y, z, w; angles are in radians.
 
-Of the functions that need matrices from numpy none is here.
+Functions on matrices, which need numpy, are left out.
 """
 
 from __future__ import annotations

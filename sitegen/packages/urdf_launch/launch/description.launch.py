@@ -9,7 +9,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def generate_launch_description():
-    """Describe one node."""
+    """Return the node that publishes the description."""
     folder = FindPackageShare(LaunchConfiguration("urdf_package"))
     path = PathJoinSubstitution([folder, LaunchConfiguration("urdf_package_path")])
     description = ParameterValue(Command(["xacro ", path]), value_type=str)

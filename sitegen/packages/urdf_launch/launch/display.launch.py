@@ -1,4 +1,4 @@
-"""Publish a description, and positions for its joints."""
+"""Publish a robot description and the positions of its joints."""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
@@ -9,7 +9,7 @@ from launch_ros.substitutions import FindPackageShare
 
 
 def generate_launch_description():
-    """Describe what stands for the robot."""
+    """Return the nodes of the simulated robot."""
     gui = LaunchConfiguration("jsp_gui")
     here = FindPackageShare("urdf_launch")
     names = ("urdf_package", "urdf_package_path")

@@ -1,4 +1,4 @@
-"""Draw diagrams at build: the flowcharts and sequence diagrams of Mermaid's language, as SVG."""
+"""Draw diagrams when the site is built: flowcharts and sequence diagrams of Mermaid, as SVG."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""What can be wrong with a diagram."""
+"""The error of an invalid diagram."""
 
 from __future__ import annotations
 
 
 class DiagramError(ValueError):
-    """`line`, as the author wrote it, is nothing that can be drawn."""
+    """`line`, as the author wrote it, is invalid or unsupported."""
 
     def __init__(self, line: str, fault: str) -> None:
         super().__init__(fault)

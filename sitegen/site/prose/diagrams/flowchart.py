@@ -1,4 +1,4 @@
-"""Draw a flowchart: boxes, and arrows from one to the other."""
+"""Draw a flowchart: boxes, and arrows between them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from sitegen.site.prose.diagrams.svg import Point
 DIRECTIONS = {"TB", "TD", "BT", "LR", "RL"}
 MARGIN, LOOP = 12.0, 36.0
 
-# What stands around the text of a box, the longer ones first.
+# The delimiters of the text of a box, longer ones first.
 SHAPES = {
     ("([", "])"): "stadium",
     ("((", "))"): "circle",
@@ -35,7 +35,7 @@ REFUSED = {"subgraph", "end", "classDef", "class", "style", "linkStyle", "click"
 
 @dataclass
 class _Chart:
-    """What was read so far: the text and the shape of each box, and the arrows."""
+    """The result of parsing: the text and the shape of each box, and the arrows."""
 
     boxes: dict[str, tuple[str, str]] = field(default_factory=dict)
     arrows: list[_Arrow] = field(default_factory=list)
@@ -52,7 +52,7 @@ class _Arrow:
 
 
 def flowchart(lines: Sequence[str]) -> str:
-    """Return the drawing of a flowchart, whose first line says where it leads."""
+    """Return the drawing of a flowchart, whose first line has its direction."""
     _, _, direction = lines[0].partition(" ")
     direction = direction.strip() or "TB"
     if direction not in DIRECTIONS:
@@ -94,7 +94,7 @@ def _arrow(start: str, end: str, found: re.Match[str]) -> _Arrow:
 
 
 def _names(rest: str, line: str, chart: _Chart) -> tuple[list[str], str]:
-    """Return the boxes that `rest` begins with, `a & b[Text]`, and what follows them."""
+    """Return the boxes at the start of `rest`, as in `a & b[Text]`, and the text after them."""
     names = []
     while True:
         found = NAME.match(rest)
@@ -127,7 +127,7 @@ def _draw(chart: _Chart, direction: str) -> str:
     boxes = {}
     for name, (text, shape) in chart.boxes.items():
         w, h = _size(text, shape)
-        # An arrow to itself is on the right of a box, which stays in the middle of its room.
+        # An arrow to itself is at the right of its box, which stays in the middle of its space.
         w += 2 * (LOOP + svg.width(own[name].text)) if name in own else 0
         boxes[name] = Box(h, w) if sideways else Box(w, h)
     ways = place(boxes, [(a.start, a.end, _label_size(a.text, sideways)) for a in arrows])
@@ -181,7 +181,7 @@ def _label(text: str, x: float, y: float) -> str:
 
 
 def _said(chart: _Chart) -> str:
-    """Say the chart in words."""
+    """Return a description of the chart in words."""
     names = {name: " ".join(svg.lines(text)) for name, (text, _) in chart.boxes.items()}
     said = [
         f"{names[a.start]} → {names[a.end]}{f' ({a.text})' if a.text else ''}" for a in chart.arrows
@@ -207,7 +207,7 @@ def _label_size(text: str, sideways: bool) -> Point:
 
 
 def _edge(middle: Point, towards: Point, text: str, shape: str) -> Point:
-    """Return where the line from the middle of a box towards a point leaves it."""
+    """Return the point where the line from the middle of a box towards a point leaves the box."""
     x, y = towards[0] - middle[0], towards[1] - middle[1]
     if not x and not y:
         return middle
@@ -234,7 +234,7 @@ def _store(x: float, y: float, w: float, h: float) -> str:
 
 
 def _shape(*corners: Point) -> Callable[[float, float, float, float], str]:
-    """Return how to draw a box with corners in units of half its size."""
+    """Return the path of a box whose corners are given in units of half its size."""
 
     def outline(x: float, y: float, w: float, h: float) -> str:
         return svg.polygon([(x + a * w / 2, y + b * h / 2) for a, b in corners], "box")

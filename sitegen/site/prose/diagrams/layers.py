@@ -1,7 +1,8 @@
-"""Location the boxes of a graph in layers, so that its arrows lead from each to the next.
+"""Place the boxes of a graph in layers, so that arrows lead from each layer to the next.
 
-Sugiyama's method: turn arrows that would close a circle, put every box as far down as its arrows
-ask, cross as few arrows as sorting finds, then move boxes towards those that they are joined to.
+This is Sugiyama's method: reverse arrows that close a cycle, put every box as far down as its
+arrows require, sort the layers to reduce crossings, then move boxes towards those that they are
+connected to.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ ROUNDS = 12
 
 @dataclass
 class Box:
-    """A box: its size, and the middle of it once it is placed. An arrow passes through others."""
+    """A box: its size, and its middle once it is placed. Arrows pass through boxes of their own."""
 
     across: float
     down: float
@@ -31,14 +32,14 @@ class Box:
 def place(
     boxes: Mapping[str, Box], arrows: Sequence[tuple[str, str, tuple[float, float]]]
 ) -> list[list[Box]]:
-    """Location `boxes` and return, for each arrow, the boxes it goes through, ends included.
+    """Place `boxes` and return, for each arrow, the boxes that it passes through, ends included.
 
-    An arrow is its two ends and the size of its label, (0, 0) without one; the label's box is the
-    middle one of its way.
+    An arrow is its two ends and the size of its label, (0, 0) without one; the box of the label is
+    in the middle of the path.
     """
     turned = _turned([(a, b) for a, b, _ in arrows], boxes)
     ends = [(b, a) if turn else (a, b) for (a, b, _), turn in zip(arrows, turned, strict=True)]
-    # Twice as many layers as boxes need, so that every arrow has one for its label.
+    # Twice as many layers as boxes need, so that every arrow has a layer for its label.
     for name, layer in _depths(ends, boxes).items():
         boxes[name].layer = 2 * layer
     ways = []
@@ -56,7 +57,7 @@ def place(
 
 
 def _turned(arrows: Sequence[tuple[str, str]], names: Iterable[str]) -> list[bool]:
-    """Return which arrows lead back to a box that they come from."""
+    """Return the arrows that lead back to a box from which they can be reached."""
     below: dict[str, list[str]] = {name: [] for name in names}
     for a, b in arrows:
         below[a].append(b)
@@ -74,7 +75,7 @@ def _visit(
     open_.add(name)
     for other in below[name]:
         _visit(other, below, order, open_)
-    # A box is done after all that it leads to, but those that lead back to it.
+    # A box is visited after all boxes that it leads to, except by reversed arrows.
     order[name] = len(order)
 
 
@@ -91,7 +92,7 @@ def _depths(arrows: Sequence[tuple[str, str]], names: Iterable[str]) -> dict[str
 
 
 def _way(upper: Box, lower: Box, label: tuple[float, float]) -> list[Box]:
-    """Join two boxes by one box in each layer between them."""
+    """Connect two boxes through one box in each layer between them."""
     count = lower.layer - upper.layer - 1
     between = [Box(0, 0, passed=True, layer=upper.layer + 1 + i) for i in range(max(count, 0))]
     if between:
@@ -105,13 +106,13 @@ def _way(upper: Box, lower: Box, label: tuple[float, float]) -> list[Box]:
 
 
 def _sort(layers: Sequence[list[Box]]) -> None:
-    """Sort each layer by the places of the neighbours, down and up again; keep the best."""
+    """Sort each layer by the positions of the neighbours, down and up; keep the best order."""
     best, least = [list(layer) for layer in layers], _crossings(layers)
     for round_ in range(ROUNDS):
         down = round_ % 2 == 0
         for layer in layers[1:] if down else layers[-2::-1]:
             places = _places(layers)
-            # A box without neighbours stays where it is.
+            # A box without neighbours stays in place.
             layer.sort(key=lambda box: _mean(box.above if down else box.below, box, places))
         crossings = _crossings(layers)
         if crossings < least:
@@ -139,7 +140,7 @@ def _crossings(layers: Sequence[list[Box]]) -> int:
 
 
 def _align(layers: Sequence[list[Box]]) -> None:
-    """Move the boxes of each layer towards their neighbours, as far as there is room."""
+    """Move the boxes of each layer towards their neighbours as far as there is space."""
     for layer in layers:
         _spread(layer, [0.0] * len(layer))
     for round_ in range(ROUNDS):
@@ -154,7 +155,7 @@ def _align(layers: Sequence[list[Box]]) -> None:
 
 
 def _spread(layer: Sequence[Box], wanted: Sequence[float]) -> None:
-    """Location boxes as near to `wanted` as their sizes allow: least squares, kept in order."""
+    """Place boxes as close to `wanted` as their sizes allow: least squares, order preserved."""
     offsets, at = [], 0.0
     for box, following in zip(layer, [*layer[1:], None], strict=True):
         offsets.append(at)
@@ -180,5 +181,5 @@ def _stack(layers: Sequence[list[Box]]) -> None:
         for box in layer:
             box.x -= left
             box.y = y + down / 2
-        # Between two rows of boxes stands one of labels, which has half of the distance.
+        # Between two layers of boxes is one of labels, which has half the distance.
         y += down + DOWN / 2

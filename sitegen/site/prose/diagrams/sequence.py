@@ -1,4 +1,4 @@
-"""Draw a sequence diagram: who says what to whom, in order."""
+"""Draw a sequence diagram: participants, and the messages between them in order."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NOTE = re.compile(
 )
 FRAMES = ("loop", "alt", "opt", "par", "critical", "break")
 BETWEEN = ("else", "and", "option")
-# What others draw and this does not need: who is active shows by the messages.
+# Statements that are ignored: activation is visible from the messages.
 PASSED = ("activate", "deactivate", "autonumber")
 
 
@@ -53,7 +53,7 @@ class _Note:
 
 @dataclass
 class _Sequence:
-    """What was read so far, and how far down it reaches."""
+    """The result of parsing so far, and the current height of the drawing."""
 
     names: dict[str, str] = field(default_factory=dict)
     messages: list[_Message] = field(default_factory=list)
@@ -63,7 +63,7 @@ class _Sequence:
     y: float = MARGIN + HEAD
 
     def know(self, *names: str) -> None:
-        """Note that these take part, where they first do."""
+        """Add participants that are not known yet."""
         for name in names:
             self.names.setdefault(name, name)
             for frame in self.open:
@@ -145,7 +145,7 @@ def _draw(read: _Sequence) -> str:
 
 
 def _columns(read: _Sequence) -> dict[str, float]:
-    """Return where each line of life stands: as far apart as what is written between needs."""
+    """Return the position of each lifeline: as far apart as the text between them needs."""
     names = list(read.names)
     column = {name: number for number, name in enumerate(names)}
     gaps: list[float] = [
@@ -197,7 +197,7 @@ def _message(message: _Message, at: dict[str, float]) -> list[str]:
 
 
 def _note(note: _Note, at: dict[str, float]) -> tuple[str, float]:
-    """Return a note, and how far to the right it reaches."""
+    """Return a note, and its right edge."""
     w, h = svg.width(note.text) + 24, svg.height(note.text) + 12
     xs = [at[name] for name in note.names]
     if note.side == "over":

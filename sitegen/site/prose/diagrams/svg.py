@@ -1,4 +1,4 @@
-"""The pieces of a drawing. Colours and letters are the theme's: every piece has a class."""
+"""The elements of a drawing. The theme sets colours and fonts: every element has a class."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ def lines(text: str) -> list[str]:
 
 
 def width(text: str) -> float:
-    """Return about how wide a label is, in letters of 14 px, whatever the visitor's font is."""
+    """Return the approximate width of a label at 14 px; the visitor's font may differ."""
     return max(sum(_advance(letter) for letter in line) for line in lines(text))
 
 
 def height(text: str) -> float:
-    """Return how high a label is."""
+    """Return the height of a label."""
     return LINE * len(lines(text))
 
 
@@ -38,7 +38,7 @@ def _advance(letter: str) -> float:
 
 
 def label(text: str, x: float, y: float, name: str = "", anchor: str = "middle") -> str:
-    """Return a text whose middle is at the point."""
+    """Return a text centred at the point."""
     rows = lines(text)
     top = y - LINE * (len(rows) - 1) / 2
     spans = "".join(
@@ -60,7 +60,7 @@ def polygon(points: Sequence[Point], name: str) -> str:
 
 
 def rectangle(x: float, y: float, w: float, h: float, name: str, radius: float = 0) -> str:
-    """Return a rectangle, `x` and `y` being its corner."""
+    """Return a rectangle with its top left corner at `x` and `y`."""
     at = f'x="{number(x)}" y="{number(y)}" width="{number(w)}" height="{number(h)}"'
     corner = f' rx="{number(radius)}"' if radius else ""
     return f'<rect class="{name}" {at}{corner}/>'
@@ -76,14 +76,14 @@ def arrow(tip: Point, start: Point) -> str:
 
 
 def drawing(parts: Sequence[str], w: float, h: float, says: str) -> str:
-    """Return the whole drawing; `says` tells those who do not see it what is in it."""
+    """Return the complete drawing; `says` describes it to screen readers."""
     size = f'width="{math.ceil(w)}" height="{math.ceil(h)}" viewBox="0 0 {number(w)} {number(h)}"'
     svg = f'<svg role="img" aria-label="{escape(says)}" {size}>{"".join(parts)}</svg>'
     return f'<div class="diagram" tabindex="0">{svg}</div>'
 
 
 def number(value: float) -> str:
-    """Write a length as short as it can be."""
+    """Return a length as short text."""
     return f"{value:.1f}".removesuffix(".0")
 
 
@@ -92,7 +92,7 @@ def _straight(points: Sequence[Point]) -> str:
 
 
 def _curve(points: Sequence[Point]) -> str:
-    """Return a curve through the points that is smooth where they are."""
+    """Return a smooth curve through the points."""
     if len(points) < 3:
         return _straight(points)
     first, *_ = points

@@ -6,7 +6,7 @@
 namespace ament_index_cpp
 {
 
-/// The prefix of each package whose files the program has.
+/// The prefix of each package whose files are available to the program.
 std::map<std::string, std::string> get_packages_with_prefixes();
 
 }  // namespace ament_index_cpp

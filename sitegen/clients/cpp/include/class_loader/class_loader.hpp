@@ -1,5 +1,5 @@
-// Classes by their names. There are no libraries to load in a page: all that a program was linked with
-// is there, and a library is the name that its classes were noted with.
+// Create objects of classes by name. A page cannot load libraries: all classes are linked into the
+// program, and the name of a library selects the classes that were registered with it.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Class
 template<class Base>
 std::map<std::string, Class<Base>> & classes()
 {
-  // Never destroyed: nodes with static lifetime may still be made of them.
+  // Never destroyed: nodes with static lifetime may still be created from it.
   static auto * classes = new std::map<std::string, Class<Base>>;
   return *classes;
 }
@@ -75,8 +75,8 @@ public:
   template<class Base>
   using UniquePtr = std::unique_ptr<Base, std::function<void (Base *)>>;
 
-  /// Of one library, as dlopen() takes its path, or of all if it is empty. Throws LibraryLoadException
-  /// if the program is not linked with it.
+  /// The classes of one library, given by its path as in dlopen(), or all classes if the path is
+  /// empty. Throws LibraryLoadException if the program is not linked with the library.
   explicit ClassLoader(const std::string & library_path, bool = false)
   : library_path_(library_path), library_(library_path.substr(library_path.rfind('/') + 1))
   {

@@ -12,13 +12,13 @@
 
 namespace rclcpp {class GuardCondition;}
 
-/// Stands for a guard condition.
+/// A guard condition.
 struct rcl_guard_condition_t
 {
   rclcpp::GuardCondition * impl;
 };
 
-/// In the order in which they were added; null where one is not ready.
+/// In the order in which they were added; entities that are not ready are null.
 struct rcl_wait_set_t
 {
   std::vector<const void *> subscriptions;

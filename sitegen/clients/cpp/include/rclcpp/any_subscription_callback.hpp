@@ -11,8 +11,8 @@
 namespace rclcpp
 {
 
-/// Any form of a subscription's callback. It takes the message (or its bytes, where it asked for
-/// a SerializedMessage) by reference, shared or unique pointer, with or without a MessageInfo.
+/// Any form of a subscription's callback. It takes the message (or its bytes, as a
+/// SerializedMessage) by reference, shared or unique pointer, with or without a MessageInfo.
 template<class MessageT>
 class AnySubscriptionCallback
 {

@@ -11,7 +11,7 @@
 namespace rclcpp
 {
 
-/// A timer on `clock`; `node` is anything that has get_node_base_interface(), or a pointer to it.
+/// A timer on `clock`; `node` is an object with get_node_base_interface(), or a pointer to one.
 template<class NodeT, class CallbackT>
 typename GenericTimer<CallbackT>::SharedPtr create_timer(
   NodeT && node, Clock::SharedPtr clock, Duration period, CallbackT && callback,

@@ -1,4 +1,4 @@
-// What can happen to a publisher or a subscription besides messages, and who is called back.
+// The events of publishers and subscriptions, and their callbacks.
 #pragma once
 
 #include <cstdint>

@@ -162,6 +162,6 @@ public:
 
 }  // namespace exceptions
 
-// Upstream has it in both places, by release.
+// Upstream has it in either namespace, depending on the release.
 using exceptions::UnsupportedEventTypeException;
 }  // namespace rclcpp

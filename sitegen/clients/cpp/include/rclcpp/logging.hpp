@@ -1,5 +1,5 @@
-// The logging macros. The type of each argument decides how it is printed, so that "%ld" of an
-// int64_t or "%d" of a size_t is right here too, where these types are wider or narrower.
+// The logging macros. Each argument is printed according to its type, so that "%ld" with an int64_t
+// and "%d" with a size_t also work here, where these types have other sizes.
 #pragma once
 
 #include <cstdint>
@@ -76,7 +76,8 @@ std::string format(const std::string & text, const Args & ... args)
   return format(text.c_str(), args ...);
 }
 
-/// Whether `milliseconds` passed since `last`, which is then now; `last` begins as -1.
+/// Whether `milliseconds` have passed since `last`, which is then set to now; its initial value is
+/// -1.
 template<class ClockT>
 bool throttle_passed(ClockT & clock, std::int64_t milliseconds, std::int64_t & last)
 {
@@ -112,7 +113,7 @@ bool throttle_passed(ClockT & clock, std::int64_t milliseconds, std::int64_t & l
     } \
   } while (0)
 
-// Conditions with a memory of their own, one for each place in the source.
+// The state of conditions, one for each location in the source.
 #define RCLCPP_DETAIL_ONCE ([]() {static bool first = true; return std::exchange(first, false);}())
 #define RCLCPP_DETAIL_SKIPFIRST \
   ([]() {static bool first = true; return !std::exchange(first, false);}())

@@ -31,7 +31,8 @@
 
 #define RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(...) RCLCPP_SMART_PTR_DEFINITIONS(__VA_ARGS__)
 
-// Pointer names without the makers, for classes that cannot be made directly.
+// The pointer types without make_shared() and make_unique(), for classes that have no public
+// constructor.
 #define RCLCPP_SMART_PTR_ALIASES_ONLY(...) \
   using SharedPtr = std::shared_ptr<__VA_ARGS__>; \
   using ConstSharedPtr = std::shared_ptr<const __VA_ARGS__>; \

@@ -7,7 +7,7 @@
 namespace rclcpp
 {
 
-/// A network address, which no endpoint of a page has.
+/// A network address; endpoints in a page have none.
 class NetworkFlowEndpoint
 {
 public:

@@ -56,7 +56,7 @@ public:
     value_.integer_value = value;
     value_.type = PARAMETER_INTEGER;
   }
-  // Where int64_t is long long, long is a type of its own, and the other way round on a robot.
+  // Here int64_t is long long, and long is another type; on 64-bit Linux it is the other way round.
   template<
     class T, std::enable_if_t<
       std::is_integral_v<T> && !std::is_same_v<T, bool> && !std::is_same_v<T, int> &&

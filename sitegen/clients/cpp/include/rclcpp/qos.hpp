@@ -1,4 +1,4 @@
-// Quality of service: what a publisher offers and a subscription asks for.
+// Quality of service: the policies that a publisher offers and a subscription requests.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The rclcpp of sitegen: upstream's names and behaviour, on the graph of a web page.
 #pragma once
 
-// What programs get from upstream's without asking.
+// Headers that upstream's rclcpp.hpp includes, too.
 #include <algorithm>
 #include <atomic>
 #include <cinttypes>

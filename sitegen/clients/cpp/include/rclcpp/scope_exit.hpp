@@ -1,4 +1,4 @@
-// The former place of what is in rcpputils.
+// Moved to rcpputils; kept for programs that include it from here.
 #pragma once
 
 #include "rcpputils/scope_exit.hpp"

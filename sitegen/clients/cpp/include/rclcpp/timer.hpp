@@ -83,7 +83,7 @@ public:
 namespace detail
 {
 
-/// `callback` of any form that a timer takes.
+/// `callback` has any form that timers accept.
 template<class CallbackT>
 TimerBase::Callback timer_callback(CallbackT callback)
 {

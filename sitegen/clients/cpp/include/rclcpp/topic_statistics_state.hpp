@@ -38,7 +38,8 @@ public:
   : state_(state), make_(state == TopicStatisticsState::Enable ? &make_topic_statistics : nullptr)
   {}
   operator TopicStatisticsState() const {return state_;}  // NOLINT: as good as the state
-  /// Null if there are to be none; `above` is what counts where the node is to say.
+  /// Null if they are disabled; `above` is the setting of the node, for options that leave it to
+  /// the node.
   Make maker(const TopicStatisticsSetting & above) const
   {
     return state_ == TopicStatisticsState::NodeDefault ? above.make_ : make_;

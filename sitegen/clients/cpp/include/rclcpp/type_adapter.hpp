@@ -5,8 +5,8 @@
 namespace rclcpp
 {
 
-/// How a class of the user becomes a message and is made of one: specialize it with `is_specialized` true,
-/// `custom_type`, `ros_message_type`, `convert_to_ros_message` and `convert_to_custom`.
+/// The conversion between a class of the user and a message. Specialize it with `is_specialized`
+/// true, `custom_type`, `ros_message_type`, `convert_to_ros_message` and `convert_to_custom`.
 template<typename CustomType, typename ROSMessageType = void, class Enable = void>
 struct TypeAdapter
 {
@@ -15,7 +15,7 @@ struct TypeAdapter
   using ros_message_type = CustomType;
 };
 
-/// The adapter for uses of the class alone.
+/// The adapter for a type that is used without one.
 template<typename CustomType>
 struct ImplicitTypeAdapter
 {

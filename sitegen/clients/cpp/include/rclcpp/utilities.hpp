@@ -1,4 +1,4 @@
-// The life of the program: init, ok, shutdown.
+// Start and end of the program: init(), ok(), shutdown().
 #pragma once
 
 #include <chrono>

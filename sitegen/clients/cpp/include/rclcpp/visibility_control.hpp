@@ -1,6 +1,6 @@
 #pragma once
 
-// Programs of a page are linked as a whole: everything is visible to everything.
+// Programs are linked statically, so all symbols are visible.
 #define RCLCPP_EXPORT
 #define RCLCPP_IMPORT
 #define RCLCPP_PUBLIC

@@ -95,7 +95,7 @@ protected:
   WaitResultKind wait_for(double milliseconds);
 
 private:
-  /// Note what is ready; false if nothing is.
+  /// Record what is ready; false if nothing is.
   bool look();
 
   Context::SharedPtr context_;
@@ -110,7 +110,7 @@ private:
   std::vector<const void *> ready_waitables_;
 };
 
-/// Threads take turns, so every wait set may be used by several; what is stored is the same, too.
+/// Threads do not run in parallel, so every wait set is thread-safe, and the storage is the same.
 namespace wait_set_policies
 {
 
@@ -125,7 +125,7 @@ struct StaticStorage {};
 
 }  // namespace wait_set_policies
 
-/// Waits until something of what it was given is ready.
+/// Waits until one of its entities is ready.
 template<class SynchronizationPolicy, class StoragePolicy>
 class WaitSetTemplate : public WaitSetBase
 {
@@ -143,7 +143,7 @@ public:
   }
 };
 
-/// A wait set whose sizes are known when it is compiled.
+/// A wait set with a fixed number of entities.
 template<
   class SynchronizationPolicy,
   std::size_t NumberOfSubscriptions, std::size_t NumberOfGuardConditions,

@@ -37,7 +37,7 @@ public:
   virtual ~ClientBase() = default;
 
   virtual bool action_server_is_ready() const = 0;
-  /// Wait until a server is there; false when the time is over or the program was shut down.
+  /// Wait until a server is available; false on timeout or shutdown.
   template<class Rep = std::int64_t, class Period = std::milli>
   bool wait_for_action_server(
     std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))
@@ -69,7 +69,7 @@ public:
 
   struct SendGoalOptions
   {
-    /// Called with a null handle when the server refused the goal.
+    /// Called with a null handle if the server rejected the goal.
     GoalResponseCallback goal_response_callback;
     FeedbackCallback feedback_callback;
     ResultCallback result_callback;
@@ -249,7 +249,7 @@ private:
         handle->status_ = status.status;
       }
     }
-    // Those that nobody holds any more.
+    // Handles that no program holds any more.
     for (auto handle = handles_.begin(); handle != handles_.end(); ) {
       handle = handle->second.expired() ? handles_.erase(handle) : std::next(handle);
     }
@@ -263,7 +263,7 @@ private:
   std::shared_ptr<rclcpp::Subscription<StatusMessage>> status_;
 };
 
-/// `node` is a pointer to anything that has get_node_base_interface().
+/// `node` is a pointer to an object with get_node_base_interface().
 template<typename ActionT, typename NodeT>
 typename Client<ActionT>::SharedPtr create_client(
   NodeT node, const std::string & name, rclcpp::CallbackGroup::SharedPtr group = nullptr,
@@ -272,7 +272,7 @@ typename Client<ActionT>::SharedPtr create_client(
   return std::make_shared<Client<ActionT>>(*node->get_node_base_interface(), name, group);
 }
 
-/// The form that takes the interfaces of a node one by one.
+/// With individual interfaces in place of a node.
 template<typename ActionT, typename GraphT, typename LoggingT, typename WaitablesT>
 typename Client<ActionT>::SharedPtr create_client(
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, std::shared_ptr<GraphT>,

@@ -25,7 +25,7 @@ enum class ResultCode : std::int8_t
 template<typename ActionT>
 class Client;
 
-/// A goal as who sent it sees it.
+/// The handle of a goal for its client.
 template<typename ActionT>
 class ClientGoalHandle
 {

@@ -35,7 +35,7 @@ namespace rclcpp_action
 enum class GoalResponse : std::int8_t {REJECT = 1, ACCEPT_AND_EXECUTE = 2, ACCEPT_AND_DEFER = 3};
 enum class CancelResponse : std::int8_t {REJECT = 1, ACCEPT = 2};
 
-/// What servers have in common, whatever their action: the goals and how they are canceled.
+/// The common part of servers for all actions: the goals, and how they are canceled.
 class ServerBase
 {
 public:
@@ -57,11 +57,11 @@ protected:
     rclcpp::node_interfaces::NodeBaseInterface & node, const std::string & name,
     const rcl_action_server_options_t & options, const rclcpp::CallbackGroup::SharedPtr & group);
 
-  /// The goal's own answer to a request to cancel it.
+  /// The response of the goal to a request to cancel it.
   virtual bool agree_to_cancel(const GoalUUID & id) = 0;
   virtual void forget(const GoalUUID & id) = 0;
   void publish_status();
-  /// Forget goals that ended longer ago than results are kept.
+  /// Remove goals whose results have expired.
   void forget_old();
 
   std::map<GoalUUID, Entry> entries_;
@@ -132,7 +132,7 @@ private:
     const GoalUUID uuid = request->goal_id.uuid;
     typename SendGoal::Response response;
     response.stamp = this->clock_.now();
-    // The goal lives as long as the request that it came with.
+    // The goal is a part of the request, and shares its lifetime.
     std::shared_ptr<const typename ActionT::Goal> goal(request, &request->goal);
     const bool known = this->entries_.count(uuid) != 0;
     const auto answer = known ? GoalResponse::REJECT : handle_goal_(uuid, goal);
@@ -140,7 +140,7 @@ private:
     goal_service_->send_response(id, response);
     if (!response.accepted) {return;}
 
-    // A goal may outlive its server: then nobody is told of it any more.
+    // A goal handle may outlive its server; then there is nothing to notify.
     std::weak_ptr<Server> weak = this->weak_from_this();
     auto handle = std::make_shared<GoalHandle>(
       uuid, goal,
@@ -213,7 +213,7 @@ private:
   std::shared_ptr<rclcpp::Publisher<FeedbackMessage>> feedback_publisher_;
 };
 
-/// `node` is a pointer to anything that has get_node_base_interface().
+/// `node` is a pointer to an object with get_node_base_interface().
 template<typename ActionT, typename NodeT>
 typename Server<ActionT>::SharedPtr create_server(
   NodeT node, const std::string & name, typename Server<ActionT>::GoalCallback handle_goal,
@@ -227,7 +227,7 @@ typename Server<ActionT>::SharedPtr create_server(
     std::move(handle_cancel), std::move(handle_accepted), group);
 }
 
-/// The form that takes the interfaces of a node one by one.
+/// With individual interfaces in place of a node.
 template<typename ActionT, typename ClockT, typename LoggingT, typename WaitablesT>
 typename Server<ActionT>::SharedPtr create_server(
   rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, std::shared_ptr<ClockT>,

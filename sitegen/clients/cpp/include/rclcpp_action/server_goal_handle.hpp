@@ -11,7 +11,7 @@
 namespace rclcpp_action
 {
 
-/// Where a goal is in its life. Its changes throw rclcpp::exceptions::RCLError where they are not due.
+/// The state machine of a goal. Invalid transitions throw rclcpp::exceptions::RCLError.
 class ServerGoalHandleBase
 {
 public:
@@ -25,14 +25,15 @@ public:
 protected:
   friend class ServerBase;
 
-  /// Become `status`, which `event` is about.
+  /// Change to `status` because of `event`.
   void change(std::int8_t status, const char * event);
 
 private:
   std::int8_t status_ = GoalStatus::STATUS_ACCEPTED;
 };
 
-/// A goal as its server sees it. One that is let go before it ended is canceled.
+/// The handle of a goal for its server. A goal whose handle is destroyed before it ended is
+/// canceled.
 template<typename ActionT>
 class ServerGoalHandle : public ServerGoalHandleBase
 {
@@ -65,7 +66,7 @@ public:
   const GoalUUID & get_goal_id() const {return id_;}
 
   void publish_feedback(std::shared_ptr<Feedback> feedback) {on_feedback_(*feedback);}
-  /// Begin a goal that was accepted with ACCEPT_AND_DEFER.
+  /// Start a goal that was accepted with ACCEPT_AND_DEFER.
   void execute()
   {
     change(GoalStatus::STATUS_EXECUTING, "EXECUTE");

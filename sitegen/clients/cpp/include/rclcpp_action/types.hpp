@@ -19,7 +19,7 @@ using GoalInfo = action_msgs::msg::GoalInfo;
 
 std::string to_string(const GoalUUID & goal_id);
 
-/// A number that no other goal has.
+/// Return a unique id.
 GoalUUID make_goal_id();
 
 }  // namespace rclcpp_action

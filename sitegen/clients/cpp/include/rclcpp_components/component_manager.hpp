@@ -24,8 +24,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Loads components into its executor, by services. There are those that the program is linked with;
-/// of which package they are makes no difference.
+/// Loads components into its executor when its services are called. All components that are linked
+/// into the program are available, whatever package they belong to.
 class ComponentManager : public rclcpp::Node
 {
 public:
@@ -46,7 +46,7 @@ public:
   {
     executor_ = executor;
   }
-  /// Make a node of the class `plugin` and return its number; throws ComponentManagerException.
+  /// Create a node of the class `plugin` and return its number. Throws ComponentManagerException.
   std::uint64_t load(const std::string & plugin, const rclcpp::NodeOptions & options);
 
 protected:
@@ -73,8 +73,8 @@ private:
   std::vector<std::shared_ptr<rclcpp::ServiceBase>> services_;
 };
 
-/// The main function of component containers. Behind `--component`, the command line has components
-/// to begin with: each a class, the number of its arguments, and these.
+/// The main function of component containers. After `--component`, the command line contains the
+/// initial components: for each, its class, the number of its arguments, and the arguments.
 int run_container(int argc, char ** argv, std::shared_ptr<rclcpp::Executor> (* make_executor)());
 
 }  // namespace rclcpp_components

@@ -15,7 +15,7 @@
 namespace rclcpp_lifecycle
 {
 
-/// A node with a state that others may change.
+/// A node with a state that other nodes can change.
 class LifecycleNode : public rclcpp::Node, public node_interfaces::LifecycleNodeInterface
 {
 public:

@@ -5,7 +5,7 @@
 namespace rclcpp_lifecycle
 {
 
-/// What a managed node switches on and off with itself.
+/// An entity that a lifecycle node activates and deactivates with itself.
 class ManagedEntityInterface
 {
 public:

@@ -1,4 +1,4 @@
-// The environment of a program of a page is empty at first.
+// The environment of a program in a page is initially empty.
 #pragma once
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ inline std::string get_env_var(const char * name)
   return found ? found : "";
 }
 
-/// Unset it when `value` is null.
+/// If `value` is null, the variable is removed.
 inline bool set_env_var(const char * name, const char * value)
 {
   const bool done = name && (value ? setenv(name, value, 1) : unsetenv(name)) == 0;

@@ -1,4 +1,4 @@
-// Files and their paths, by the names that rcpputils had for them before C++ did.
+// The file system functions of rcpputils, which precede those of C++17.
 #pragma once
 
 #include <cerrno>
@@ -42,7 +42,7 @@ public:
     std::error_code error;
     return std::filesystem::is_regular_file(path_, error);
   }
-  /// Throws std::system_error for what is no file.
+  /// Throws std::system_error if it is not a file.
   std::uint64_t file_size() const {return std::filesystem::file_size(path_);}
   bool empty() const {return path_.empty();}
   bool is_absolute() const {return path_.is_absolute();}
@@ -80,7 +80,7 @@ inline std::uint64_t file_size(const path & p) {return p.file_size();}
 inline path current_path() {return path(std::filesystem::current_path().string());}
 inline path temp_directory_path() {return path(std::filesystem::temp_directory_path().string());}
 
-/// Whether `p` is a folder after this.
+/// Create a folder; true if it exists afterwards.
 inline bool create_directories(const path & p)
 {
   std::error_code error;
@@ -88,7 +88,7 @@ inline bool create_directories(const path & p)
   return p.is_directory();
 }
 
-/// Make a folder whose name begins with `base_name` and is nobody's yet.
+/// Create a folder with a unique name that begins with `base_name`.
 inline path create_temp_directory(
   const std::string & base_name, const path & parent_path = temp_directory_path())
 {
@@ -103,14 +103,14 @@ inline path create_temp_directory(
   return path(name);
 }
 
-/// A file or an empty folder; false if it was not there.
+/// Remove a file or an empty folder; false if it does not exist.
 inline bool remove(const path & p)
 {
   std::error_code error;
   return std::filesystem::remove(p.string(), error);
 }
 
-/// And all that is in it.
+/// Also remove everything in it.
 inline bool remove_all(const path & p)
 {
   std::error_code error;
@@ -118,7 +118,7 @@ inline bool remove_all(const path & p)
   return !error && count != 0;
 }
 
-/// `file_path` less its last `n_times` extensions.
+/// `file_path` without its last `n_times` extensions.
 inline path remove_extension(const path & file_path, int n_times = 1)
 {
   std::filesystem::path rest = file_path.string();

@@ -5,7 +5,7 @@
 namespace rcpputils
 {
 
-/// Threads of a page have no priorities that could be inherited.
+/// Threads in a page have equal priority, so there is nothing to inherit.
 using PIMutex = std::mutex;
 using RecursivePIMutex = std::recursive_mutex;
 

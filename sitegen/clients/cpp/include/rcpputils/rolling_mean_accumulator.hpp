@@ -6,7 +6,7 @@
 namespace rcpputils
 {
 
-/// The mean of the last numbers, as many as the window has.
+/// The mean of the last numbers in a window.
 template<typename T>
 class RollingMeanAccumulator
 {

@@ -7,7 +7,7 @@
 namespace rcpputils
 {
 
-/// Calls back when it is destroyed, unless it was canceled.
+/// Runs a callback when it is destroyed, unless it was canceled.
 template<typename CallableT>
 class scope_exit final
 {

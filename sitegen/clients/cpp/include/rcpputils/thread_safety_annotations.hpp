@@ -1,6 +1,6 @@
 #pragma once
 
-// Clang's analysis of locks is not made for the page; the words stay legal.
+// Clang's thread safety analysis is not used for pages; the annotations have no effect.
 #define RCPPUTILS_TSA_GUARDED_BY(x)
 #define RCPPUTILS_TSA_PT_GUARDED_BY(x)
 #define RCPPUTILS_TSA_REQUIRES(...)

@@ -1,4 +1,4 @@
-// The profiles of quality of service that have names.
+// The predefined QoS profiles.
 #ifndef RMW__QOS_PROFILES_H_
 #define RMW__QOS_PROFILES_H_
 

@@ -1,4 +1,4 @@
-// The types of rmw that user code sees: quality of service and what comes with a message.
+// The types of rmw in the API of rclcpp: QoS, and the metadata of messages.
 #ifndef RMW__TYPES_H_
 #define RMW__TYPES_H_
 

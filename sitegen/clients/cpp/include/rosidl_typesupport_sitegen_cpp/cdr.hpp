@@ -1,4 +1,5 @@
-// Messages to and from CDR: XCDR1, little-endian, with its header of four bytes, as native ROS 2.
+// Serialize and deserialize messages: CDR (XCDR1, little-endian) with a header of four bytes, as in
+// native ROS 2.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +15,16 @@
 namespace rosidl_typesupport_sitegen_cpp
 {
 
-/// Walks over the fields of a message and measures, writes or reads each.
-/// One class for all three, so that a message needs one function only.
+/// Visits the fields of a message and measures, writes or reads each. It is one class for all
+/// three, so that a message needs only one function.
 class Cdr
 {
 public:
-  /// Measure: afterwards size() is the number of bytes that writing takes.
+  /// Measure: size() is then the number of bytes to write.
   Cdr() = default;
-  /// Write to `out`, which has room for what was measured.
+  /// Write to `out`, which has at least the measured size.
   static Cdr writer(std::uint8_t * out);
-  /// Read `size` bytes from `in`; ok() says whether they made sense.
+  /// Read `size` bytes from `in`; ok() returns whether they were valid.
   static Cdr reader(const std::uint8_t * in, std::size_t size);
 
   std::size_t size() const {return position_ + kHeader;}
@@ -54,7 +55,7 @@ public:
   template<class T, std::size_t N, class A>
   void operator()(rosidl_runtime_cpp::BoundedVector<T, N, A> & values) {sequence(values, N);}
 
-  /// A bounded string: a longer one is refused.
+  /// A bounded string; reading a longer one fails.
   template<class String>
   void bounded(String & value, std::size_t bound)
   {
@@ -80,7 +81,7 @@ private:
       elements(values, count);
       return;
     }
-    // A length is believed as far as there are bytes for it.
+    // The length may be wrong: allocate only for as many elements as there are bytes.
     ok_ = ok_ && count <= bound;
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, char16_t>) {
       ok_ = ok_ && count <= left() / sizeof(T);

@@ -1,4 +1,4 @@
-// The type support of a message: its name, its hash and how to walk over its fields.
+// The type support of a message: its name, its hash and its fields.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@ namespace rosidl_typesupport_sitegen_cpp
 
 extern const char * const typesupport_identifier;
 
-/// What `rosidl_message_type_support_t::data` points to.
+/// The data that `rosidl_message_type_support_t::data` points to.
 struct MessageMembers
 {
   const char * name;  // as in `ros2 topic list -t`: std_msgs/msg/String
   const char * hash;  // RIHS01_…
-  /// Its fields, see runtime/messages/filter/fields.js; empty for parts of services and actions, which no
-  /// subscription filters.
+  /// Its fields, see runtime/messages/filter/fields.js; empty for the parts of services and
+  /// actions, to which content filters do not apply.
   const char * definition;
   void (* visit)(Cdr & cdr, void * message);
   void * (* create)();
@@ -30,7 +30,7 @@ struct MessageMembers
 std::size_t serialized_size(const MessageMembers & type, const void * message);
 /// Write `message` to `out`, which has serialized_size() bytes.
 void serialize(const MessageMembers & type, const void * message, std::uint8_t * out);
-/// Read `message`; false, with the message in part filled, when the bytes are not of this type.
+/// Read `message`; return false, with the message partly filled, if the bytes are not of this type.
 bool deserialize(
   const MessageMembers & type, void * message, const std::uint8_t * in, std::size_t size);
 
@@ -59,7 +59,7 @@ const MessageMembers & members_of()
   return *static_cast<const MessageMembers *>(handle->data);
 }
 
-/// Only a program that asks for services by their names is linked with this.
+/// Linked only into programs that look up services by name.
 [[gnu::weak]] void note_service(const MessageMembers & request, const MessageMembers & response);
 
 template<class Request, class Response>

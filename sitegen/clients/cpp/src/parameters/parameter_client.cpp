@@ -10,7 +10,7 @@ namespace srv = rcl_interfaces::srv;
 namespace
 {
 
-/// Send `request` and return a future of what `read` makes of the response.
+/// Send `request` and return a future of the result of `read` for the response.
 template<class ResultT, class ServiceT, class ReadT>
 std::shared_future<ResultT> ask(
   Client<ServiceT> & client, std::shared_ptr<typename ServiceT::Request> request, ReadT read,

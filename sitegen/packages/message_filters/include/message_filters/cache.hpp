@@ -13,7 +13,7 @@
 namespace message_filters
 {
 
-/// Keeps the last messages in the order of their times, and passes each on.
+/// Keeps the last messages ordered by time, and passes each on.
 template<class M>
 class Cache : public SimpleFilter<M>
 {
@@ -53,7 +53,7 @@ public:
     this->signalMessage(event);
   }
 
-  /// Those from `start` to `end`, both included.
+  /// The messages from `start` to `end`, both included.
   std::vector<MConstPtr> getInterval(const rclcpp::Time & start, const rclcpp::Time & end) const
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -61,7 +61,7 @@ public:
     return first <= first_after(end) ? std::vector<MConstPtr>(first, first_after(end)) :
            std::vector<MConstPtr>();
   }
-  /// The same with one more at both ends, where there are such.
+  /// The same with the message before and the message after the interval, if they exist.
   std::vector<MConstPtr> getSurroundingInterval(
     const rclcpp::Time & start, const rclcpp::Time & end) const
   {
@@ -72,7 +72,7 @@ public:
     if (last != messages_.end()) {++last;}
     return first <= last ? std::vector<MConstPtr>(first, last) : std::vector<MConstPtr>();
   }
-  /// Null where there is none before, or after. The times of an empty cache are zero.
+  /// Null if there is no message before, or after. The times of an empty cache are zero.
   MConstPtr getElemBeforeTime(const rclcpp::Time & time) const
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -10,7 +10,7 @@
 namespace message_filters
 {
 
-/// Filters one after another, as one.
+/// A chain of filters as one filter.
 template<typename M>
 class Chain : public SimpleFilter<M>
 {
@@ -27,7 +27,7 @@ public:
     output_.disconnect();
   }
 
-  /// Returns the filter's index. A filter that is given as a plain pointer has to live on.
+  /// Returns the index of the filter. A filter given as a plain pointer must outlive the chain.
   template<class F>
   std::size_t addFilter(F * filter)
   {
@@ -44,11 +44,11 @@ public:
     }
     output_ = filter->registerCallback(
       [this](const EventType & event) {this->signalMessage(event);});
-    // What follows connects to the output of this filter, whatever its class is.
+    // The next filter connects to the output of this one, whatever its class is.
     links_.push_back({filter, std::make_shared<PassThrough<M>>(*filter)});
     return links_.size() - 1;
   }
-  /// Null where there is none.
+  /// Null if there is no such filter.
   template<class F>
   std::shared_ptr<F> getFilter(std::size_t index) const
   {

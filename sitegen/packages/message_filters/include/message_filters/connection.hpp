@@ -8,7 +8,7 @@
 namespace message_filters
 {
 
-/// What registerCallback() returns: whether, and how, a callback is taken back.
+/// The result of registerCallback(), with which the callback is removed.
 class Connection
 {
 public:

@@ -15,12 +15,12 @@
 namespace message_filters
 {
 
-/// What a field may be that is compared.
+/// The types of fields that can be compared.
 using MFieldType = std::variant<
   bool, std::byte, char, std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
   std::int64_t, std::uint64_t, float, double, std::string>;
 
-/// Says which messages a ComparisonFilter passes on.
+/// Selects the messages that a ComparisonFilter passes on.
 template<typename M>
 class ComparisonHandler
 {
@@ -35,7 +35,8 @@ public:
   virtual bool do_fields_fit(MFieldType before, MFieldType now) const = 0;
 };
 
-/// Passes the first message on, and those of which some field fits that of the last one passed on.
+/// Passes on the first message, and each message with a matching field compared with the last one
+/// passed on.
 template<typename M>
 class CachedComparisonHandler : public ComparisonHandler<M>
 {
@@ -65,7 +66,7 @@ private:
   MConstPtr last_;
 };
 
-/// A field fits that is another than before.
+/// Matches a field whose value has changed.
 template<typename M>
 class DeltaCompare : public CachedComparisonHandler<M>
 {
@@ -107,7 +108,7 @@ private:
   Connection connection_;
 };
 
-/// Passes on messages that differ from the last one passed on, in one of the fields that are looked at.
+/// Passes on messages that differ in one of the compared fields from the last one passed on.
 template<typename M>
 class DeltaFilter : public ComparisonFilter<M, DeltaCompare>
 {

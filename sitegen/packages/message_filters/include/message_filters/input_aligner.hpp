@@ -23,8 +23,8 @@
 namespace message_filters
 {
 
-/// Passes on the messages of several inputs, each to an output of its own, in the order of their times. It
-/// waits until all inputs are known to be at a time, but no longer than `timeout` for one that is silent.
+/// Passes on the messages of several inputs, each to its own output, ordered by time. It waits
+/// until all inputs have reached a time, but at most `timeout` for a silent input.
 template<typename ... Ms>
 class InputAligner
 {
@@ -78,7 +78,7 @@ public:
     add<I>(std::tuple_element_t<I, Events>(message));
   }
 
-  /// Messages of input `I` are at least so far apart: the time of the next one is known to be later.
+  /// The minimum time between messages of input `I`: the next message is known to be later.
   template<std::size_t I>
   void setInputPeriod(const rclcpp::Duration & period)
   {
@@ -101,7 +101,7 @@ public:
       std::chrono::nanoseconds(update_rate.nanoseconds()), [this]() {dispatchMessages();});
   }
 
-  /// Pass on what can be; a timer may do that, see above.
+  /// Pass on all messages that are due; can be called by a timer.
   void dispatchMessages()
   {
     const auto all = std::index_sequence_for<Ms...>();
@@ -160,7 +160,7 @@ private:
     return (!std::get<Is>(queues_).empty() || ...);
   }
 
-  /// The time that input `I` is at: of what waits, or else of what may come.
+  /// The current time of input `I`: that of its waiting message, or of the next possible one.
   template<std::size_t I>
   std::int64_t time_at()
   {
@@ -172,7 +172,8 @@ private:
     return queue.begin()->first;
   }
 
-  /// Pass on the earliest message, or give up a silent input; false if there is nothing to do.
+  /// Pass on the earliest message, or stop waiting for a silent input; false if there is nothing to
+  /// do.
   template<std::size_t ... Is>
   bool dispatch_first(std::index_sequence<Is...>)
   {

@@ -10,7 +10,7 @@
 namespace message_filters
 {
 
-/// A message, and when it came.
+/// A message and its time of arrival.
 template<typename M>
 class MessageEvent
 {
@@ -32,7 +32,7 @@ public:
   MessageEvent(const MessageEvent<Other> & other)  // NOLINT: implicit upstream
   : MessageEvent(other.getConstMessage(), other.getReceiptTime()) {}
 
-  /// The message; of an event whose message may be changed, a copy.
+  /// The message; a copy if it is mutable.
   std::shared_ptr<M> getMessage() const
   {
     if constexpr (std::is_const_v<M>) {

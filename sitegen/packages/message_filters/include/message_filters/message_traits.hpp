@@ -1,4 +1,4 @@
-// What filters ask of a message. Both may be specialized for messages without a header.
+// Properties of messages that filters use. Both can be specialized for messages without a header.
 #pragma once
 
 #include <string>

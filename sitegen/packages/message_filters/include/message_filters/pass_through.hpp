@@ -7,7 +7,7 @@
 namespace message_filters
 {
 
-/// Passes on what it is given.
+/// A filter that passes on every message that is added.
 template<typename M>
 class PassThrough : public SimpleFilter<M>
 {

@@ -12,7 +12,7 @@
 namespace message_filters
 {
 
-/// What all filters with one output are: callbacks, and a name.
+/// The common part of filters with one output: callbacks, and a name.
 template<class M>
 class SimpleFilter
 {

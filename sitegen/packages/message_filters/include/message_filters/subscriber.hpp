@@ -14,8 +14,8 @@
 namespace message_filters
 {
 
-/// Passes on what comes on a topic. What follows the message's type is what older programs name:
-/// the type of the node.
+/// A filter that receives the messages of a topic. Older programs name the type of the node as a
+/// second parameter.
 template<class M, class ...>
 class Subscriber : public SimpleFilter<rclcpp::detail::custom_type<M>>
 {
@@ -78,7 +78,7 @@ public:
   std::string getTopic() const {return subscription_->get_topic_name();}
   typename rclcpp::Subscription<M>::SharedPtr getSubscriber() const {return subscription_;}
 
-  // A Chain asks for these of each filter: nothing comes in here.
+  // Required by Chain; a subscriber has no input.
   template<typename F>
   void connectInput(F &) {}
   void add(const EventType &) {}

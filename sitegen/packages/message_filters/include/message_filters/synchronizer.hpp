@@ -18,7 +18,7 @@
 namespace message_filters
 {
 
-/// The types of the messages that a policy matches, and who is called back for a match.
+/// The types of the messages that a policy matches, and the callbacks for matches.
 template<typename ... Ms>
 class PolicyBase
 {
@@ -51,7 +51,7 @@ private:
   }
 };
 
-/// Matches the messages of several filters, as its policy says, and calls back with each match.
+/// Matches the messages of several filters according to its policy, and runs callbacks for matches.
 template<class Policy>
 class Synchronizer : public Policy
 {

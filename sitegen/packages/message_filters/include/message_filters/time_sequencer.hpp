@@ -14,7 +14,7 @@
 namespace message_filters
 {
 
-/// Holds messages back for `delay`, and passes them on in the order of their times.
+/// Delays messages by `delay`, and passes them on ordered by time.
 template<class M>
 class TimeSequencer : public SimpleFilter<M>
 {

@@ -21,7 +21,7 @@ public:
 
   explicit TimeSynchronizer(std::uint32_t queue_size)
   : Base(Policy(queue_size)) {}
-  /// Takes one filter for each message, and at last the size of the queue.
+  /// Takes a filter for each message, then the size of the queue.
   template<class ... Args, std::enable_if_t<sizeof...(Args) == sizeof...(Ms) + 1, int> = 0>
   explicit TimeSynchronizer(Args && ... args)
   : TimeSynchronizer(static_cast<std::uint32_t>(std::get<sizeof...(Ms)>(std::tie(args ...))))

@@ -13,8 +13,8 @@ namespace pluginlib
 template<class T>
 using UniquePtr = class_loader::ClassLoader::UniquePtr<T>;
 
-/// Makes objects of the plugins that a program is linked with: those of its package and of the packages
-/// that it needs.
+/// Creates objects of the plugins that are linked into the program: those of its package and of the
+/// packages that it depends on.
 template<class T>
 class ClassLoader : public ClassLoaderBase
 {
@@ -24,8 +24,8 @@ public:
     std::vector<std::string> = {})
   : ClassLoaderBase(std::move(package), std::move(base_class)) {}
 
-  /// These throw LibraryLoadException where no description has that name, and CreateClassException
-  /// where no library registers the class.
+  /// These throw LibraryLoadException if no description has this name, and CreateClassException if
+  /// no library registers the class.
   std::shared_ptr<T> createSharedInstance(const std::string & lookup_name)
   {
     return create([&](const std::string & type) {return loader_.createSharedInstance<T>(type);},

@@ -11,7 +11,7 @@
 namespace pluginlib
 {
 
-/// What a loader tells of plugins, whatever their base class is.
+/// The part of a loader that does not depend on the base class of its plugins.
 class ClassLoaderBase
 {
 public:
@@ -24,7 +24,7 @@ public:
   }
   virtual ~ClassLoaderBase() = default;
 
-  /// The names of all plugins, in the order of the alphabet.
+  /// The names of all plugins in alphabetical order.
   std::vector<std::string> getDeclaredClasses() const
   {
     std::vector<std::string> names;
@@ -35,7 +35,7 @@ public:
   bool isClassAvailable(const std::string & lookup_name) const {return find(lookup_name);}
   std::string getBaseClassType() const {return base_class_;}
 
-  /// These are empty for a name that is not there.
+  /// These are empty for an unknown name.
   std::string getClassType(const std::string & lookup_name) const
   {
     return text(lookup_name, &detail::Description::type);
@@ -74,7 +74,7 @@ public:
     return without_doubles(std::move(paths));
   }
 
-  /// There are no libraries to load in a page: all plugins that a program is linked with are there.
+  /// A page cannot load libraries: all linked plugins are available.
   bool isClassLoaded(const std::string & lookup_name) const {return find(lookup_name);}
   void loadLibraryForClass(const std::string & lookup_name) {require(lookup_name);}
   int unloadLibraryForClass(const std::string & lookup_name)

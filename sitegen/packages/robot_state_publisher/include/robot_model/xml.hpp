@@ -1,4 +1,4 @@
-// A small reader of XML: elements with their attributes, which is all that a URDF consists of.
+// A small XML parser for URDF: elements and attributes only.
 #pragma once
 
 #include <map>

@@ -39,7 +39,7 @@ using TransformableCallback = std::function<void (
 
 static constexpr Duration BUFFER_CORE_DEFAULT_CACHE_TIME = std::chrono::seconds(10);
 
-/// All that is known of all frames. The frames are the nodes of a tree: each has one parent.
+/// A tree of frames with their transforms over time; each frame has one parent.
 class BufferCore : public BufferCoreInterface
 {
 public:
@@ -49,16 +49,16 @@ public:
   : cache_time_(cache_time) {}
 
   void clear() override;
-  /// False, with a line in the log, if it is no transform, or too old.
+  /// False, with a message in the log, if the transform is invalid or too old.
   bool setTransform(
     const geometry_msgs::msg::TransformStamped & transform, const std::string & authority,
     bool is_static = false);
 
-  /// What brings coordinates of the source frame to the target frame.
+  /// The transform from the source frame to the target frame.
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target_frame, const std::string & source_frame,
     const TimePoint & time) const override;
-  /// The same where the two times differ: `fixed_frame` stood still in between.
+  /// The transform between two times; `fixed_frame` does not move in between.
   geometry_msgs::msg::TransformStamped lookupTransform(
     const std::string & target_frame, const TimePoint & target_time,
     const std::string & source_frame, const TimePoint & source_time,
@@ -77,14 +77,15 @@ public:
   std::string allFramesAsString() const;
   Duration getCacheLength() const {return cache_time_;}
 
-  /// Call back when the transform is there, or cannot come any more. Returns 0 when it is there
-  /// already, and 0xffffffffffffffff when it never will be; then nobody calls back.
+  /// Run the callback once the transform is available, or can no longer become available. Returns 0
+  /// if it is available already, and 0xffffffffffffffff if it never will be; then the callback does
+  /// not run.
   TransformableRequestHandle addTransformableRequest(
     const TransformableCallback & callback, const std::string & target_frame,
     const std::string & source_frame, TimePoint time);
   void cancelTransformableRequest(TransformableRequestHandle handle);
 
-  /// Say that another thread takes transforms in, so that it makes sense to wait for them here.
+  /// Tell the buffer that another thread adds transforms, so that waiting for them makes sense.
   void setUsingDedicatedThread(bool value) {using_dedicated_thread_ = value;}
   bool isUsingDedicatedThread() const {return using_dedicated_thread_;}
 
@@ -96,7 +97,7 @@ public:
   TF2Error _getLatestCommonTime(
     CompactFrameID target, CompactFrameID source, TimePoint & time, std::string * error) const;
   CompactFrameID _validateFrameId(const char * function_name, const std::string & frame) const;
-  /// The frames between two of them, the fixed one among them, beginning with the source.
+  /// The frames from the source to the target, through the fixed frame.
   void _chainAsVector(
     const std::string & target_frame, TimePoint target_time, const std::string & source_frame,
     TimePoint source_time, const std::string & fixed_frame,
@@ -111,7 +112,7 @@ private:
     TimePoint time;
   };
 
-  /// From one frame upwards: the frames passed, and the transform from the first to the last.
+  /// A path from a frame upwards: its frames, and the transform from the first to the last.
   struct Climb
   {
     std::vector<CompactFrameID> frames;
@@ -122,14 +123,14 @@ private:
     std::string error;
   };
 
-  /// A transform, and the time that it is of.
+  /// A transform and its time.
   struct Found
   {
     Transform transform;
     TimePoint time;
   };
 
-  // All of these want mutex_ to be locked.
+  // The caller must hold mutex_.
   const detail::FrameHistory * history(CompactFrameID frame) const;
   CompactFrameID number(const std::string & frame) const;
   CompactFrameID number_or_new(const std::string & frame);
@@ -153,14 +154,14 @@ private:
   std::string frames_as_string() const;
   std::vector<CompactFrameID> chain(
     const std::string & target, const std::string & source, TimePoint time) const;
-  /// Whether a request is done with, and how.
+  /// Whether a request is finished, and its result.
   std::optional<TransformableResult> outcome(const Request & request) const;
 
   void answer_requests();
 
   Duration cache_time_;
   mutable std::mutex mutex_;
-  // By number; there is no history where a frame is known as a parent only.
+  // Indexed by the number of the frame; a frame that is only a parent has no history.
   std::vector<std::string> names_{"NO_PARENT"};
   std::vector<std::unique_ptr<detail::FrameHistory>> histories_ = std::vector<std::unique_ptr<detail::FrameHistory>>(1);
   std::vector<std::string> authorities_{""};

@@ -1,4 +1,5 @@
-// Between messages and classes of a library; for which, other packages say (tf2_geometry_msgs).
+// Conversions between messages and classes of libraries, which other packages define
+// (tf2_geometry_msgs).
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 namespace tf2
 {
 
-/// To be specialized for each type that can be transformed.
+/// Specialized for each type that can be transformed.
 template<class T>
 void doTransform(
   const T & data_in, T & data_out, const geometry_msgs::msg::TransformStamped & transform);
@@ -44,7 +45,7 @@ struct has_header<T, std::void_t<decltype(std::declval<const T &>().header.frame
 
 }  // namespace detail
 
-/// Of a message with a header, or of Stamped; for other types to be specialized.
+/// For messages with a header and for Stamped; specialized for other types.
 template<class T>
 TimePoint getTimestamp(const T & t)
 {
@@ -81,7 +82,7 @@ inline std::array<double, 36> covarianceNestedToRowMajor(
   return rows;
 }
 
-/// Of a message with a pose and its covariance, or of WithCovarianceStamped.
+/// For messages with a pose and its covariance, and for WithCovarianceStamped.
 template<class T>
 std::array<std::array<double, 6>, 6> getCovarianceMatrix(const T & t)
 {
@@ -92,7 +93,7 @@ std::array<std::array<double, 6>, 6> getCovarianceMatrix(const T & t)
   }
 }
 
-/// From any type to any other, if there are functions for the way over a message.
+/// Convert between any two types that have conversions to and from the same message.
 template<class A, class B>
 void convert(const A & a, B & b)
 {

@@ -21,28 +21,28 @@ enum class TF2Error : std::uint8_t
   TF2_NO_DATA_FOR_EXTRAPOLATION_ERROR = 9,
 };
 
-/// What all of these are; nothing is wrong with the program, a transform is not there.
+/// The base class of these exceptions.
 class TransformException : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Two frames are there, and no transforms lead from one to the other.
+/// Both frames exist, but no transforms connect them.
 class ConnectivityException : public TransformException
 {
 public:
   using TransformException::TransformException;
 };
 
-/// Nobody has said anything about a frame yet.
+/// A frame does not exist yet.
 class LookupException : public TransformException
 {
 public:
   using TransformException::TransformException;
 };
 
-/// A time is outside of what is kept.
+/// A time is outside the buffered times.
 class ExtrapolationException : public TransformException
 {
 public:

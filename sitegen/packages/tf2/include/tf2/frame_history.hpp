@@ -1,4 +1,4 @@
-// What is known of one frame: where it was in its parent, at which times.
+// The history of one frame: its transforms to its parent, by time.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 namespace tf2
 {
 
-/// Frames are numbered; 0 is none.
+/// The number of a frame; 0 means none.
 using CompactFrameID = std::uint32_t;
 
 namespace detail
@@ -41,17 +41,17 @@ public:
   : is_static_(is_static), kept_(kept) {}
 
   bool is_static() const {return is_static_;}
-  /// False if it is older than what is kept.
+  /// False if it is older than the history.
   bool insert(const Sample & sample);
-  /// The frame at `time`, in between two samples where none is of this time; at TimePointZero the
-  /// newest. Where there is none, `error` (if it is not null) says why.
+  /// The transform at `time`, interpolated between samples; the newest one at TimePointZero. If
+  /// there is none, `error` (unless it is null) receives the reason.
   std::optional<Sample> at(TimePoint time, std::string * error) const;
   void clear() {samples_.clear();}
 
   std::size_t size() const {return samples_.size();}
   /// The newest parent, or 0.
   CompactFrameID parent() const {return samples_.empty() ? 0 : samples_.front().parent;}
-  /// TimePointZero where nothing is known, or all is true at any time.
+  /// TimePointZero if the history is empty or static.
   TimePoint newest() const;
   TimePoint oldest() const;
 

@@ -10,7 +10,7 @@ using Duration = std::chrono::nanoseconds;
 using TimePoint = std::chrono::time_point<std::chrono::system_clock, Duration>;
 using IDuration = std::chrono::duration<int, std::nano>;
 
-/// Stands for the latest time at which there is a transform.
+/// Requests the latest time at which a transform is available.
 const TimePoint TimePointZero = TimePoint(IDuration::zero());
 
 TimePoint get_now();

@@ -8,7 +8,7 @@
 namespace tf2
 {
 
-/// Data of a frame, at a time.
+/// Data with a frame and a time.
 template<typename T>
 class Stamped : public T
 {
@@ -30,7 +30,7 @@ bool operator==(const Stamped<T> & a, const Stamped<T> & b)
          static_cast<const T &>(a) == static_cast<const T &>(b);
 }
 
-/// The same with a covariance of 6 by 6, row after row.
+/// The same with a 6x6 covariance matrix in row-major order.
 template<typename T>
 class WithCovarianceStamped : public Stamped<T>
 {

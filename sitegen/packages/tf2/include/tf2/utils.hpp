@@ -1,4 +1,4 @@
-// Angles of anything that has a rotation. In radians.
+// Euler angles of any type with a rotation, in radians.
 #pragma once
 
 #include "geometry_msgs/msg/quaternion.hpp"

@@ -1,5 +1,5 @@
 #pragma once
 
-// A program of a page is linked from static libraries: everything is visible.
+// Programs are linked statically, so all symbols are visible.
 #define TF2_PUBLIC
 #define TF2_LOCAL

@@ -1,4 +1,4 @@
-// Between messages of geometry_msgs and the types of Eigen.
+// Conversions between messages of geometry_msgs and types of Eigen.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@
 namespace tf2
 {
 
-// The order is that of use: a type after what it consists of.
+// Ordered by use: a type comes after the types that it contains.
 
 inline geometry_msgs::msg::Point toMsg(const Eigen::Vector3d & in)
 {
@@ -71,7 +71,7 @@ geometry_msgs::msg::Pose pose_of(const TransformT & in)
   geometry_msgs::msg::Pose out;
   out.position = toMsg(Eigen::Vector3d(in.translation()));
   Eigen::Quaterniond rotation(in.linear());
-  // Of the two that mean the same, the one with a positive w.
+  // Of the two quaternions for the same rotation, return the one with a positive w.
   if (rotation.w() < 0) {rotation.coeffs() *= -1;}
   out.orientation = toMsg(rotation);
   return out;
@@ -102,7 +102,7 @@ inline void fromMsg(const geometry_msgs::msg::Pose & in, Eigen::Affine3d & out)
   out = transform;
 }
 
-/// The linear part of a twist comes first, and so does the force of a wrench.
+/// The first three elements are the linear part of a twist, or the force of a wrench.
 inline geometry_msgs::msg::Twist toMsg(const Eigen::Matrix<double, 6, 1> & in)
 {
   geometry_msgs::msg::Twist out;
@@ -152,7 +152,7 @@ inline geometry_msgs::msg::TransformStamped eigenToTransform(const Eigen::Affine
   return eigenToTransform(transform);
 }
 
-// `T` is a type of Eigen, `Message` that of its message with a stamp, `part` the field that holds it.
+// `T` is a type of Eigen, `Message` its stamped message, `part` the field that contains it.
 #define TF2_EIGEN_STAMPED(T, Message, part) \
   inline geometry_msgs::msg::Message toMsg(const Stamped<T> & in) \
   { \
@@ -238,7 +238,7 @@ TF2_EIGEN_TRANSFORM(Eigen::Isometry3d)
 
 }  // namespace tf2
 
-// tf2::convert() was written before these types: it finds the functions in their own namespace.
+// tf2::convert() is defined before these types, so it finds functions only in their namespace.
 namespace Eigen
 {
 

@@ -1,4 +1,4 @@
-// Between messages of geometry_msgs and the classes of tf2.
+// Conversions between messages of geometry_msgs and classes of tf2.
 #pragma once
 
 #include "geometry_msgs/msg/point.hpp"
@@ -23,7 +23,7 @@
 namespace tf2
 {
 
-// The order is that of use: a type after what it consists of.
+// Ordered by use: a type comes after the types that it contains.
 
 inline geometry_msgs::msg::Vector3 toMsg(const Vector3 & in)
 {
@@ -38,7 +38,7 @@ inline void fromMsg(const geometry_msgs::msg::Vector3 & in, Vector3 & out)
   out = Vector3(in.x, in.y, in.z);
 }
 
-/// A vector may be a point as well: the message to fill says which.
+/// A vector can also be a point: the type of the message decides.
 template<class PointT>
 PointT & toMsg(const Vector3 & in, PointT & out)
 {
@@ -84,7 +84,7 @@ inline void fromMsg(const geometry_msgs::msg::Transform & in, Transform & out)
   out = Transform(rotation, Vector3(in.translation.x, in.translation.y, in.translation.z));
 }
 
-/// A transform may be a pose as well.
+/// A transform can also be a pose.
 inline geometry_msgs::msg::Pose & toMsg(const Transform & in, geometry_msgs::msg::Pose & out)
 {
   toMsg(in.getOrigin(), out.position);
@@ -192,7 +192,7 @@ inline void fromMsg(
   out.cov_mat_ = covarianceRowMajorToNested(in.pose.covariance);
 }
 
-// A message is a message already.
+// The conversion of a message to itself.
 #define TF2_GEOMETRY_MSGS_SAME(Name) \
   inline geometry_msgs::msg::Name toMsg(const geometry_msgs::msg::Name & in) {return in;} \
   inline void fromMsg(const geometry_msgs::msg::Name & in, geometry_msgs::msg::Name & out) \

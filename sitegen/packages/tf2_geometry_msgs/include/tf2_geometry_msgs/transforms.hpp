@@ -1,4 +1,4 @@
-// Messages of geometry_msgs, brought to another frame.
+// Transform messages of geometry_msgs to another frame.
 #pragma once
 
 #include "geometry_msgs/msg/polygon_stamped.hpp"
@@ -51,7 +51,7 @@ inline void move(
 inline std::array<double, 36> turned(
   const std::array<double, 36> & covariance, const Matrix3x3 & rotation)
 {
-  // R C Rᵀ for each of its four blocks of three by three.
+  // R C Rᵀ for each of the four 3x3 blocks.
   std::array<double, 36> out;
   for (int block = 0; block < 4; ++block) {
     const int start = block / 2 * 18 + block % 2 * 3;
@@ -72,7 +72,7 @@ inline geometry_msgs::msg::PoseWithCovariance::_covariance_type transformCovaria
   return detail::turned(covariance, transform.getBasis());
 }
 
-// `T` is a message, `act` the statements that make t_out of t_in by `transform`.
+// `T` is a message, `act` the statements that compute t_out from t_in with `transform`.
 #define TF2_GEOMETRY_MSGS_TRANSFORM(T, act) \
   template<> \
   inline void doTransform( \
@@ -82,7 +82,7 @@ inline geometry_msgs::msg::PoseWithCovariance::_covariance_type transformCovaria
     const Transform transform = detail::of(stamped); \
     act \
   }
-// The same for one with a header, which is then that of the transform.
+// The same for a message with a header, which is replaced by that of the transform.
 #define TF2_GEOMETRY_MSGS_TRANSFORM_STAMPED(T, act) \
   TF2_GEOMETRY_MSGS_TRANSFORM( \
     T, \

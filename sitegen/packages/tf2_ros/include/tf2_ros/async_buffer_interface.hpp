@@ -13,7 +13,7 @@
 namespace tf2_ros
 {
 
-/// A transform to come, and the number of the request for it.
+/// A future transform, and the number of its request.
 class TransformStampedFuture : public std::shared_future<geometry_msgs::msg::TransformStamped>
 {
 public:

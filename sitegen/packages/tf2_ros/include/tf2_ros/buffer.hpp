@@ -29,7 +29,7 @@ public:
   explicit Buffer(
     rclcpp::Clock::SharedPtr clock,
     tf2::Duration cache_time = tf2::BUFFER_CORE_DEFAULT_CACHE_TIME);
-  /// `node` is a pointer to a node, which answers the service tf2_frames.
+  /// `node` is a pointer to a node, which provides the service tf2_frames.
   template<class NodeT>
   Buffer(
     rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time, NodeT && node,
@@ -99,7 +99,7 @@ public:
       fromRclcpp(timeout), error);
   }
 
-  /// Throws CreateTimerInterfaceException unless a timer interface is set.
+  /// Throws CreateTimerInterfaceException if no timer interface is set.
   TransformStampedFuture waitForTransform(
     const std::string & target_frame, const std::string & source_frame,
     const tf2::TimePoint & time, const tf2::Duration & timeout,
@@ -119,7 +119,8 @@ public:
   rclcpp::Clock::SharedPtr getClock() const {return clock_;}
 
 private:
-  /// Ask `can` until it can, or `timeout` is over. It is called with null, and last with `error`.
+  /// Call `can` repeatedly until it returns true, or until `timeout`. Its argument is null, in the
+  /// last call `error`.
   bool wait(
     const std::function<bool(std::string *)> & can, tf2::Duration timeout,
     std::string * error) const;

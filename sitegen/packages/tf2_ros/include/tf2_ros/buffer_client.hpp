@@ -37,14 +37,14 @@ public:
   using LookupTransformGoalException::LookupTransformGoalException;
 };
 
-/// Asks a BufferServer for transforms. Its node has to be spun by another thread meanwhile.
+/// Requests transforms from a BufferServer. Another thread must spin its node.
 class BufferClient : public BufferInterface
 {
 public:
   using LookupTransformAction = tf2_msgs::action::LookupTransform;
 
-  /// `node` is a pointer to a node; `ns` is the name of the action. The client waits by itself for
-  /// `timeout_padding` longer than it asks the server to.
+  /// `node` is a pointer to a node; `ns` is the name of the action. The client waits
+  /// `timeout_padding` longer than the timeout that it requests from the server.
   template<typename NodePtr>
   BufferClient(
     NodePtr node, const std::string ns, const double & check_frequency = 10.0,

@@ -51,7 +51,7 @@ inline tf2::Duration fromRclcpp(const rclcpp::Duration & duration)
   return tf2::Duration(duration.nanoseconds());
 }
 
-/// Asks for transforms, and waits for them no longer than `timeout`.
+/// Looks up transforms, and waits for them up to `timeout`.
 class BufferInterface
 {
 public:
@@ -72,7 +72,7 @@ public:
     const std::string & source_frame, const tf2::TimePoint & source_time,
     const std::string & fixed_frame, const tf2::Duration timeout, std::string * error) const = 0;
 
-  /// Bring `in`, which knows its frame and its time, to `target_frame`.
+  /// Transform `in`, which has a frame and a time, to `target_frame`.
   template<class T>
   T & transform(
     const T & in, T & out, const std::string & target_frame,
@@ -91,7 +91,7 @@ public:
     T out;
     return transform(in, out, target_frame, timeout);
   }
-  /// Into a type of another library.
+  /// Transform and convert to another type.
   template<class A, class B>
   B & transform(
     const A & in, B & out, const std::string & target_frame,

@@ -14,7 +14,7 @@
 namespace tf2_ros
 {
 
-/// Answers a BufferClient from its buffer, as soon as the transform is there or the time is over.
+/// Serves a BufferClient from its buffer: responds once the transform is available, or on timeout.
 class BufferServer
 {
 public:

@@ -26,7 +26,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// What a buffer makes timers with, that end the wait for a transform.
+/// Creates the timers with which a buffer limits waits for transforms.
 class CreateTimerInterface
 {
 public:

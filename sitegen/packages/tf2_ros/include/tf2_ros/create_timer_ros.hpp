@@ -12,7 +12,7 @@
 namespace tf2_ros
 {
 
-/// Makes timers of a node.
+/// Creates timers of a node.
 class CreateTimerROS : public CreateTimerInterface
 {
 public:
@@ -24,7 +24,7 @@ public:
   TimerHandle createTimer(
     rclcpp::Clock::SharedPtr clock, const tf2::Duration & period,
     TimerCallbackType callback) override;
-  /// These throw InvalidTimerHandleException for a number that no timer has.
+  /// These throw InvalidTimerHandleException for the number of a timer that does not exist.
   void cancel(const TimerHandle & timer_handle) override;
   void reset(const TimerHandle & timer_handle) override;
   void remove(const TimerHandle & timer_handle) override;

@@ -65,7 +65,7 @@ public:
   virtual void setTolerance(const rclcpp::Duration & tolerance) = 0;
 };
 
-/// Passes a message on as soon as it can be transformed to all target frames.
+/// Passes on each message once it can be transformed to all target frames.
 template<class M, class BufferT = Buffer>
 class MessageFilter : public MessageFilterBase, public message_filters::SimpleFilter<M>
 {
@@ -73,7 +73,7 @@ public:
   using MConstPtr = std::shared_ptr<M const>;
   using MEvent = message_filters::MessageEvent<M const>;
 
-  /// A queue of size 0 has no end. Messages wait no longer than `buffer_timeout`.
+  /// The queue is unlimited if its size is 0. Messages wait up to `buffer_timeout`.
   MessageFilter(
     BufferT & buffer, const std::string & target_frame, std::uint32_t queue_size,
     rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr node_logging,
@@ -138,7 +138,7 @@ public:
     for (const std::string & frame : frames_) {text += frame + " ";}
     return text;
   }
-  /// A message has to be transformable at its time, and this much later as well.
+  /// The transforms must be available at the time of the message and at this time after it.
   void setTolerance(const rclcpp::Duration & tolerance) override
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -201,7 +201,8 @@ private:
       });
   }
 
-  /// Put `event` in the queue, in place of the oldest where there is no room; say what it waits for.
+  /// Add `event` to the queue, in place of the oldest one if it is full, and request its
+  /// transforms.
   std::uint64_t keep(
     const MEvent & event, tf2::TimePoint stamp,
     std::vector<std::pair<std::string, tf2::TimePoint>> & wanted)

@@ -12,7 +12,7 @@
 namespace tf2_ros
 {
 
-/// Tells others, those who come later too, of transforms that do not change, on /tf_static.
+/// Publishes static transforms on /tf_static, which is transient local.
 class StaticTransformBroadcaster
 {
 public:

@@ -12,7 +12,7 @@
 namespace tf2_ros
 {
 
-/// Tells others of transforms, on /tf.
+/// Publishes transforms on /tf.
 class TransformBroadcaster
 {
 public:

@@ -34,15 +34,15 @@ get_default_transform_listener_static_sub_options()
 
 }  // namespace detail
 
-/// Fills a buffer with what is said on /tf and /tf_static.
+/// Fills a buffer from /tf and /tf_static.
 class TransformListener
 {
 public:
-  /// Listen with a node of its own.
+  /// Subscribe with a node of its own.
   explicit TransformListener(
     tf2::BufferCore & buffer, bool spin_thread = true, bool static_only = false);
 
-  /// `node` is a node, or a pointer to one. Without `spin_thread`, who spins the node listens.
+  /// `node` is a node, or a pointer to one. Without `spin_thread`, the caller must spin the node.
   template<class NodeT, class = std::enable_if_t<!std::is_same_v<std::decay_t<NodeT>, bool>>>
   TransformListener(
     tf2::BufferCore & buffer, NodeT && node, bool spin_thread = true,
@@ -60,7 +60,7 @@ public:
       options, static_options, static_only);
   }
 
-  /// As of a node whose interfaces these are.
+  /// With individual interfaces in place of a node.
   TransformListener(
     tf2::BufferCore & buffer, rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_base,
     rclcpp::node_interfaces::NodeLoggingInterface::SharedPtr,

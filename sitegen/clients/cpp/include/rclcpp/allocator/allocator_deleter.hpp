@@ -7,7 +7,7 @@ namespace rclcpp
 namespace allocator
 {
 
-/// Frees what an allocator made.
+/// Frees memory that an allocator allocated.
 template<typename AllocatorT>
 class AllocatorDeleter
 {
@@ -45,7 +45,7 @@ void set_allocator_for_deleter(DeleterT * deleter, AllocatorT * allocator)
 template<typename AllocatorT, typename T>
 void set_allocator_for_deleter(std::default_delete<T> *, AllocatorT *) {}
 
-/// What frees a `T` that `AllocatorT` made.
+/// The deleter for a `T` that `AllocatorT` allocated.
 template<typename AllocatorT, typename T>
 using Deleter = std::conditional_t<
   std::is_same_v<

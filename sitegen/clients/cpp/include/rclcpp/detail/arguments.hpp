@@ -1,4 +1,4 @@
-// The ROS arguments of the command line and the names that they change.
+// The ROS arguments of the command line, and the names that they remap.
 #pragma once
 
 #include <map>
@@ -35,24 +35,25 @@ struct Arguments
   std::map<std::string, int> log_levels;  // by logger, "" for all others
   std::vector<std::string> others;        // what is not for ROS
 
-  /// Let the rules of `later` count after these.
+  /// Append the rules of `later`, which have a lower precedence.
   void append(const Arguments & later);
 };
 
-/// Read a command line; throws UnknownROSArgsError for what this release does not know.
+/// Parse a command line. Throws UnknownROSArgsError for arguments that this release does not know.
 Arguments parse_arguments(int argc, char const * const * argv);
 
-/// Whether a rule for `rule` is one for the node with these names: one of them, or a form like `/**`
-/// or `/arm/*/gripper`.
+/// Whether a rule for `rule` applies to the node with these names: it is one of them, or a pattern
+/// such as `/**` or `/arm/*/gripper`.
 bool applies_to(
   const std::string & rule, const std::string & name, const std::string & full_name);
 
-/// The rule for `from`, one of "__node" and "__ns", as the node `node` sees it; else `name`.
+/// The value of the rule for `from`, "__node" or "__ns", that applies to the node `node`; else
+/// `name`.
 std::string remap_node(
   const Arguments & arguments, const std::string & node, const std::string & from,
   const std::string & name);
 
-/// Expand the name of a topic or a service as seen by `node` in `name_space` and apply the remap rules.
+/// Expand the name of a topic or service of `node` in `name_space`, and apply the remap rules.
 std::string resolve_name(
   const Arguments & arguments, const std::string & node, const std::string & name_space,
   const std::string & name, NameKind kind);

@@ -1,4 +1,4 @@
-// What a node is asked about its parameters.
+// The methods of a node about its parameters.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace rclcpp
 namespace detail
 {
 
-// Not in the class: there they would hide what a node's program calls by these names.
+// Outside the class, where they would hide functions with these names in user code.
 using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
 using SetResult = rcl_interfaces::msg::SetParametersResult;
 
@@ -58,7 +58,7 @@ public:
       throw exceptions::InvalidParameterTypeException(name, error.what());
     }
   }
-  /// Without a default: it has to be overridden, or set before it is read.
+  /// Without a default value: it must be overridden, or set before it is read.
   template<class ParameterT>
   ParameterT declare_parameter(
     const std::string & name, const Descriptor & descriptor = Descriptor(),

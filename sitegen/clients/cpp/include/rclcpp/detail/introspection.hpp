@@ -1,4 +1,4 @@
-// What a service or a client publishes of its requests and responses.
+// Service introspection: the events that a service or a client publishes about its calls.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// As service_msgs/msg/ServiceEventInfo numbers them.
+/// The event types of service_msgs/msg/ServiceEventInfo.
 enum class ServiceEvent : std::uint8_t
 {
   kRequestSent = 0, kRequestReceived = 1, kResponseSent = 2, kResponseReceived = 3
@@ -31,7 +31,7 @@ public:
   using Request = typename ServiceT::Request;
   using Response = typename ServiceT::Response;
 
-  /// `node` is that of the service or the client `name`.
+  /// `node` is the node of the service or client `name`.
   Introspection(
     const node_interfaces::NodeBaseInterface & node, const std::string & name,
     Clock::SharedPtr clock, const QoS & qos, rcl_service_introspection_state_t state)
@@ -59,7 +59,7 @@ private:
   Publisher<typename ServiceT::Event> publisher_;
 };
 
-/// Introspection that may be off. What it publishes with is linked only where it is turned on.
+/// Introspection that may be disabled. The publisher is linked only into programs that enable it.
 template<class ServiceT>
 class IntrospectionSwitch
 {

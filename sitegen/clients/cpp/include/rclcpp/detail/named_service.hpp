@@ -1,4 +1,4 @@
-// Services that are known by their names: those whose headers a program includes.
+// Service types by name: those whose headers the program includes.
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ struct NamedService
   const rosidl_typesupport_sitegen_cpp::MessageMembers * response;
 };
 
-/// Throws std::runtime_error for a name that the program knows nothing of.
+/// Throws std::runtime_error for an unknown name.
 const NamedService & named_service(const std::string & name);
 
-/// A new message of a type.
+/// Create a message of a type.
 inline std::shared_ptr<void> make_message(const rosidl_typesupport_sitegen_cpp::MessageMembers & type)
 {
   return {type.create(), type.destroy};

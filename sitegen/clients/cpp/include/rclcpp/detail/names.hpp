@@ -1,4 +1,4 @@
-// Names of nodes, topics and services by the rules of ROS 2.
+// The rules of ROS 2 for names of nodes, topics and services.
 #pragma once
 
 #include <string>
@@ -8,19 +8,20 @@ namespace rclcpp
 namespace detail
 {
 
-/// These throw InvalidNodeNameError and InvalidNamespaceError in upstream's words.
+/// These throw InvalidNodeNameError and InvalidNamespaceError with the messages of upstream.
 void validate_node_name(const std::string & name);
 void validate_namespace(const std::string & name_space);
 
 enum class NameKind {Topic, Service};
 
-/// `name` as a full name: absolute stays, "~" is the node, everything else is in the namespace; {node},
-/// {ns} and {namespace} are filled in. Throws InvalidTopicNameError or InvalidServiceNameError.
+/// Expand `name` to a full name: an absolute name is unchanged, "~" is the node, other names are in
+/// the namespace; {node}, {ns} and {namespace} are replaced. Throws InvalidTopicNameError or
+/// InvalidServiceNameError.
 std::string expand_name(
   const std::string & node, const std::string & name_space, const std::string & name,
   NameKind kind);
 
-/// The logger of a node is named by its full name, with dots.
+/// The name of a node's logger: its full name with dots.
 std::string logger_name(std::string full_node_name);
 
 }  // namespace detail

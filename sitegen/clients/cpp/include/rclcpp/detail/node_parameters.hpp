@@ -1,4 +1,4 @@
-// How a node comes by its parameters: only where the program uses some.
+// Creates the parameters of a node, only in programs that use parameters.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@ namespace rclcpp
 namespace detail
 {
 
-/// Make the parameters of a node and what sets its clock. Null in programs that use no parameters: half
-/// of a talker would be the services for them.
+/// Create the parameters of a node and the source of its time. Null in programs that use no
+/// parameters, because the parameter services would be half the size of a talker.
 __attribute__((weak)) node_interfaces::NodeParametersInterface::SharedPtr make_node_parameters(
   const node_interfaces::NodeBaseInterface::SharedPtr & node, const NodeOptions & options,
   const Clock::SharedPtr & clock, TimeSource::SharedPtr & time_source);

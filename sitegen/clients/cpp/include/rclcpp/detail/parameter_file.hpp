@@ -1,4 +1,5 @@
-// Files of parameters, read while a program runs. Those of a command line are read when the site is built.
+// Parameter files that are read while a program runs. Those on a command line are read when the
+// site is built.
 #pragma once
 
 #include <string>
@@ -18,10 +19,11 @@ struct NodeParameters
   std::vector<Parameter> parameters;
 };
 
-/// What a file says of each node. Throws exceptions::RCLError.
+/// The parameters in a file, by node. Throws exceptions::RCLError.
 std::vector<NodeParameters> read_parameter_file(const std::string & path);
 
-/// A scalar or a list of them as a value, one that is not set for an empty list. Throws exceptions::RCLError.
+/// The value of a scalar or a list of scalars; not set for an empty list. Throws
+/// exceptions::RCLError.
 ParameterValue parameter_value(const Yaml & node);
 
 }  // namespace detail

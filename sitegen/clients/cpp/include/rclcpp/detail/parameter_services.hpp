@@ -1,4 +1,4 @@
-// The services by which others read and set the parameters of a node.
+// The parameter services of a node.
 #pragma once
 
 #include <memory>

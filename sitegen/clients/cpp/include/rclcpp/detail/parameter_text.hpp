@@ -1,4 +1,4 @@
-// Values of parameters as text: on the command line, `-p name:=value`, and in files.
+// Parameter values as text: on the command line, `-p name:=value`, and in files.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ namespace rclcpp
 namespace detail
 {
 
-/// Read a value as rcl reads YAML: a scalar or a list `[1, 2]` of scalars of one type. Throws
-/// std::invalid_argument for other forms.
+/// Parse a value as rcl parses YAML: a scalar, or a list `[1, 2]` of scalars of one type. Throws
+/// std::invalid_argument for anything else.
 ParameterValue parse_parameter(const std::string & text);
 
-/// Read a scalar that has no quotes.
+/// Parse an unquoted scalar.
 ParameterValue parse_scalar(const std::string & text);
 
-/// Scalars as one value, not set if there are none. Throws ParameterTypeException for scalars of several
-/// types.
+/// Combine scalars into one value, which is not set if there are none. Throws
+/// ParameterTypeException for scalars of different types.
 ParameterValue array_of(const std::vector<ParameterValue> & values);
 
 }  // namespace detail

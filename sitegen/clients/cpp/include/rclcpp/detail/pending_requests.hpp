@@ -1,4 +1,4 @@
-// The requests of a client that were not answered yet.
+// The requests of a client that have no response yet.
 #pragma once
 
 #include <chrono>
@@ -28,10 +28,10 @@ public:
   }
   bool has(std::int64_t id) const {return pending_.count(id) != 0;}
   bool remove(std::int64_t id) {return pending_.erase(id) != 0;}
-  /// What to call with the response; the request is pending no more. It has to be.
+  /// Remove a request, which must be pending, and return its callback.
   Complete take(std::int64_t id) {return std::move(pending_.extract(id).mapped().complete);}
 
-  /// Forget requests that were sent before `time_point`, and add their ids to `removed`.
+  /// Remove requests sent before `time_point`, and add their ids to `removed`.
   template<class AllocatorT>
   std::size_t remove_older_than(TimePoint time_point, std::vector<std::int64_t, AllocatorT> * removed)
   {

@@ -1,4 +1,4 @@
-// The one place where the program waits; everything that blocks comes here.
+// The only place where the program waits; all blocking functions use it.
 #pragma once
 
 #include <cstdint>
@@ -9,25 +9,25 @@ namespace rclcpp
 namespace detail
 {
 
-/// Milliseconds since 1970; never steps back.
+/// Milliseconds since 1970; never decreases.
 double now();
 
-/// The whole nanoseconds of `milliseconds`. The product as one double would be a quarter of a
-/// microsecond off for times since 1970, and then two times further apart than they are, or nearer.
+/// Convert `milliseconds` to whole nanoseconds. A single product of doubles would be off by up to a
+/// quarter of a microsecond for times since 1970, which would also distort differences.
 std::int64_t nanoseconds(double milliseconds);
 
-/// Suspend the caller until something happened in the graph, at most `milliseconds` (0: let the
-/// event loop turn once; negative: no limit). A signal that came is raised before it returns.
+/// Suspend the caller until something happens in the graph, at most `milliseconds` (0: one turn of
+/// the event loop; negative: no limit). Raises a signal that has arrived before it returns.
 void wait(double milliseconds);
 
-/// Let the event loop turn when it has not for a while: messages and Stop come by it.
+/// Yield to the event loop if the program has not done so for a while, for messages and Stop.
 void breathe();
 
-/// Run `body`; an exception that leaves it ends the program with its text.
+/// Run `body`; an uncaught exception ends the program with its message.
 void guarded(const std::function<void()> & body);
 
-/// Suspend the caller until `milliseconds` passed, whatever happens in the graph, or until
-/// `stop` says so.
+/// Suspend the caller until `milliseconds` have passed, whatever happens in the graph, or until
+/// `stop` returns true.
 void sleep(double milliseconds, const std::function<bool()> & stop);
 
 }  // namespace detail

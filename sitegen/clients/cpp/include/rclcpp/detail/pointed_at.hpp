@@ -14,7 +14,7 @@ struct points : std::is_pointer<T> {};
 template<class T>
 struct points<T, std::void_t<decltype(std::declval<T &>().operator->())>> : std::true_type {};
 
-/// What `object` points at; itself, if it does not point.
+/// The object that `object` points to; `object` itself if it is not a pointer.
 template<class T>
 auto & pointed_at(T & object)
 {

@@ -1,4 +1,4 @@
-// What messages arrive at: a subscription, a service or a client.
+// An endpoint that receives messages: a subscription, a service or a client.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Endpoint
 public:
   RCLCPP_DISABLE_COPY(Endpoint)
 
-  /// `kind` is one of host.h; `name` is expanded and remapped as `node` says.
+  /// `kind` is one of host.h; `name` is expanded and remapped for `node`.
   Endpoint(
     std::int32_t kind, const node_interfaces::NodeBaseInterface & node, const std::string & name,
     const std::string & type, const QoS & qos);
@@ -34,9 +34,9 @@ public:
   const std::string & name() const {return name_;}
   const QoS & qos() const {return qos_;}
   std::int32_t id() const {return id_;}
-  /// As those see it that get its messages.
+  /// Its gid, as received with its messages.
   rmw_gid_t gid() const;
-  /// How many endpoints at the other side match this one now.
+  /// The number of matching endpoints.
   std::size_t matched() const;
 
 private:
@@ -45,18 +45,18 @@ private:
   std::int32_t id_;
 };
 
-/// An endpoint at which messages wait until an executor comes for them.
+/// An endpoint whose messages wait until an executor takes them.
 class Receiver : public Endpoint, public Executable
 {
 public:
   using Endpoint::Endpoint;
 
-  /// Handle the oldest message that waits; false if none did.
+  /// Handle the oldest message; false if there is none.
   bool execute_one() override;
   /// Whether a message waits.
   bool is_ready() const;
-  /// Remove the oldest message and return it in `bytes`, with what is known of it and the endpoint
-  /// that sent it; false if none waits.
+  /// Remove the oldest message and return it in `bytes`, with its metadata and the endpoint that
+  /// sent it; false if there is none.
   bool take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer_gid);
 
 protected:
@@ -64,7 +64,7 @@ protected:
   virtual void handle(
     const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) = 0;
 
-  /// Read `bytes` into `message`; when they are of another type, log an error and return false.
+  /// Read `bytes` into `message`; if they are not of its type, log an error and return false.
   bool decode(
     const MessageMembers & type, const SerializedMessage & bytes, void * message) const;
 
@@ -80,7 +80,7 @@ struct Bytes
 };
 Bytes encode(const MessageMembers & type, const void * message);
 
-/// The name of the service of which `request` is the request: std_srvs/srv/Trigger.
+/// The service type of the request type `request`: std_srvs/srv/Trigger.
 std::string service_type(const MessageMembers & request);
 
 }  // namespace detail

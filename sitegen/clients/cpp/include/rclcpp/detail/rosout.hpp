@@ -1,4 +1,4 @@
-// The topic /rosout, on which each node repeats what it logs.
+// The topic /rosout, to which each node publishes its log.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// Publishes what is logged under the name of a node, and below it, as long as it lives.
+/// Publishes the log of a node and of its child loggers during its lifetime.
 class Rosout
 {
 public:
@@ -22,7 +22,7 @@ private:
   std::string logger_;
 };
 
-/// Publish a line of the log, if a node's logger or one above it has that name. `stamp` is in
+/// Publish a log message if its logger, or one of its parents, belongs to a node. `stamp` is in
 /// milliseconds since 1970.
 void publish_rosout(
   int severity, const std::string & logger, const std::string & text, double stamp);

@@ -1,4 +1,4 @@
-// What a node is asked about the whole graph.
+// The methods of a node that query the graph.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Threads are stacks: while one waits, the others run.
+// Each thread has its own stack: while one thread waits, the others run.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace rclcpp
 namespace detail
 {
 
-/// What runs on a stack of its own.
+/// A function with its own stack.
 struct Thread
 {
   void * (* function)(void *);
@@ -22,19 +22,19 @@ struct Thread
   void * exceptions[2] = {};         // what the C++ runtime notes of those that are handled
 };
 
-/// The thread that runs; null is main().
+/// The current thread; null is main().
 extern Thread * current_thread;
 
-/// ros_wait() on any stack. Returns when anything happened, also at another stack.
+/// ros_wait() on any stack. Also returns when something happened on another stack.
 int suspend(double milliseconds);
 
 /// End the waits of all stacks.
 void wake();
 
-/// A message was sent, perhaps to an endpoint of this program for which another stack waits.
+/// Report that a message was sent; another stack of this program may be waiting for it.
 void sent();
 
-/// Call `body(thread)` on a stack of its own when the caller waits. False without memory.
+/// Call `body(thread)` on a new stack once the caller waits. False if memory is exhausted.
 bool launch(void (* body)(Thread *), Thread * thread);
 
 }  // namespace detail

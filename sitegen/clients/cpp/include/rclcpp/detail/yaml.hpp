@@ -1,4 +1,4 @@
-// YAML, as far as files of parameters have it.
+// A parser for the subset of YAML in parameter files.
 #pragma once
 
 #include <string>
@@ -21,8 +21,8 @@ struct Yaml
   std::vector<Yaml> parts;  // of a list or a map, in their order
 };
 
-/// Read one document: maps, lists, quoted, plain and block scalars; no aliases, as in upstream's files of
-/// parameters. Throws exceptions::RCLError with the line.
+/// Parse one document: maps, lists, quoted, plain and block scalars, but no aliases, as in
+/// parameter files of upstream. Throws exceptions::RCLError with the line.
 Yaml read_yaml(const std::string & text);
 
 }  // namespace detail

@@ -11,7 +11,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// `node` is anything that has get_node_base_interface(), a pointer to it, or the interface itself.
+/// `node` is an object with get_node_base_interface(), a pointer to one, or the interface itself.
 template<class NodeT>
 std::shared_ptr<NodeBaseInterface> get_node_base_interface(NodeT && node)
 {

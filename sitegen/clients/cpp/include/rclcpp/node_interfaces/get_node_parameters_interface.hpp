@@ -11,7 +11,8 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// `node` is anything that has get_node_parameters_interface(), a pointer to it, or the interface itself.
+/// `node` is an object with get_node_parameters_interface(), a pointer to one, or the interface
+/// itself.
 template<class NodeT>
 std::shared_ptr<NodeParametersInterface> get_node_parameters_interface(NodeT && node)
 {

@@ -11,7 +11,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// `node` is anything that has get_node_topics_interface(), a pointer to it, or the interface itself.
+/// `node` is an object with get_node_topics_interface(), a pointer to one, or the interface itself.
 template<class NodeT>
 std::shared_ptr<NodeTopicsInterface> get_node_topics_interface(NodeT && node)
 {

@@ -17,7 +17,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// What an executor needs of a node: its name in the graph and its callback groups.
+/// The interface that executors use: the name of the node and its callback groups.
 class NodeBaseInterface : public std::enable_shared_from_this<NodeBaseInterface>
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   using CallbackGroupFunction = std::function<void (CallbackGroup::SharedPtr)>;
 
-  /// Apply the remap rules of `arguments`, then of `context`, and enter the graph.
+  /// Apply the remap rules of `arguments`, then those of `context`, and join the graph.
   NodeBaseInterface(
     const std::string & name, const std::string & name_space, Context::SharedPtr context,
     detail::Arguments arguments);
@@ -36,7 +36,7 @@ public:
   const char * get_namespace() const {return namespace_.c_str();}
   const char * get_fully_qualified_name() const {return full_name_.c_str();}
   Context::SharedPtr get_context() const {return context_;}
-  /// Itself, so that what takes a node takes this, too.
+  /// Returns itself, so that it can be used in place of a node.
   SharedPtr get_node_base_interface() {return shared_from_this();}
 
   CallbackGroup::SharedPtr create_callback_group(
@@ -48,12 +48,12 @@ public:
 
   std::string resolve_topic_or_service_name(
     const std::string & name, bool is_service, bool only_expand = false) const;
-  /// Expand the name of a topic or a service as this node sees it and apply the remap rules.
+  /// Expand the name of a topic or service of this node, and apply the remap rules.
   std::string resolve(const std::string & name, detail::NameKind kind) const;
   const detail::Arguments & arguments() const {return arguments_;}
 
-  /// Let executors call back for `executable`, as one of `group` or of the default group. Throws
-  /// std::runtime_error if the group is not of this node.
+  /// Add `executable` to `group` or to the default group. Throws std::runtime_error if the group
+  /// belongs to another node.
   void add(
     detail::ExecutableKind kind, std::weak_ptr<detail::Executable> executable,
     CallbackGroup::SharedPtr group = nullptr);

@@ -23,7 +23,7 @@ namespace rclcpp
 
 enum class EndpointType {Invalid = 0, Publisher = 1, Subscription = 2};
 
-/// A publisher or a subscription, as others see it.
+/// A publisher or a subscription in the graph.
 class TopicEndpointInfo
 {
 public:
@@ -45,10 +45,10 @@ public:
   const EndpointType & endpoint_type() const {return endpoint_type_;}
   Gid & endpoint_gid() {return gid_;}
   const Gid & endpoint_gid() const {return gid_;}
-  /// How much an endpoint keeps is its own affair: its depth is 0, as with DDS.
+  /// The depth is not announced in the graph; it is 0, as with DDS.
   QoS & qos_profile() {return qos_;}
   const QoS & qos_profile() const {return qos_;}
-  /// Of version 0: the graph knows types by their names alone.
+  /// Its version is 0: the graph identifies types by name only.
   rosidl_type_hash_t & topic_type_hash() {return hash_;}
   const rosidl_type_hash_t & topic_type_hash() const {return hash_;}
 
@@ -65,14 +65,13 @@ private:
 namespace node_interfaces
 {
 
-/// What a node is asked about the whole graph. The first question of a program waits until the page
-/// has told who is there.
+/// Queries of the graph. The first query of a program waits until the page has sent the graph.
 class NodeGraphInterface
 {
 public:
   RCLCPP_SMART_PTR_ALIASES_ONLY(NodeGraphInterface)
 
-  /// Types by name.
+  /// Topics and their types.
   using NamesAndTypes = std::map<std::string, std::vector<std::string>>;
   using EndpointInfos = std::vector<TopicEndpointInfo>;
 
@@ -80,10 +79,10 @@ public:
   : base_(std::move(base)) {}
   NodeBaseInterface::SharedPtr get_node_base_interface() const {return base_;}
 
-  /// With `no_demangle`, what DDS would have: topics that carry services, too.
+  /// With `no_demangle`, the names of DDS, which include the topics of services.
   NamesAndTypes get_topic_names_and_types(bool no_demangle = false) const;
   NamesAndTypes get_service_names_and_types() const;
-  /// These throw RCLError if there is no such node.
+  /// These throw RCLError if the node does not exist.
   NamesAndTypes get_service_names_and_types_by_node(
     const std::string & node_name, const std::string & node_namespace) const;
   NamesAndTypes get_client_names_and_types_by_node(
@@ -106,7 +105,7 @@ public:
   std::size_t count_clients(const std::string & service_name) const;
   std::size_t count_services(const std::string & service_name) const;
 
-  /// With `no_mangle`, `topic_name` is that of DDS: `rt/chatter`.
+  /// With `no_mangle`, `topic_name` is the name in DDS: `rt/chatter`.
   EndpointInfos get_publishers_info_by_topic(
     const std::string & topic_name, bool no_mangle = false) const;
   EndpointInfos get_subscriptions_info_by_topic(
@@ -119,7 +118,7 @@ public:
   std::size_t count_graph_users() const {return 0;}
 
 private:
-  /// Of endpoints of a kind of host.h.
+  /// The endpoints of a kind in host.h.
   std::size_t count(
     std::int32_t kind, const std::string & name, detail::NameKind name_kind) const;
   EndpointInfos infos(std::int32_t kind, const std::string & topic, bool no_mangle) const;

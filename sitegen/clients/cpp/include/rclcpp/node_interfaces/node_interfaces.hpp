@@ -13,7 +13,7 @@ namespace node_interfaces
 namespace detail
 {
 
-/// How a node is asked for each of its interfaces, and what a bundle of them calls it.
+/// For each interface of a node: the method that returns it, and its name in NodeInterfaces.
 template<class InterfaceT>
 struct Part;
 
@@ -47,7 +47,7 @@ template<class ... InterfaceTs>
 class NodeInterfaces : public detail::Part<InterfaceTs>...
 {
 public:
-  /// Of anything that has these interfaces.
+  /// From an object that has these interfaces.
   template<class NodeT, class = decltype(std::declval<NodeT &>().get_node_base_interface())>
   NodeInterfaces(NodeT & node)  // NOLINT: implicit upstream
   : detail::Part<InterfaceTs>{detail::Part<InterfaceTs>::of(node)}... {}

@@ -27,7 +27,7 @@ class ParameterServices;
 namespace node_interfaces
 {
 
-/// A callback that stays as long as the handle to it.
+/// A callback that is removed with its handle.
 template<class CallbackT>
 struct ParameterCallbackHandle
 {
@@ -59,7 +59,7 @@ public:
   NodeParametersInterface(NodeBaseInterface::SharedPtr node, const NodeOptions & options);
   ~NodeParametersInterface();
 
-  /// Return `parameters`; to call it is to use parameters, so a program that does has them.
+  /// Return `parameters`. A call of this function links the implementation of parameters.
   static SharedPtr linked(SharedPtr parameters);
 
   const ParameterValue & declare_parameter(
@@ -110,7 +110,8 @@ private:
   const ParameterValue & declare(
     const std::string & name, const ParameterValue & default_value, Descriptor descriptor,
     bool ignore_override);
-  /// Check and ask; `parameters` are then set in `infos`. `declaring` parameters are not there yet.
+  /// Check the changes and call the callbacks; then set `parameters` in `infos`. `declaring`
+  /// parameters are not in it yet.
   SetResult apply(
     const std::vector<Parameter> & parameters, Infos & infos, bool call_pre_and_post);
   SetResult set_all(std::vector<Parameter> parameters);

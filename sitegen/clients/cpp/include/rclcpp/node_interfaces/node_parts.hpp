@@ -1,4 +1,4 @@
-// The interfaces of a node that templates ask for, as far as they are not classes of their own.
+// The node interfaces that templates use and that have no class of their own.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace rclcpp
 namespace node_interfaces
 {
 
-/// They lead to the node, and nothing else: what is made of them is made of the node.
+/// These only return the node: its entities are created from the node itself.
 #define ROS_NODE_PART(Name, Members) \
   class Name \
   { \

@@ -10,7 +10,7 @@ namespace rclcpp_lifecycle
 namespace node_interfaces
 {
 
-/// What a managed node does at each change of its state.
+/// The callbacks of a lifecycle node for each change of its state.
 class LifecycleNodeInterface
 {
 public:

@@ -1,5 +1,5 @@
-# OpenCV has no build for the page. It is found all the same, with nothing in it: what includes its headers
-# cannot be compiled, and is told so by name, and the other programs of the package can.
+# OpenCV is not available for pages. It is found as an empty package: programs that include its
+# headers fail with a message that names it, and the other programs of the package are compiled.
 include_guard(GLOBAL)
 set(OpenCV_VERSION 4.6.0)
 set(OpenCV_INCLUDE_DIRS "")

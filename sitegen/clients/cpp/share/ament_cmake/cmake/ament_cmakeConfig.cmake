@@ -1,5 +1,5 @@
-# ament_cmake for programs of a page: what a package's CMakeLists.txt calls, with the meaning that
-# it has when only its executables are wanted. Tests and linters are left out.
+# ament_cmake for pages: the functions that a package's CMakeLists.txt calls, as far as they matter
+# for executables. Tests and linters are left out.
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 
@@ -27,7 +27,7 @@ function(ament_target_dependencies target)
   endforeach()
 endfunction()
 
-# What matters to colcon, to installs or to tests, and not to a page.
+# Functions that only affect colcon, installations or tests do nothing.
 foreach(command
   ament_add_gmock ament_add_gtest ament_add_pytest_test ament_add_test
   ament_environment_hooks ament_export_definitions ament_export_link_flags
@@ -35,7 +35,7 @@ foreach(command
   cmake_language(EVAL CODE "macro(${command})\nendmacro()")
 endforeach()
 
-# What a package has for others: noted here, written by ament_package().
+# The exports of a package, which ament_package() writes.
 foreach(kind dependencies include_directories libraries targets)
   cmake_language(EVAL CODE
     "macro(ament_export_${kind})
@@ -46,7 +46,7 @@ macro(ament_export_interfaces)  # the former name
   ament_export_targets(${ARGN})
 endmacro()
 
-# What a package installs to share/ is noted, for programs that ask for it: `file@where`.
+# Record the files that a package installs to share/, for programs that read them: `file@where`.
 function(install)
   _install(${ARGN})
   cmake_parse_arguments(ARG "" "DESTINATION" "DIRECTORY;FILES;PROGRAMS" ${ARGN})
@@ -66,7 +66,8 @@ function(install)
   endforeach()
 endfunction()
 
-# Let the programs of this package find the files of packages, its own and those it needs.
+# Give the programs of this package access to the installed files of this package and its
+# dependencies.
 function(sitegen_embed_share folder)
   get_property(files GLOBAL PROPERTY SITEGEN_SHARE)
   get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
@@ -101,7 +102,7 @@ function(sitegen_libraries_below folder result)
   set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
-# `targets` and those of this package that they are linked with.
+# `targets` and the targets of this package that they are linked with.
 function(sitegen_what_these_link targets result)
   set(found ${targets})
   set(waiting ${targets})
@@ -121,7 +122,7 @@ function(sitegen_what_these_link targets result)
   set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
-# Nobody calls what registers a class, so the linker must not leave it out.
+# No code calls the function that registers a class, so the linker must be told to keep it.
 function(sitegen_keep target)
   get_target_property(type ${target} TYPE)
   if(NOT type MATCHES "^(STATIC|SHARED)_LIBRARY$")
@@ -140,7 +141,7 @@ function(sitegen_link_with other target)
   set_property(GLOBAL APPEND PROPERTY SITEGEN_LINKED "${other}@${target}")
 endfunction()
 
-# The name by which other packages know a target of this one.
+# The name of a target of this package in other packages.
 function(sitegen_exported_name target result)
   get_target_property(name ${target} EXPORT_NAME)
   if(NOT name)
@@ -149,7 +150,7 @@ function(sitegen_exported_name target result)
   set(${result} ${PROJECT_NAME}::${name} PARENT_SCOPE)
 endfunction()
 
-# Forget the folders for headers that are not there: an install would have made them.
+# Ignore include folders that do not exist: an installation would create them.
 function(_sitegen_prune_includes target)
   set(kept "")
   get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
@@ -163,8 +164,8 @@ function(_sitegen_prune_includes target)
   set_property(TARGET ${target} PROPERTY INTERFACE_INCLUDE_DIRECTORIES "${kept}")
 endfunction()
 
-# Find the packages whose plugins the programs of this one are linked with although they need this one:
-# what they would find of it are its own targets.
+# Find the packages whose plugins are linked into the programs of this package although they depend
+# on it. They find the targets of this package in place of an installed version.
 function(_sitegen_find_linked)
   get_property(interfaces GLOBAL PROPERTY SITEGEN_INTERFACES)
   if(NOT interfaces)
@@ -186,7 +187,7 @@ function(_sitegen_find_linked)
   endforeach()
 endfunction()
 
-# Let other packages use the libraries and headers of this one, where they are.
+# Export the libraries and headers of this package from their current location.
 function(ament_package)
   cmake_parse_arguments(ARG "" "" "CONFIG_EXTRAS;CONFIG_EXTRAS_POST" ${ARGN})
   get_property(commands GLOBAL PROPERTY SITEGEN_BEFORE_PACKAGE)
@@ -214,7 +215,7 @@ function(ament_package)
   if(libraries OR targets)
     sitegen_libraries_below("${PROJECT_SOURCE_DIR}" exported)
   endif()
-  # Containers of other packages take components from here, whether they are exported or not.
+  # Containers of other packages link components from here, whether these are exported or not.
   get_property(noted GLOBAL PROPERTY SITEGEN_COMPONENTS)
   set(components "")
   set(more "")
@@ -254,7 +255,7 @@ function(ament_package)
     add_dependencies(sitegen_libraries ${compiled})
   endif()
 
-  # Installed headers are in include/ or in include/<package>/: in the sources both are include/.
+  # Headers are installed to include/ or include/<package>/; in the sources, both are include/.
   set(include "")
   if(include_directories OR exported)
     list(REMOVE_ITEM include_directories "include/${PROJECT_NAME}" "include/${PROJECT_NAME}/")
@@ -267,7 +268,7 @@ function(ament_package)
     list(REMOVE_DUPLICATES include)
   endif()
 
-  # Our libraries are static, so whoever links them needs all that they were linked with.
+  # Libraries are static, so a program that links one also needs all libraries that it depends on.
   get_property(packages GLOBAL PROPERTY PACKAGES_FOUND)
   list(APPEND packages ${dependencies})
   list(REMOVE_DUPLICATES packages)
@@ -298,7 +299,7 @@ function(ament_package)
     string(APPEND text "list(APPEND ${PROJECT_NAME}_TARGETS ${name})\n")
     string(APPEND text "list(APPEND ${PROJECT_NAME}_LIBRARIES ${name})\n")
   endforeach()
-  # A template is written where it stands for: its variables are those of this file.
+  # A template is expanded here, with the variables of this file.
   foreach(extra IN LISTS ARG_CONFIG_EXTRAS ARG_CONFIG_EXTRAS_POST)
     get_filename_component(path "${extra}" ABSOLUTE)
     if(path MATCHES "\\.in$")
@@ -308,7 +309,7 @@ function(ament_package)
     endif()
     string(APPEND text "include(\"${path}\")\n")
   endforeach()
-  # file(GENERATE) leaves a file alone that would not change: whoever read it need not read it again.
+  # file(GENERATE) does not touch a file whose content is unchanged, so its users are not rebuilt.
   file(GENERATE OUTPUT "${folder}/${PROJECT_NAME}Libraries.cmake" CONTENT "${text}")
   get_property(interfaces GLOBAL PROPERTY SITEGEN_INTERFACES)
   if(NOT interfaces)  # else the generator wrote one, which includes the other

@@ -1,8 +1,8 @@
-# ament_cmake_auto: dependencies as package.xml names them.
+# ament_cmake_auto: dependencies are those of package.xml.
 include_guard(GLOBAL)
 find_package(ament_cmake REQUIRED)
 
-# Of the dependencies in package.xml, those that are packages; keys of rosdep are passed over.
+# The dependencies in package.xml that are packages; keys of rosdep are skipped.
 macro(ament_auto_find_build_dependencies)
   file(READ "${CMAKE_CURRENT_SOURCE_DIR}/package.xml" _ament_auto_xml)
   string(REGEX MATCHALL "<(build_|build_export_)?depend[^>]*>[^<]+<" _ament_auto_tags
@@ -18,7 +18,7 @@ macro(ament_auto_find_build_dependencies)
   endforeach()
 endmacro()
 
-# Sources named one by one, or all of a DIRECTORY.
+# Source files by name, or all source files of a DIRECTORY.
 function(_ament_auto_sources result)
   cmake_parse_arguments(ARG "" "DIRECTORY" "" ${ARGN})
   set(sources ${ARG_UNPARSED_ARGUMENTS})

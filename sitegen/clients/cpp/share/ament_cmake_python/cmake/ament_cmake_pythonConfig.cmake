@@ -1,5 +1,5 @@
-# Python modules of a package: sitegen reads where they are from CMakeLists.txt, and CMake has no part
-# in them.
+# Python modules of a package: sitegen reads their location from CMakeLists.txt, so there is nothing
+# to do for CMake.
 include_guard(GLOBAL)
 macro(ament_python_install_package)
 endmacro()

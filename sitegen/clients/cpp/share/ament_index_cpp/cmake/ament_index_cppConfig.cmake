@@ -1,5 +1,5 @@
-# A part of the rclcpp library. ament_package() gives programs of who finds it the files that their
-# packages install to share/.
+# A part of the rclcpp library. In a package that finds it, ament_package() gives programs access to
+# the files that packages install to share/.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)

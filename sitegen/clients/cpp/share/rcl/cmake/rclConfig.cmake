@@ -1,4 +1,4 @@
-# What user code takes of it is a part of the rclcpp library.
+# Its public functions are in the rclcpp library.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)

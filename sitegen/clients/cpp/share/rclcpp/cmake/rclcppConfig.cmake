@@ -16,7 +16,7 @@ set_target_properties(rclcpp::rclcpp PROPERTIES
 set(rclcpp_TARGETS rclcpp::rclcpp)
 set(rclcpp_LIBRARIES rclcpp::rclcpp)
 
-# Let a package be found that is a part of the rclcpp library.
+# Define a package that is a part of the rclcpp library.
 function(sitegen_part_of_rclcpp package)
   if(NOT TARGET ${package}::${package})
     add_library(${package}::${package} INTERFACE IMPORTED GLOBAL)
@@ -26,7 +26,7 @@ function(sitegen_part_of_rclcpp package)
   set(${package}_LIBRARIES ${package}::${package} PARENT_SCOPE)
 endfunction()
 
-# Who finds rclcpp has these, too.
+# Packages that are found together with rclcpp.
 foreach(package rcl rcpputils rcutils rmw)
   find_dependency(${package})
 endforeach()

@@ -1,4 +1,4 @@
-# Components: classes that programs make nodes of by their names.
+# Components: classes that programs instantiate by name.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)
@@ -15,7 +15,7 @@ set(rclcpp_components_LIBRARIES rclcpp_components::rclcpp_components)
 set(_rclcpp_components_main "${CMAKE_CURRENT_LIST_DIR}/main.cpp.in")
 set(_rclcpp_components_container "${CMAKE_CURRENT_LIST_DIR}/container.cpp.in")
 
-# Note in which library a component is, for containers of other packages: `component@library`.
+# Record the library of a component for containers of other packages: `component@library`.
 function(_rclcpp_components_note target)
   foreach(component IN LISTS ARGN)
     set_property(GLOBAL APPEND PROPERTY SITEGEN_COMPONENTS "${component}@${target}")
@@ -25,7 +25,7 @@ function(_rclcpp_components_note target)
   set_property(GLOBAL APPEND PROPERTY SITEGEN_BEFORE_PACKAGE _rclcpp_components_link_loaders)
 endfunction()
 
-# A program that loads libraries and is linked with none of them would load those of its package.
+# A program that loads libraries but is linked with none of them loads those of its own package.
 function(_rclcpp_components_link_loaders)
   get_property(libraries GLOBAL PROPERTY SITEGEN_COMPONENT_LIBRARIES)
   list(REMOVE_DUPLICATES libraries)
@@ -50,7 +50,7 @@ function(rclcpp_components_register_nodes target)
   _rclcpp_components_note(${target} ${ARG_UNPARSED_ARGUMENTS})
 endfunction()
 
-# A program that loads components: `package@component` each, of packages that were found.
+# A program that loads components of other packages, each given as `package@component`.
 function(sitegen_add_container name executor)
   configure_file("${_rclcpp_components_container}" "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" @ONLY)
   add_executable(${name} "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")

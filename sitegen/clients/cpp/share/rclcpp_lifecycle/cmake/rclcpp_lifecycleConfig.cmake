@@ -1,4 +1,4 @@
-# Managed nodes are a part of the rclcpp library.
+# Lifecycle nodes are a part of the rclcpp library.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)

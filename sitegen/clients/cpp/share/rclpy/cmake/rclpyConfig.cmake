@@ -1,2 +1,2 @@
-# For packages with nodes in both languages: those in C++ need nothing of it.
+# For packages with nodes in both languages: their C++ nodes need nothing of it.
 include_guard(GLOBAL)

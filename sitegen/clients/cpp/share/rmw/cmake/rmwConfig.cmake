@@ -1,4 +1,4 @@
-# Its types are a part of the rclcpp library; there is no middleware to call.
+# Its types are a part of the rclcpp library; pages have no middleware.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)

@@ -1,4 +1,4 @@
-// How messages of several topics are matched: by their times alone, whatever their types are.
+// Matches the messages of several topics by time; their types do not matter.
 #pragma once
 
 #include <cstddef>
@@ -28,10 +28,10 @@ struct Item
   std::int64_t stamp;
 };
 
-/// One item of each topic.
+/// One message of each topic.
 using Match = std::vector<Item>;
 
-/// Each topic with the same time.
+/// Matches messages of all topics with equal times.
 class ExactMatcher
 {
 public:
@@ -46,7 +46,7 @@ private:
   std::map<std::int64_t, std::vector<std::optional<Item>>> waiting_;  // by their time
 };
 
-/// The oldest of each topic, if they are no further apart than `epsilon`.
+/// Matches the oldest messages of all topics if their times differ by at most `epsilon`.
 class ApproximateEpsilonMatcher
 {
 public:
@@ -62,13 +62,13 @@ private:
   std::int64_t epsilon_;
 };
 
-/// The newest of each topic, whenever one comes of the topic that is the fastest: the others are told
-/// again. Which one that is follows from the times between messages, by `clock`.
+/// Matches the newest messages of all topics whenever the fastest topic has a message; messages of
+/// slower topics are repeated. Rates are measured with `clock`.
 class LatestMatcher
 {
 public:
-  /// How much a new period counts for the rate of a topic, how much for the error of that, and how many
-  /// times the error a period may be off before the topic is taken to have another rate.
+  /// The weight of a new period for the rate of a topic, its weight for the error of the rate, and
+  /// the multiple of the error above which the rate is considered to have changed.
   struct Weights
   {
     double rate = 0.9;
@@ -82,7 +82,7 @@ public:
   void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
 
   void set_clock(rclcpp::Clock::SharedPtr clock) {clock_ = std::move(clock);}
-  /// One for all, or one for each topic.
+  /// One value for all topics, or one for each.
   void set_weights(std::vector<Weights> weights) {weights_ = std::move(weights);}
 
 private:
@@ -103,10 +103,10 @@ private:
   std::vector<Weights> weights_;
 };
 
-/// Those that are nearest to each other; no message is in two matches, and matches do not cross.
-///
-/// A candidate has one message of each topic. The pivot is the topic whose message was the latest
-/// when the first candidate was found: it is a part of each that follows, so the search ends.
+/// Matches messages whose times are closest to each other; no message is in two matches, and
+/// matches do not cross. A candidate has one message of each topic. The pivot is the topic with the
+/// latest message of the first candidate: all following candidates contain that message, so the
+/// search ends.
 class ApproximateMatcher
 {
 public:
@@ -114,14 +114,14 @@ public:
 
   void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
 
-  /// How much a later match has to be better than an earlier one; 0.1 unless told.
+  /// The penalty for later candidates, 0.1 by default.
   void setAgePenalty(double age_penalty) {age_penalty_ = age_penalty;}
-  /// Messages of topic `i` are at least so far apart, which lets matches be known earlier.
+  /// The minimum time between messages of topic `i`, with which matches are found earlier.
   void setInterMessageLowerBound(int i, rclcpp::Duration lower_bound)
   {
     topics_[i].lower_bound = lower_bound.nanoseconds();
   }
-  /// Messages that are further apart never match.
+  /// The maximum difference of times in a match.
   void setMaxIntervalDuration(rclcpp::Duration max_interval_duration)
   {
     max_interval_ = max_interval_duration.nanoseconds();
@@ -137,7 +137,8 @@ private:
     std::int64_t lower_bound = 0;
   };
 
-  /// The earliest and the latest of the times that topics are at, and which topics are there.
+  /// The earliest and the latest time of the topics' current messages, and the topics at these
+  /// times.
   struct Interval
   {
     std::size_t first;
@@ -147,7 +148,7 @@ private:
   };
 
   bool all_wait() const;
-  /// Where nothing waits, the time before which nothing can come.
+  /// If no message waits, the earliest time that the next one can have.
   std::int64_t time_at(const Topic & topic) const;
   Interval interval() const;
   bool is_better(const Interval & next) const;

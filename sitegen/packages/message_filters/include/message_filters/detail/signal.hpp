@@ -1,4 +1,4 @@
-// Callbacks for one message of each type, in any form that they may take them.
+// Callbacks with one message of each type, in any form that programs use.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace message_filters
 namespace detail
 {
 
-/// Becomes what the parameter of a callback is.
+/// Converts to the type of a callback's parameter.
 template<class M>
 class Argument
 {
@@ -108,7 +108,7 @@ auto bound(R (T::* member)(Ps...) const, U * object)
   return [member, object](Ps... values) {(object->*member)(values ...);};
 }
 
-/// A function, given what it takes first.
+/// A function with its first arguments bound.
 template<class R, class T, class U, class ... Ps>
 auto bound(R (* function)(T, Ps...), U * object)
 {

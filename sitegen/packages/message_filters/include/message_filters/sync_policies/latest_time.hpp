@@ -38,7 +38,7 @@ protected:
   template<std::size_t I, class EventT, class SignalT>
   void match(const EventT & event, SignalT & signal)
   {
-    // Messages need no header: what counts is when they come.
+    // Messages need no header: their time is the time of arrival.
     const detail::Item item{
       event.getConstMessage(), event.getReceiptTime(), event.getReceiptTime().nanoseconds()};
     matcher_.add(

@@ -1,4 +1,4 @@
-// What describes the plugins that a program is linked with. cmake/describe.py writes it.
+// The descriptions of the plugins that are linked into a program, written by cmake/describe.py.
 #pragma once
 
 #include <initializer_list>

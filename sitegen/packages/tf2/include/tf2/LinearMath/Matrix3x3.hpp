@@ -6,7 +6,7 @@
 namespace tf2
 {
 
-/// Three rows of three; mostly a rotation. Angles are in radians.
+/// A 3x3 matrix, usually a rotation. Angles are in radians.
 class Matrix3x3
 {
 public:
@@ -52,8 +52,8 @@ public:
   }
 
   void getRotation(Quaternion & q) const;
-  /// Of the two solutions the first has its pitch between -π/2 and π/2. Where the pitch is one of
-  /// these, yaw and roll are about one axis, and the yaw is 0.
+  /// The first of the two solutions has a pitch between -π/2 and π/2. At these limits, yaw and roll
+  /// have the same axis, and the yaw is set to 0.
   void getEulerYPR(
     tf2Scalar & yaw, tf2Scalar & pitch, tf2Scalar & roll, unsigned int solution_number = 1) const;
   void getEulerZYX(
@@ -149,7 +149,7 @@ inline void Matrix3x3::getRotation(Quaternion & q) const
       (rows_[1].x() - rows_[0].y()) * f, s / 2);
     return;
   }
-  // From the largest of the diagonal, so that no small number divides.
+  // Start from the largest diagonal element, to avoid division by a small number.
   const int i = Vector3(rows_[0].x(), rows_[1].y(), rows_[2].z()).maxAxis();
   const int j = (i + 1) % 3, k = (i + 2) % 3;
   const tf2Scalar s = tf2Sqrt(rows_[i][i] - rows_[j][j] - rows_[k][k] + 1);

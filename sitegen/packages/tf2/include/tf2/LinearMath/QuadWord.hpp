@@ -6,7 +6,7 @@
 namespace tf2
 {
 
-/// Four numbers: what a vector and a quaternion have in common.
+/// Four numbers: the common base of vectors and quaternions.
 class QuadWord
 {
 public:

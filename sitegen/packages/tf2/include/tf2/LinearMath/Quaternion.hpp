@@ -71,7 +71,7 @@ public:
 
   Quaternion farthest(const Quaternion & q) const {return is_near(q) ? -q : q;}
   Quaternion nearest(const Quaternion & q) const {return is_near(q) ? q : -q;}
-  /// Between this at ratio 0 and `q` at 1, on the shorter of the two ways.
+  /// The rotation between this at ratio 0 and `q` at 1, along the shorter arc.
   Quaternion slerp(const Quaternion & q, const tf2Scalar & ratio) const;
 
   static const Quaternion & getIdentity()
@@ -123,7 +123,7 @@ inline Vector3 quatRotate(const Quaternion & rotation, const Vector3 & v)
   const Quaternion q = rotation * v * rotation.inverse();
   return Vector3(q.x(), q.y(), q.z());
 }
-/// What turns `from` to `to`, both of length 1.
+/// The rotation from `from` to `to`, both of length 1.
 inline Quaternion shortestArcQuat(const Vector3 & from, const Vector3 & to)
 {
   const tf2Scalar d = from.dot(to);

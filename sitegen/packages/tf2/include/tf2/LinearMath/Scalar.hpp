@@ -22,7 +22,7 @@ inline tf2Scalar tf2Fabs(tf2Scalar x) {return std::fabs(x);}
 inline tf2Scalar tf2Cos(tf2Scalar x) {return std::cos(x);}
 inline tf2Scalar tf2Sin(tf2Scalar x) {return std::sin(x);}
 inline tf2Scalar tf2Tan(tf2Scalar x) {return std::tan(x);}
-/// These two take what rounding has put outside of [-1, 1] for its end.
+/// These two clamp arguments that rounding put outside of [-1, 1].
 inline tf2Scalar tf2Acos(tf2Scalar x) {return std::acos(std::clamp(x, -1.0, 1.0));}
 inline tf2Scalar tf2Asin(tf2Scalar x) {return std::asin(std::clamp(x, -1.0, 1.0));}
 inline tf2Scalar tf2Atan(tf2Scalar x) {return std::atan(x);}

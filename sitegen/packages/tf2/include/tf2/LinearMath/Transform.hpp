@@ -7,7 +7,7 @@
 namespace tf2
 {
 
-/// A rotation, and then a translation.
+/// A rotation followed by a translation.
 class Transform
 {
 public:
@@ -59,7 +59,7 @@ public:
   Transform inverseTimes(const Transform & t) const {return inverse() * t;}
   Vector3 invXform(const Vector3 & v) const {return basis_.transpose() * (v - origin_);}
 
-  /// Sixteen numbers, column after column.
+  /// A 4x4 matrix in column-major order.
   void setFromOpenGLMatrix(const tf2Scalar * m)
   {
     basis_.setValue(m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]);

@@ -6,7 +6,7 @@
 namespace tf2
 {
 
-/// Three coordinates; a fourth number is carried along, for the size that upstream's has.
+/// Three coordinates; a fourth number gives it the size of upstream's class.
 class Vector3
 {
 public:
@@ -57,7 +57,7 @@ public:
   {
     return tf2Acos(dot(v) / tf2Sqrt(length2() * v.length2()));
   }
-  /// Turned by `angle` radians about `axis`, which has length 1.
+  /// Rotated by `angle` radians about `axis`, which has length 1.
   Vector3 rotate(const Vector3 & axis, const tf2Scalar & angle) const;
   Vector3 absolute() const {return Vector3(tf2Fabs(x()), tf2Fabs(y()), tf2Fabs(z()));}
 

@@ -1,4 +1,4 @@
-// Upstream has a part of this here.
+// Exists because upstream has this header.
 #pragma once
 
 #include "tf2/convert.hpp"
