@@ -1,4 +1,4 @@
-"""What is compiled and what is not, what is said when it fails, and the shapes packages come in."""
+"""What is compiled and what is not, and what is said when it fails."""
 
 from __future__ import annotations
 
@@ -12,22 +12,14 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
-from browser import Built, Serve
 from filelock import FileLock
-from panel import Panel
-from paths import SITES
-from playwright.sync_api import Page
 
 from sitegen.build import Made, make
 from sitegen.cache.folder import cache_folder
 from sitegen.commands.build import build
 from sitegen.errors import SiteError
-from sitegen.model import Package
-from sitegen.nodes.cpp.diagnosis import Diagnosis
 from sitegen.options import Options
 from sitegen.report import Report
-
-SHAPES = SITES / "shapes"
 
 CMAKE = """\
 cmake_minimum_required(VERSION 3.8)
@@ -392,32 +384,3 @@ def test_a_missing_compiler_is_told_with_who_needs_it(
         "em++ not found (apt-get install emscripten, or see emscripten.org): "
         "needed for the C++ nodes of 'fine'"
     ]
-
-
-def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
-    package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", (), (), ())
-    said = 'Could not find a package configuration file provided by "Eigen3" with any of'
-    assert Diagnosis(tmp_path, package).of_cmake(said) == [
-        "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
-        "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
-    ]
-
-
-def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> None:
-    """Libraries, other packages' interfaces and libraries, old and new CMake, C and three C++s."""
-    expected = {
-        "beside": [
-            "front 4 wheels, 0.25 m, -2 of Räder & Söhne",
-            "corner 7 -1",
-            "1.5 kg 6.25 m",
-        ],
-        "plain": ["rolls on 4, holds front, 254"],
-        "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
-    }
-    tab.goto(serve(built(SHAPES)))
-    for name, lines in expected.items():
-        panel = Panel(tab, name)
-        panel.start()
-        panel.wait_for(lines[-1])
-        panel.expect_state("stopped")
-        assert lines == (panel.lines() if name == "plain" else panel.messages())

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 from urllib.parse import quote, unquote, urlsplit, urlunsplit
 
+from sitegen import pagepath
 from sitegen.errors import Location, Problems, nearest, relative
 from sitegen.model import Markdown, Page, Site
 from sitegen.site.prose.media import lasting_name
@@ -119,8 +120,7 @@ class Links:
             return self.page.path if written in self._own else shown.path
         here_on = posixpath.normpath(posixpath.join("/", self.page.folder, name))
         for path in (here_on, posixpath.normpath("/" + name)):
-            folder = path.removesuffix("/index.html").strip("/")
-            candidate = f"{folder}/" if folder else ""
+            candidate = pagepath.normalized(pagepath.path_of(path.strip("/")))
             if candidate in self.library.pages:
                 return candidate
         return None

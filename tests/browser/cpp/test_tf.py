@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, Serve
+from launching import nodes
 from panel import Panel
 from paths import SITES
 from playwright.sync_api import Page
@@ -13,7 +14,6 @@ from playwright.sync_api import Page
 from sitegen import workspace
 from sitegen.errors import Problems
 from sitegen.launch import launched
-from tests.launch.test_launch import nodes
 
 SITE = SITES / "tf"
 FOUND = """

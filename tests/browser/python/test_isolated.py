@@ -153,7 +153,8 @@ def test_without_jspi_programs_print_what_native_rclpy_prints(
     state, lines = run(tab, "threads")
     assert state == "failed"
     assert printed(lines, "stderr")[-1].startswith(
-        "RuntimeError: can't start new thread: this browser lacks JavaScript Promise Integration"
+        "RuntimeError: can't start new thread: this browser does not support JavaScript Promise "
+        "Integration"
     )
     stopping = Panel(tab, "stopping")
     stopping.start()

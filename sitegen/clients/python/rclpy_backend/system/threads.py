@@ -26,7 +26,7 @@ from rclpy_backend.system.blocking import breathe, sleep, wait, wake
 PROCESSORS = 4
 
 NO_STACKS = (
-    "this browser lacks JavaScript Promise Integration, which threads need; "
+    "this browser does not support JavaScript Promise Integration, which threads need; "
     "use Chrome 137, Edge 137, Firefox 153 or newer"
 )
 # The programs that have been warned.

@@ -1,0 +1,28 @@
+"""The shapes that C++ packages come in."""
+
+from __future__ import annotations
+
+from browser import Built, Serve
+from panel import Panel
+from paths import SITES
+from playwright.sync_api import Page
+
+
+def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> None:
+    """Libraries, other packages' interfaces and libraries, old and new CMake, C and three C++s."""
+    expected = {
+        "beside": [
+            "front 4 wheels, 0.25 m, -2 of Räder & Söhne",
+            "corner 7 -1",
+            "1.5 kg 6.25 m",
+        ],
+        "plain": ["rolls on 4, holds front, 254"],
+        "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
+    }
+    tab.goto(serve(built(SITES / "shapes")))
+    for name, lines in expected.items():
+        panel = Panel(tab, name)
+        panel.start()
+        panel.wait_for(lines[-1])
+        panel.expect_state("stopped")
+        assert lines == (panel.lines() if name == "plain" else panel.messages())
