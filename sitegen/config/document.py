@@ -11,6 +11,7 @@ import yaml
 
 from sitegen.config.yamlfault import explain
 from sitegen.errors import Location, Problems
+from sitegen.yamlnodes import LimitError, compose
 
 KINDS = {"str": "text", "bool": "flag", "int": "number", "null": "nothing"}
 
@@ -143,9 +144,10 @@ def parse(
     For text without a value, the problem says to write what `empty` names.
     """
     try:
-        node = _compose(text)
-    except RecursionError:
-        problems.add(start, "yaml", "nested too deeply; flatten it")
+        node = compose(text)
+    except LimitError as error:
+        line = error.problem_mark.line if error.problem_mark else 0
+        problems.add(Location(start.file, start.line + line), "yaml", str(error.problem))
         return None
     except yaml.YAMLError as error:
         line, what = explain(error, text)
@@ -163,15 +165,3 @@ def shortened(text: str) -> str:
     """Return `text` as one line, cut to a length that fits into a message."""
     line = " ".join(text.split())
     return line if len(line) <= 40 else f"{line[:39]}…"
-
-
-def _compose(text: str) -> yaml.Node | None:
-    # libyaml is ten times faster, but it crashes on deep nesting and words its errors differently.
-    # It parses text that is certainly shallow; text that it refuses is parsed again in Python.
-    depth = text.count("[") + text.count("{") + 2 * max(map(len, text.split("\n")))
-    if depth < 2000 and yaml.__with_libyaml__:
-        try:
-            return yaml.compose(text, Loader=yaml.CSafeLoader)
-        except yaml.YAMLError:
-            pass
-    return yaml.compose(text, Loader=yaml.SafeLoader)

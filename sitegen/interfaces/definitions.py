@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import importlib
 import io
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.errors import nearest
+from sitegen.interfaces import rosidl
 
 # The number of parts of a definition, which are separated by lines of three dashes.
 PARTS = {".msg": 1, ".srv": 2, ".action": 3}
@@ -30,7 +30,7 @@ def check(
     """Return the errors in the definitions of `package`, all of them, as `file:line: what`.
 
     `files` are relative to `folder`; `packages` are the packages that they may use, each with the
-    folder of its type descriptions. rosidl must be importable.
+    folder of its type descriptions.
     """
     checker = _Checker(package, folder, files, packages)
     return [problem for name in files for problem in checker.problems(name)]
@@ -40,7 +40,7 @@ class _Checker:
     def __init__(
         self, package: str, folder: Path, files: Sequence[str], packages: Mapping[str, Path]
     ) -> None:
-        self._parser = importlib.import_module("rosidl_adapter.parser")
+        self._parser = rosidl.module(rosidl.PARSER)
         self._package = package
         self._folder = folder
         self._packages = packages
@@ -132,7 +132,7 @@ class _Checker:
         return f"package '{package}' has no message '{name}'; {nearest(name, known)}"
 
     def _idl(self, file: Path, text: str) -> Iterator[tuple[int, str]]:
-        parser = importlib.import_module("rosidl_parser.parser")
+        parser = rosidl.module("rosidl_parser.parser")
         try:
             parser.parse_idl_string(text)
         except Exception as error:

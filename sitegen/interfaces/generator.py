@@ -5,7 +5,6 @@ The message classes come from the real rosidl generator; sitegen adds its own ty
 
 from __future__ import annotations
 
-import importlib
 import json
 import shutil
 import subprocess
@@ -16,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.errors import SiteError
-from sitegen.interfaces import definitions, typesupport
+from sitegen.interfaces import definitions, rosidl, typesupport
 from sitegen.shipped import INTERFACES, ROS
 
 KINDS = ("msg", "srv", "action")
@@ -24,14 +23,6 @@ RUNTIME = ("rcutils", "rosidl_runtime_c", "rosidl_runtime_cpp", "rosidl_typesupp
 
 # The prefix of lines that report an error to the author of a package.
 PROBLEM = "sitegen: "
-
-
-def rosidl(module: str) -> Any:
-    """Import a module of rosidl, which is vendored because its wheels are for one platform."""
-    python = str(ROS / "python")
-    if python not in sys.path:
-        sys.path.insert(0, python)
-    return importlib.import_module(module)
 
 
 def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> None:
@@ -129,7 +120,7 @@ def generate(
     with tempfile.TemporaryDirectory() as folder_of_new:
         fresh = Path(folder_of_new)
         arguments = describe(fresh, others, package, folder, files)
-        cpp = rosidl("rosidl_generator_cpp")
+        cpp = rosidl.module("rosidl_generator_cpp")
         output = fresh / "include" / package / package
         _run(cpp.generate_cpp, arguments | {"output_dir": str(output)})
         # Besides the types of the interfaces there is one for each part of a service or an action.
@@ -147,8 +138,8 @@ def describe(
 
     The parameters and exceptions are those of `generate`. Returns the input of rosidl's generators.
     """
-    adapter = rosidl("rosidl_adapter")
-    description = rosidl("rosidl_generator_type_description")
+    adapter = rosidl.module("rosidl_adapter")
+    description = rosidl.module("rosidl_generator_type_description")
     packages = {path.name: path for path in shares([ROS, *others]) if path.name != package}
     problems = definitions.check(package, folder, files, packages)
     if problems:
@@ -181,7 +172,7 @@ def write_classes(prefix: Path, arguments: dict[str, Any]) -> None:
     The parameter is what `describe` returns. The generated C sources, which connect the classes to
     a middleware, are left out.
     """
-    generator = rosidl("rosidl_generator_py")
+    generator = rosidl.module("rosidl_generator_py")
     package = arguments["package_name"]
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / package

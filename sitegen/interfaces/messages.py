@@ -8,8 +8,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from sitegen.interfaces import typesupport
-from sitegen.interfaces.generator import rosidl, shares
+from sitegen.interfaces import rosidl, typesupport
+from sitegen.interfaces.generator import shares
 from sitegen.shipped import ROS
 
 # The name of a type in a compiled program: the end of the string that names its type support.
@@ -104,4 +104,4 @@ def _source(name: str, packages: Mapping[str, Path]) -> Any:
     index = {"": 0, "Request": 0, "Goal": 0, "Response": 1, "Result": 1, "Feedback": 2}.get(part)
     if index is None or index >= len(texts):
         return None
-    return rosidl("rosidl_adapter.parser").parse_message_string(package, interface, texts[index])
+    return rosidl.module(rosidl.PARSER).parse_message_string(package, interface, texts[index])

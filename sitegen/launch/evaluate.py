@@ -204,6 +204,8 @@ class _Launch:
         self._all(action.inside, scope.inner())
 
     def _function(self, action: Action, scope: Scope) -> None:
+        if scope.file.suffix != ".py":
+            raise ValueError("only launch files in Python contain functions")
         outer = scope.calls
         scope.calls = (*outer, (int(action.attributes["number"]), dict(scope.variables)))
         try:

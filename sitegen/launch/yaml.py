@@ -8,6 +8,7 @@ import yaml
 
 from sitegen.errors import Location
 from sitegen.launch.tree import Action, UnreadableError
+from sitegen.yamlnodes import compose
 
 # Keys of actions that hold a list of what are nested actions in XML.
 PARTS = {"param", "remap", "env", "arg", "let", "composable_node", "extra_arg"}
@@ -19,7 +20,7 @@ def read(file: Path) -> list[Action]:
     Raises: UnreadableError if the file is not valid.
     """
     try:
-        root = yaml.compose(file.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
+        root = compose(file.read_text(encoding="utf-8"))
     except (yaml.YAMLError, ValueError) as error:
         line = getattr(getattr(error, "problem_mark", None), "line", 0) + 1
         message = getattr(error, "problem", None) or str(error)

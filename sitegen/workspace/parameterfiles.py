@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import yaml
+
+from sitegen import yamlnodes
 
 VALUES = "ros__parameters"
 OPTION = "--params-file"
@@ -20,11 +23,14 @@ def read(file: Path) -> dict[str, str]:
     Raises: ValueError if the file cannot be read.
     """
     try:
-        given = yaml.safe_load(file.read_text(encoding="utf-8")) or {}
+        given = yamlnodes.load(file.read_text(encoding="utf-8")) or {}
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f"'{file.name}' cannot be read: {error}") from None
     except yaml.YAMLError as error:
-        raise ValueError(f"'{file.name}' is not valid YAML: {error}".replace("\n", " ")) from None
+        mark = getattr(error, "problem_mark", None)
+        line = f" (line {mark.line + 1})" if mark else ""
+        what = getattr(error, "problem", None) or str(error)
+        raise ValueError(f"'{file.name}' is not valid YAML{line}: {what}") from None
     if not isinstance(given, Mapping):
         raise ValueError(f"'{file.name}' has no parameters; start with the name of a node")
     found: dict[str, str] = {}
@@ -44,15 +50,24 @@ def merge(parameters: dict[str, str], more: Mapping[str, str]) -> None:
 
 def written(value: Any) -> str:
     """Return a value as one line of YAML."""
-    if isinstance(value, str):
-        return (
-            value if yaml.safe_load(value) == value else f"'{value.replace(chr(39), chr(39) * 2)}'"
-        )
-    return (
-        yaml.safe_dump(value, default_flow_style=True, width=1_000_000)
-        .partition("\n...")[0]
-        .strip()
+    if isinstance(value, str) and _is_plain(value):
+        return value
+    if isinstance(value, str) and value.isprintable():
+        return "'" + value.replace("'", "''") + "'"
+    # In double quotes, line ends are escaped: in single quotes, they would become spaces.
+    style = '"' if isinstance(value, str) else None
+    text = yaml.safe_dump(
+        value, default_flow_style=True, default_style=style, width=math.inf, allow_unicode=True
     )
+    return text.partition("\n...")[0].strip()
+
+
+def _is_plain(text: str) -> bool:
+    """Return whether `text` without quotes is a string with this value."""
+    try:
+        return bool(yamlnodes.load(text) == text)
+    except yaml.YAMLError:
+        return False
 
 
 def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from sitegen.workspace import literals
+from sitegen.workspace import literals, setupkeys
 
 ENTRY = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(\[.*\])?")
 NOT_MODULES = {"test", "tests", "build", "install", "log", "launch", "config", "resource"}
@@ -48,6 +48,9 @@ def read(folder: Path) -> Listing:
     listing = Listing()
     try:
         given = {**_pyproject(folder), **_cfg(folder), **_py(folder)}
+        for name, value in given.items():
+            if why := setupkeys.fault(name, value):
+                raise _UnreadableError(_written_in(folder, name), 1, why)
         listing.scripts = dict(_scripts(folder, given.get("entry_points")))
         listing.files = dict(_files(folder, given))
         for script in given.get("scripts") or ():
@@ -67,7 +70,7 @@ def _py(folder: Path) -> dict[str, Any]:
         return {}
     try:
         tree = ast.parse(file.read_text(encoding="utf-8"))
-    except (SyntaxError, ValueError) as error:
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 1
         raise _UnreadableError(file, line, f"not valid Python: {error}") from None
     call = next((node for node in ast.walk(tree) if _is_setup(node)), None)
@@ -136,12 +139,12 @@ def _pyproject(folder: Path) -> dict[str, Any]:
         found = re.search(r"line (\d+)", str(error))
         raise _UnreadableError(file, int(found[1]) if found else 1, str(error)) from None
     given: dict[str, Any] = {}
-    scripts = data.get("project", {}).get("scripts")
+    scripts = _table(data, "project").get("scripts")
     if isinstance(scripts, Mapping):
         given["entry_points"] = {
             "console_scripts": [f"{name} = {target}" for name, target in scripts.items()]
         }
-    tool = data.get("tool", {}).get("setuptools", {})
+    tool = _table(_table(data, "tool"), "setuptools")
     for key, name in (
         ("packages", "packages"),
         ("py-modules", "py_modules"),
@@ -155,10 +158,19 @@ def _pyproject(folder: Path) -> dict[str, Any]:
     return given
 
 
+def _table(data: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    found = data.get(name)
+    return found if isinstance(found, Mapping) else {}
+
+
 def _scripts(folder: Path, entry_points: Any) -> Iterator[tuple[str, str]]:
     if isinstance(entry_points, str):
         parser = configparser.ConfigParser(interpolation=None, delimiters=("=",))
-        parser.read_string(entry_points)
+        try:
+            parser.read_string(entry_points)
+        except configparser.Error as error:
+            message = f"entry_points: {error}".replace("\n", " ")
+            raise _UnreadableError(_written_in(folder, "entry_points"), 1, message) from None
         entry_points = {name: dict(parser[name]) for name in parser.sections()}
     scripts = entry_points.get("console_scripts", ()) if isinstance(entry_points, Mapping) else ()
     if isinstance(scripts, str):

@@ -18,9 +18,9 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "ignored", "pagepath", "report", "options", "model", "cache"),
-    *("workspace", "launch", "config", "interfaces", "nodes", "site", "build", "commands"),
-    "__main__",
+    *("errors", "shipped", "ignored", "pagepath", "report", "yamlnodes", "options", "model"),
+    *("cache", "workspace", "launch", "config", "interfaces", "nodes", "site", "build"),
+    *("commands", "__main__"),
 )
 
 # The same for the browser's modules. Rooms that stand together in a line do not know one another.

@@ -31,6 +31,7 @@ GENERATOR = (
     "interfaces/definitions.py",
     "interfaces/generator.py",
     "interfaces/messages.py",
+    "interfaces/rosidl.py",
     "interfaces/typesupport.py",
     "nodes/cpp/cmake.py",
     "nodes/cpp/precompiled.py",

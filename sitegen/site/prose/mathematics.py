@@ -6,7 +6,7 @@ import functools
 import html
 import re
 
-from math_core import LatexError, LatexToMathML
+from sitegen.site.prose.tex import TexError, mathml
 
 # The output of ArithmatexExtension in its generic form.
 FORMULA = re.compile(
@@ -45,11 +45,11 @@ def formulas(text: str, wrong: list[FormulaError]) -> str:
         tex, block = html.unescape(found["tex"]).strip(), found["tag"] == "div"
         try:
             drawn = _mathml(tex, block)
-        except LatexError as error:
-            position, _, fault = str(error.args[0]).partition(": ")
+        except TexError as error:
+            position, _, fault = str(error).partition(": ")
             near = tex[int(position) :][:20] if position.isdigit() else ""
             where = f" at '{near}'" if near else ""
-            wrong.append(FormulaError(tex, fault.rstrip(".") + where))
+            wrong.append(FormulaError(tex, (fault or position).rstrip(".") + where))
             return ""
         return f'<div class="formula" tabindex="0">{drawn}</div>' if block else drawn
 
@@ -58,13 +58,7 @@ def formulas(text: str, wrong: list[FormulaError]) -> str:
 
 @functools.cache
 def _mathml(tex: str, block: bool) -> str:
-    drawn = _tex().convert_with_local_state(tex, displaystyle=block)
-    return _STYLE.sub(_class, str(drawn))
-
-
-@functools.cache
-def _tex() -> LatexToMathML:
-    return LatexToMathML(fancy_error=False)
+    return _STYLE.sub(_class, mathml(tex, block=block))
 
 
 def _class(style: re.Match[str]) -> str:

@@ -67,7 +67,11 @@ class Prose:
     def html(self, source: Markdown) -> str:
         """Return `source` as HTML."""
         self._part += 1
-        text = converter(source.text).convert(source.text)
+        try:
+            text = converter(source.text).convert(source.text)
+        except RecursionError:
+            self.problems.add(source.location, "markdown", "nested too deeply; flatten it")
+            return ""
         self._check(text, source)
         text = self._drawn(text, source)
         text = self._apart(text)
@@ -81,7 +85,7 @@ class Prose:
         return text
 
     def _check(self, text: str, source: Markdown) -> None:
-        for written, why in raw.refused(text):
+        for written, why in raw.refused(text, source.text):
             self.problems.add(line_of(source, written), "html", why)
 
     def _drawn(self, text: str, source: Markdown) -> str:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+# A diagram with more parts than these could not be read, and would take long to place.
+MOST_PARTS = 200
+MOST_LINES = 500
+
 
 class DiagramError(ValueError):
     """`line`, as the author wrote it, is invalid or unsupported."""

@@ -7,6 +7,7 @@ connected to.
 
 from __future__ import annotations
 
+import bisect
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -108,12 +109,13 @@ def _way(upper: Box, lower: Box, label: tuple[float, float]) -> list[Box]:
 def _sort(layers: Sequence[list[Box]]) -> None:
     """Sort each layer by the positions of the neighbours, down and up; keep the best order."""
     best, least = [list(layer) for layer in layers], _crossings(layers)
+    places = _places(layers)
     for round_ in range(ROUNDS):
         down = round_ % 2 == 0
         for layer in layers[1:] if down else layers[-2::-1]:
-            places = _places(layers)
             # A box without neighbours stays in place.
             layer.sort(key=lambda box: _mean(box.above if down else box.below, box, places))
+            places |= _places([layer])
         crossings = _crossings(layers)
         if crossings < least:
             best, least = [list(layer) for layer in layers], crossings
@@ -135,7 +137,10 @@ def _crossings(layers: Sequence[list[Box]]) -> int:
     count = 0
     for layer in layers:
         ends = [places[id(b)] for a in layer for b in sorted(a.below, key=lambda c: places[id(c)])]
-        count += sum(a > b for i, a in enumerate(ends) for b in ends[i + 1 :])
+        before: list[float] = []
+        for place, end in enumerate(ends):
+            count += place - bisect.bisect_right(before, end)
+            bisect.insort(before, end)
     return count
 
 
