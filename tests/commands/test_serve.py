@@ -26,10 +26,9 @@ from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Browser, Page, expect
 
-from sitegen.commands.serve import server
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.media import media_type
-from sitegen.commands.serve.server import Server
+from sitegen.commands.serve.server import Server, _Handler
 from sitegen.commands.serve.watcher import changes
 from sitegen.report import Report
 
@@ -385,12 +384,15 @@ def test_no_module_is_sent_twice_and_none_that_has_not_changed(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     answers: list[tuple[str, int]] = []
-    note = lambda handler, code, _="-": answers.append((handler.path, int(code)))  # noqa: E731
-    monkeypatch.setattr(server._Handler, "log_request", note)
+
+    def note(handler: _Handler, code: int, _: object = "-") -> None:
+        answers.append((handler.path, code))
+
+    monkeypatch.setattr(_Handler, "log_request", note)
     page = edited_site(tmp_path) / "page.md"
     page.write_text(TEXT.replace("- buttons: talker\n", ""))
     served = serving(page.parent)
-    # The page preloads the modules of this node, which starts by itself, and its worker imports them.
+    # The node starts by itself: the page preloads the modules that its worker imports.
     tab.goto(served.url)
     Panel(tab, "talker").wait_for("Hello, world! 1'")
     sent = [path for path, code in answers if code == HTTPStatus.OK]

@@ -33,8 +33,8 @@ OWN[f"{PREFIX}idiomorph.js"] = RUNTIME / "vendor" / "idiomorph.js"
 LONGEST = 4096
 FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
-# Browsers keep these files and ask whether they have changed: workers fetch modules that their page
-# has loaded already. Nothing else is kept, because going back in the history shows it without asking.
+# Browsers keep these files and ask whether they have changed: workers fetch modules that their
+# page has loaded already. All else is not kept: going back in the history would show it unasked.
 KEPT = ("runtime/", "nodes/")
 # The number of ports to try, starting at the requested one.
 TRIES = 20
