@@ -91,7 +91,8 @@ class Node:
     """A program that a page runs: which executable, and what it is started with.
 
     A ROS2WASM program has no package and no executable; a prebuilt one gets them when its archive
-    has been read. Python nodes of a `group` share an interpreter.
+    has been read. Python nodes of a `group` share an interpreter. `needs` names nodes
+    without which it only waits.
     """
 
     name: str
@@ -103,6 +104,7 @@ class Node:
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
     group: str = ""
+    needs: tuple[str, ...] = ()
     kind: Kind = Cpp()
 
     @property

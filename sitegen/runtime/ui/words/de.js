@@ -36,6 +36,8 @@ export const words = {
   "No turtle to drive. Start turtlesim first.": "Keine Schildkröte zum Fahren. Zuerst turtlesim starten.",
   "Press Esc, then Tab to leave the editor.": "Esc, dann Tab verlässt den Editor.",
   "error in line {}": "Fehler in Zeile {}",
+  "{} needs {}.": "{} braucht {}.",
+  "Start {} first": "Zuerst {} starten",
   "Running, no output yet": "Läuft, noch ist nichts ausgegeben",
   "Stopping…": "Stoppt …",
   "Failed": "Fehlgeschlagen",
