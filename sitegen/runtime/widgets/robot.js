@@ -66,7 +66,7 @@ function show(element, ros, make, options) {
   const heading = create("div", "ros-node", create("span", "ros-title", robot.title), listens);
   const restart = button(say("Reset"), "ros-again", () => robot.reset());
   const controls = create("div", "ros-controls", ...robot.controls, restart);
-  const waits = create("p", "ros-empty", robot.waits);
+  const waits = create("p", "ros-empty", say("The robot moves when a node publishes on {}.", robot.waits));
   const stage = create("div", "ros-stage", robot.drawing, waits);
   const readings = new Readings();
   const note = create("p", "ros-note");
@@ -80,7 +80,7 @@ function show(element, ros, make, options) {
   };
   const look = () => {
     setText(listens, robot.inputs.map((input) => describeInput(ros, input)).join(" · "));
-    waits.hidden = !robot.waits || robot.inputs.some(({ topic }) => publishersOf(ros, topic).length);
+    waits.hidden = !robot.waits || publishersOf(ros, robot.waits).length > 0;
   };
 
   look();

@@ -306,6 +306,8 @@ def test_a_robot_says_what_it_waits_for(stage: Tab, kind: str) -> None:
     panel = show(stage, "robot", {"kind": kind, "color": "/color", "twist": "/cmd_vel"})
     waits = panel.get_by_text("The robot moves when a node publishes on /cmd_vel.")
     expect(waits).to_be_visible()
+    add(stage, "publisher", "/colors", "/color", "std_msgs/msg/String")
+    expect(waits).to_be_visible()
     add(stage, "publisher", "/dancer", "/cmd_vel", "geometry_msgs/msg/Twist")
     expect(waits).to_be_hidden()
     stage.evaluate("ros.graph.remove('/dancer')")

@@ -70,7 +70,7 @@ class Vernie {
   constructor(ros, { color, twist, sensors }, changed) {
     this.#changed = changed;
     this.inputs = [{ topic: color, type: STRING }, { topic: twist, type: TWIST }];
-    this.waits = say("The robot moves when a node publishes on {}.", twist);
+    this.waits = twist;
     this.#light = new Light(ros, color, () => {
       if (!this.#light.unknown) this.#connection.hub?.light(this.#light.index);
       changed();
