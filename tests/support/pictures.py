@@ -27,7 +27,7 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo06": (["Start", "Start"], "I heard: 'Hello, world! 2", ".ros-row"),
     "demo07": (["Start"], "web_node", ".ros-row"),
     "demo08": ([], "STEP", ".ros-row"),
-    "demo09": (["Start", "Run"], "", ".columns"),
+    "demo09": (["Start", "Start"], "", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 
