@@ -100,8 +100,9 @@ def test_a_page_keeps_its_budget(budget: Budget, dist: Path, serve: Serve, tab: 
     before = tab.evaluate(TOP)
     if start.count():
         start.click()
-    # The consoles of a stage may be folded.
-    tab.wait_for_selector("[role=log] div", state="attached", timeout=60_000)
+    # The consoles of a stage may be folded; turtlesim has a turtle instead.
+    effect = "[role=log] div, .ros-turtle"
+    tab.wait_for_selector(effect, state="attached", timeout=60_000)
     script, total = visit.size(".js", ".mjs"), visit.size()
     assert script <= budget.script
     assert total <= budget.total
