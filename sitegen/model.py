@@ -91,7 +91,8 @@ class Node:
     """A node of a page: an executable and how it is started.
 
     A ROS2WASM program has no package and no executable; a prebuilt program gets them when its
-    archive has been read. Python nodes with the same `group` share an interpreter.
+    archive has been read. Python nodes with the same `group` share an interpreter. `needs` names
+    the nodes without which it only waits.
     """
 
     name: str
@@ -103,6 +104,7 @@ class Node:
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
     group: str = ""
+    needs: tuple[str, ...] = ()
     kind: Kind = Cpp()
 
     @property

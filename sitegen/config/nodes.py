@@ -63,7 +63,23 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
             archive = prebuilt.read(section, problems)
             node = replace(node, package="", executable="", kind=archive or Cpp())
         declared[name] = Declared(node, section)
-    return declared
+    known = {**taken, **declared}
+    return {name: _with_needs(each, known, problems) for name, each in declared.items()}
+
+
+def _with_needs(declared: Declared, known: Mapping[str, Declared], problems: Problems) -> Declared:
+    """Return the node with the nodes that it needs, noting those that are not `known`."""
+    node, section = declared
+    given = section.get("needs") if section else None
+    needs = given.items() if given else ()
+    for need in needs:
+        if need.text == node.name:
+            message = f"'{node.name}' cannot need itself; remove it"
+            problems.add(need.location, need.key, message)
+        elif need.text not in known:
+            message = f"no node '{need.text}'; {nearest(need.text, known)}"
+            problems.add(need.location, need.key, message)
+    return Declared(replace(node, needs=tuple(need.text for need in needs)), section)
 
 
 def _keys(entry: Value) -> tuple[Key, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -20,7 +21,7 @@ from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems
 from sitegen.launch import launched
-from sitegen.model import Markdown, Package, Page, Part, Widget, leaves
+from sitegen.model import Markdown, Node, Package, Page, Part, Widget, leaves
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
@@ -163,10 +164,7 @@ class PageReader:
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes={
-                **{name: nodes[name] for name in started},
-                **{w.target: nodes[w.target] for w in widgets if w.target},
-            },
+            nodes=_with_needed([*started, *(w.target for w in widgets if w.target)], nodes),
             content=tuple(parts),
             level=level.offered(widgets),
             location=Location(file, 1) if file else page.value.location,
@@ -257,6 +255,18 @@ class PageReader:
         fault = level.fault(declared.text, offers) if declared else ""
         if fault:
             self.problems.add(section.location("level"), section.label("level"), fault)
+
+
+def _with_needed(names: Iterable[str], nodes: Mapping[str, Node]) -> dict[str, Node]:
+    """Return the nodes by `names`, those that they need, those that these need, and so on."""
+    found: dict[str, Node] = {}
+    left = deque(names)
+    while left:
+        name = left.popleft()
+        if name in nodes and name not in found:
+            found[name] = nodes[name]
+            left += nodes[name].needs
+    return found
 
 
 def _title(page: Section, front: Section, parts: Sequence[Part]) -> str:

@@ -179,6 +179,10 @@ DEPLOY = (
     Key("cname", "text", "custom domain, written to `CNAME`", "cname: robot.example.org"),
 )
 
+_NEEDS = Key(
+    "needs", "list of text", "nodes that it cannot do without, by name", "needs: [turtlesim]"
+)
+
 # Keys of all nodes.
 _HOW = (
     Key("namespace", "text", "namespace of the node, starting with `/`", "namespace: /demo"),
@@ -197,6 +201,7 @@ NODE = (
     Key("executable", "text", "executable or component of the package", "executable: talker", True),
     *_HOW,
     Key("group", "text", "Python nodes of a group share an interpreter", "group: robot"),
+    _NEEDS,
 )
 
 COMPILED = (
@@ -212,6 +217,7 @@ COMPILED = (
     Key("package", "text", "package, if the archive has several", "package: cpp_pubsub"),
     Key("executable", "text", "executable, if the archive has several", "executable: talker"),
     *_HOW,
+    _NEEDS,
 )
 
 ROS2WASM = (
@@ -225,6 +231,7 @@ ROS2WASM = (
         "types: {/chatter: std_msgs/msg/String}",
         True,
     ),
+    _NEEDS,
 )
 
 PAGE = (

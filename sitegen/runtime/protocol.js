@@ -6,10 +6,10 @@
  *   types?: Record<string, MessageType>, isolate?: string}} PageEntry `types` if a widget takes part in the graph;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{
- *   package: string, executable: string, arguments: string[], autostart: boolean,
+ *   package: string, executable: string, arguments: string[], autostart: boolean, needs?: string[],
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry,
- * }} NodeEntry with one of `builds`, `python` and `ros2wasm`
+ * }} NodeEntry with one of `builds`, `python` and `ros2wasm`; `needs` names nodes without which it only waits
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
@@ -68,7 +68,7 @@
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *
  * A program of the page. `since` is the time of its last change of state (ms since 1970), `memory` the size of its
- * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `type` sends it input,
+ * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `needs` names the nodes without which it only waits, `type` sends it input,
  * `interrupt` is Ctrl-C. `edit` replaces the text of an installed file of a Python node from its next start on.
  *
  * Events: `state` and `reading` after changes of `state` and `keyboard`; `lines` (detail: Line[]) for output; `clear`
@@ -76,7 +76,7 @@
  * emits `ready` (detail: whether the next line continues the last) and `words` (detail: {text, words}, completions).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
- *   memory: number, keyboard: Keyboard | undefined,
+ *   memory: number, keyboard: Keyboard | undefined, needs: string[],
  *   start(): void, stop(): void, clear(): void,
  *   type(typed: Typed): void, interrupt(): void,
  *   edit(place: string, text: string | undefined): void, restart(): void,

@@ -17,6 +17,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
+from http import HTTPStatus
 from pathlib import Path
 
 import pytest
@@ -27,7 +28,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.media import media_type
-from sitegen.commands.serve.server import Server
+from sitegen.commands.serve.server import Server, _Handler
 from sitegen.commands.serve.watcher import changes
 from sitegen.report import Report
 
@@ -374,6 +375,46 @@ def test_a_browser_without_jspi_gets_programs_of_its_own(
         talker.start()
         talker.wait_for("Hello, world! 1'")
     assert engines() == ["asyncify", "jspi"]
+
+
+def test_no_module_is_sent_twice_and_none_that_has_not_changed(
+    tab: Page,
+    tmp_path: Path,
+    serving: Callable[[Path], Serving],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    answers: list[tuple[str, int]] = []
+
+    def note(handler: _Handler, code: int, _: object = "-") -> None:
+        answers.append((handler.path, code))
+
+    monkeypatch.setattr(_Handler, "log_request", note)
+    page = edited_site(tmp_path) / "page.md"
+    page.write_text(TEXT.replace("- buttons: talker\n", ""))
+    served = serving(page.parent)
+    # The node starts by itself: the page preloads the modules that its worker imports.
+    tab.goto(served.url)
+    Panel(tab, "talker").wait_for("Hello, world! 1'")
+    sent = [path for path, code in answers if code == HTTPStatus.OK]
+    assert {path for path in sent if path.startswith(("/runtime/", "/nodes/"))}
+    assert [path for path in set(sent) if sent.count(path) > 1 and path.endswith(".js")] == []
+    answers.clear()
+    tab.reload()
+    Panel(tab, "talker").wait_for("Hello, world! 1'")
+    again = {path for path, code in answers if code == HTTPStatus.OK}
+    assert not {path for path in again if path.startswith(("/runtime/", "/nodes/"))}
+
+
+def test_going_back_shows_what_was_edited_meanwhile(
+    tab: Page, site: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(site)
+    tab.goto(served.url)
+    tab.goto(f"{served.url}other/")
+    served.write("index.md", "# Welcome\n\nThe second text.\n")
+    wait_until(lambda: "index.md: built" in served.said.getvalue())
+    tab.go_back()
+    expect(tab.locator("main")).to_contain_text("The second text.")
 
 
 def test_a_closed_tab_prints_nothing(

@@ -37,7 +37,7 @@ class Panel:
         self.console = page.get_by_role("log", name=node, exact=True, include_hidden=True)
 
     def button(self, name: str) -> Locator:
-        return self.panel.get_by_role("button", name=name)
+        return self.panel.get_by_role("button", name=name, exact=True)
 
     def start(self) -> None:
         self.button("Start").click()

@@ -23,11 +23,11 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo02": (["Start"], "Hello, world! 5", ".ros-panel"),
     "demo03": (["Start", "Start"], "I heard: 'Hello, world! 5", ".ros-row"),
     "demo04": (["Start", "Start"], "Now a pirouette", ".stage"),
-    "demo05": (["Start", "Start"], "data: Hello, world!", ".ros-topics"),
+    "demo05": (["Start"] * 3, "I heard: 'Hello, world! 2", ".stage"),
     "demo06": (["Start", "Start"], "I heard: 'Hello, world! 2", ".ros-row"),
     "demo07": (["Start"], "web_node", ".ros-row"),
     "demo08": ([], "STEP", ".ros-row"),
-    "demo09": (["Start", "Run"], "", ".columns"),
+    "demo09": (["Start", "Start"], "", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import hashlib
 import sys
 import threading
 from collections.abc import Iterator
@@ -32,6 +33,9 @@ OWN[f"{PREFIX}idiomorph.js"] = RUNTIME / "vendor" / "idiomorph.js"
 LONGEST = 4096
 FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
+# Browsers keep these files and ask whether they have changed: workers fetch modules that their
+# page has loaded already. All else is not kept: going back in the history would show it unasked.
+KEPT = ("runtime/", "nodes/")
 # The number of ports to try, starting at the requested one.
 TRIES = 20
 # Shown with the problems before the first good build; afterwards, the site is shown.
@@ -170,15 +174,25 @@ class _Handler(BaseHTTPRequestHandler):
         suffix = Path(path).suffix
         if suffix == ".html":
             content = content.replace(b"</head>", FOLLOW.encode(), 1)
-        self.send_response(status)
+        tag = self._tag(content) if status == HTTPStatus.OK and path.startswith(KEPT) else ""
+        unchanged = tag and self.headers.get("If-None-Match") == tag
+        self.send_response(HTTPStatus.NOT_MODIFIED if unchanged else status)
         self.send_header("Content-Type", media_type(path))
         self.send_header("Content-Length", str(len(content)))
-        self.send_header("Cache-Control", "no-store")
+        if tag:
+            self.send_header("ETag", tag)
+        self.send_header("Cache-Control", "no-cache" if tag else "no-store")
         if self._live.isolated:
             self.send_header("Cross-Origin-Opener-Policy", "same-origin")
             self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
         self.end_headers()
-        self.wfile.write(content)
+        if not unchanged:
+            self.wfile.write(content)
+
+    def _tag(self, content: bytes) -> str:
+        """Return a strong ETag; whether pages are isolated is part of the answer, too."""
+        digest = hashlib.sha256(content).hexdigest()
+        return f'"{digest}{"-isolated" if self._live.isolated else ""}"'
 
     def _send_news(self, engine: str) -> None:
         self.send_response(HTTPStatus.OK)

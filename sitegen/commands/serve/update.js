@@ -69,6 +69,9 @@ export function updateNodes(old, fresh, { ros, editing }) {
   const types = Object.entries(old.types ?? {}).filter(([name, type]) => name in (fresh.types ?? {}) &&
     different(type, fresh.types?.[name]));
   if (types.length || Boolean(old.types) !== Boolean(fresh.types) || old.isolate !== fresh.isolate) return undefined;
+  // Widgets heed what nodes need when they are mounted.
+  const same = (/** @type {[string, NodeEntry]} */ [name, { needs }]) => !(name in old.nodes) || !different(needs, old.nodes[name]?.needs);
+  if (!Object.entries(fresh.nodes).every(same)) return undefined;
   Object.assign(ros.types, fresh.types);
 
   for (const [name, entry] of Object.entries(fresh.nodes)) {

@@ -83,6 +83,10 @@ export class NodeProcess extends EventTarget {
     return this.#entry.executable;
   }
 
+  get needs() {
+    return this.#entry.needs ?? [];
+  }
+
   /** Start the program, or start it again as soon as it has stopped. */
   start() {
     if (this.#state === "stopping") this.#startAgain = true;

@@ -32,6 +32,18 @@ export function toggle(text, change) {
 }
 
 /**
+ * Let a click anywhere in `row` press `pick`, the button in it that keys and screen readers reach. Selecting text does
+ * not press it.
+ * @param {HTMLElement} row @param {HTMLButtonElement} pick
+ */
+export function pressAnywhere(row, pick) {
+  row.classList.add("ros-pickable");
+  row.addEventListener("click", ({ target }) => {
+    if (target instanceof Node && !pick.contains(target) && getSelection()?.isCollapsed) pick.click();
+  });
+}
+
+/**
  * Set the text of an element if it differs. Setting the same text would remove the visitor's selection and make screen
  * readers announce it again.
  * @param {Element} element @param {string} text

@@ -2,6 +2,7 @@
 // Buttons to start and stop a node and to clear its consoles, beside its state.
 
 import { button, create, enable } from "../ui/elements.js";
+import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
 import { say } from "../ui/words.js";
 
@@ -29,7 +30,8 @@ export function mount(element, ros, { node: name }) {
   const controls = create("div", "ros-controls", start, stop, clear);
   controls.setAttribute("role", "group");
   controls.setAttribute("aria-label", name);
-  element.replaceChildren(create("div", "ros-bar", title, controls), state.meter);
+  const needs = createNeeds(ros, node, signal);
+  element.replaceChildren(create("div", "ros-bar", title, controls), state.meter, needs);
 
   const show = () => {
     const over = node.state === "stopped" || node.state === "failed";

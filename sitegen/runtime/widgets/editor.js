@@ -3,6 +3,7 @@
 
 import { button, create, setText } from "../ui/elements.js";
 import { codeView } from "../ui/codeView.js";
+import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
 import { say } from "../ui/words.js";
 
@@ -71,6 +72,9 @@ class Editor {
     const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
     const state = new NodeStateView(node, this.#listening.signal);
     element.replaceChildren(this.#createBar(file), state.meter, code, hint);
+    // Buttons in the same panel have one.
+    const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
+    if (!hasButtons) state.meter.after(createNeeds(ros, node, this.#listening.signal));
     const label = say("Python source {}", file);
     this.#view = codeView(code, this.#text, label, (text) => this.#typed(text), () => this.#run());
     this.#listen();

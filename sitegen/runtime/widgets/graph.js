@@ -1,5 +1,5 @@
 // @ts-check
-// A drawing of the nodes and topics of the page, as in rqt_graph.
+// A drawing of the nodes, topics and services of the page, as in rqt_graph.
 
 import { isHidden, isShown } from "../graphNames.js";
 import { Drawing, shape } from "../ui/drawing.js";
@@ -17,7 +17,14 @@ const HEIGHT = 38;
 // In a narrower area (pixels) the graph is drawn from top to bottom.
 const NARROW = 600;
 
-/** @typedef {{name: string, isNode: boolean}} Box @typedef {{from: string, to: string}} Arrow */
+/**
+ * @typedef {"node" | "topic" | "service"} Kind
+ * @typedef {{name: string, kind: Kind}} Box
+ * @typedef {{from: Box, to: Box}} Arrow from a publisher to a topic to a subscription, or from a client to a service
+ *   to its server
+ */
+/** @type {[Kind, string][]} */
+const KINDS = [["node", say("node")], ["topic", say("topic")], ["service", say("service")]];
 
 /**
  * Draw the graph.
@@ -36,7 +43,8 @@ export function mount(element, ros) {
   });
   const controls = create("div", "ros-tools", all, drawing.buttons);
   const bar = create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls);
-  element.replaceChildren(bar, drawing.element, hint);
+  const legend = create("p", "ros-legend", ...KINDS.map(([kind, text]) => create("span", `ros-${kind}-sign`, text)));
+  element.replaceChildren(bar, drawing.element, hint, legend);
   drawing.svg.setAttribute("aria-label", inWords([], []));
 
   const look = () => {
@@ -71,29 +79,37 @@ export function mount(element, ros) {
 }
 
 /** Return the key of a box: a node and a topic may have the same name. @param {Box} box */
-function keyOf({ name, isNode }) {
-  return `${isNode ? "node" : "topic"} ${name}`;
+function keyOf({ name, kind }) {
+  return `${kind} ${name}`;
 }
 
 /** @param {Ros} ros @param {boolean} hidden @returns {{boxes: Box[], arrows: Arrow[]}} */
-function partsOf(ros, hidden) {
+function partsOf({ graph }, hidden) {
   const listed = (/** @type {string} */ name) => hidden || !isHidden(name);
   /** @type {Map<string, Box>} */
   const boxes = new Map();
   /** @type {Map<string, Arrow>} */
   const arrows = new Map();
-  const add = (/** @type {Box} */ box) => {
+  const add = (/** @type {Kind} */ kind, /** @type {string} */ name) => {
+    const box = { name, kind };
     boxes.set(keyOf(box), box);
-    return keyOf(box);
+    return box;
   };
-  for (const name of ros.graph.nodes().filter(listed)) add({ name, isNode: true });
-  for (const { name, publishers, subscriptions } of ros.graph.topics()) {
-    const [from, to] = [publishers.filter(listed), subscriptions.filter(listed)];
-    if (!(hidden || isShown(name)) || from.length + to.length === 0) continue;
-    const topic = add({ name, isNode: false });
-    const arrow = (/** @type {Arrow} */ one) => arrows.set(`${one.from} > ${one.to}`, one);
-    for (const node of from) arrow({ from: add({ name: node, isNode: true }), to: topic });
-    for (const node of to) arrow({ from: topic, to: add({ name: node, isNode: true }) });
+  const connect = (/** @type {Box} */ from, /** @type {Box} */ to) =>
+    arrows.set(`${keyOf(from)} > ${keyOf(to)}`, { from, to });
+  for (const name of graph.nodes().filter(listed)) add("node", name);
+  const channels = [
+    ...graph.topics().map(({ name, publishers, subscriptions }) =>
+      ({ kind: /** @type {Kind} */ ("topic"), name, from: publishers, to: subscriptions })),
+    ...graph.services().map(({ name, clients, servers }) =>
+      ({ kind: /** @type {Kind} */ ("service"), name, from: clients, to: servers })),
+  ];
+  for (const { kind, name, from, to } of channels) {
+    const [senders, receivers] = [from.filter(listed), to.filter(listed)];
+    if (!(hidden || isShown(name)) || senders.length + receivers.length === 0) continue;
+    const middle = add(kind, name);
+    for (const node of senders) connect(add("node", node), middle);
+    for (const node of receivers) connect(middle, add("node", node));
   }
   return { boxes: [...boxes.values()], arrows: [...arrows.values()] };
 }
@@ -108,16 +124,19 @@ function draw(layer, boxes, arrows, direction) {
   for (const box of boxes) {
     graph.setNode(keyOf(box), { width: box.name.length * LETTER + PADDING, height: HEIGHT });
   }
-  for (const { from, to } of arrows) graph.setEdge(from, to, {});
+  for (const { from, to } of arrows) graph.setEdge(keyOf(from), keyOf(to), {});
   layout(graph);
   const lines = arrows.map(({ from, to }) => {
-    const { points } = /** @type {{points: {x: number, y: number}[]}} */ (graph.edge(from, to));
-    return shape("path", { class: "ros-arrow", d: curve(points), "marker-end": "url(#ros-arrowhead)" });
+    const { points } = /** @type {{points: {x: number, y: number}[]}} */ (graph.edge(keyOf(from), keyOf(to)));
+    const called = from.kind === "service" || to.kind === "service";
+    const style = called ? "ros-arrow ros-call-arrow" : "ros-arrow";
+    return shape("path", { class: style, d: curve(points), "marker-end": "url(#ros-arrowhead)" });
   });
   const shapes = boxes.map((box) => {
     const { x, y, width } = /** @type {{x: number, y: number, width: number}} */ (graph.node(keyOf(box)));
-    const size = { x: x - width / 2, y: y - HEIGHT / 2, width, height: HEIGHT, rx: box.isNode ? HEIGHT / 2 : 6 };
-    const group = shape("g", { class: box.isNode ? "ros-node-box" : "ros-topic-box" });
+    const rx = box.kind === "node" ? HEIGHT / 2 : 6;
+    const size = { x: x - width / 2, y: y - HEIGHT / 2, width, height: HEIGHT, rx };
+    const group = shape("g", { class: `ros-${box.kind}-box` });
     const text = shape("text", { x, y, "text-anchor": "middle", "dominant-baseline": "central" });
     text.textContent = box.name;
     group.append(shape("rect", size), text);
@@ -154,11 +173,12 @@ function arrowhead() {
 
 /** Describe the graph for screen readers. @param {Box[]} boxes @param {Arrow[]} arrows */
 function inWords(boxes, arrows) {
-  const sentences = arrows.map(({ from, to }) =>
-    from.startsWith("node ")
-      ? say("{} publishes {}", from.slice(5), to.slice(6))
-      : say("{} subscribes to {}", to.slice(5), from.slice(6)),
-  );
-  const alone = boxes.filter((box) => box.isNode && !arrows.some(({ from, to }) => [from, to].includes(keyOf(box))));
+  const sentences = arrows.map(({ from, to }) => {
+    if (to.kind === "topic") return say("{} publishes {}", from.name, to.name);
+    if (from.kind === "topic") return say("{} subscribes to {}", to.name, from.name);
+    return to.kind === "service" ? say("{} calls {}", from.name, to.name) : say("{} serves {}", to.name, from.name);
+  });
+  const connected = new Set(arrows.flatMap(({ from, to }) => [keyOf(from), keyOf(to)]));
+  const alone = boxes.filter((box) => !connected.has(keyOf(box)));
   return [...sentences, ...alone.map(({ name }) => say("{} has no connections", name))].join("; ") || say("no nodes");
 }

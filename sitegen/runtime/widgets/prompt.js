@@ -3,6 +3,7 @@
 
 import { button, create } from "../ui/elements.js";
 import { showLines } from "../ui/lines.js";
+import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
 import { say } from "../ui/words.js";
 import { InputLine } from "./prompt/inputLine.js";
@@ -19,8 +20,8 @@ import { InputLine } from "./prompt/inputLine.js";
 export function mount(element, ros, { node: name, lines = 1000 }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`prompt: no node '${name}' on this page`);
-  const prompt = new Prompt(node);
-  element.replaceChildren(prompt.bar, prompt.meter);
+  const prompt = new Prompt(ros, node);
+  element.replaceChildren(prompt.bar, prompt.meter, prompt.needs);
   const endLines = showLines(element, node, lines, {});
   element.append(prompt.line.element);
   return () => {
@@ -52,9 +53,10 @@ class Prompt {
   });
   bar;
   meter;
+  needs;
 
-  /** @param {NodeHandle} node */
-  constructor(node) {
+  /** @param {Ros} ros @param {NodeHandle} node */
+  constructor(ros, node) {
     this.#node = node;
     this.#state = new NodeStateView(node, this.#listening.signal);
     this.#state.label.setAttribute("aria-live", "polite");
@@ -65,6 +67,7 @@ class Prompt {
     controls.setAttribute("aria-label", node.name);
     this.bar = create("div", "ros-bar", title, controls);
     this.meter = this.#state.meter;
+    this.needs = createNeeds(ros, node, this.#listening.signal);
     this.#listen();
     this.#show();
   }

@@ -66,7 +66,8 @@ function show(element, ros, make, options) {
   const heading = create("div", "ros-node", create("span", "ros-title", robot.title), listens);
   const restart = button(say("Reset"), "ros-again", () => robot.reset());
   const controls = create("div", "ros-controls", ...robot.controls, restart);
-  const stage = create("div", "ros-stage", robot.drawing);
+  const waits = create("p", "ros-empty", say("The robot moves when a node publishes on {}.", robot.waits));
+  const stage = create("div", "ros-stage", robot.drawing, waits);
   const readings = new Readings();
   const note = create("p", "ros-note");
   note.setAttribute("role", "status");
@@ -77,7 +78,10 @@ function show(element, ros, make, options) {
     const { text, wrong } = robot.note();
     setNote(note, text, wrong);
   };
-  const look = () => setText(listens, robot.inputs.map((input) => describeInput(ros, input)).join(" · "));
+  const look = () => {
+    setText(listens, robot.inputs.map((input) => describeInput(ros, input)).join(" · "));
+    waits.hidden = !robot.waits || publishersOf(ros, robot.waits).length > 0;
+  };
 
   look();
   tell();
@@ -90,9 +94,14 @@ function show(element, ros, make, options) {
   };
 }
 
+/** @param {Ros} ros @param {string} topic */
+function publishersOf(ros, topic) {
+  return ros.graph.topics().find(({ name }) => name === topic)?.publishers ?? [];
+}
+
 /** @param {Ros} ros @param {Input} input */
 function describeInput(ros, { topic, type }) {
   if (!ros.types[type]) return say("{}: no node on this page uses {}, so it cannot be read", topic, type);
-  const publishers = ros.graph.topics().find(({ name }) => name === topic)?.publishers ?? [];
+  const publishers = publishersOf(ros, topic);
   return publishers.length ? say("{} from {}", topic, publishers.join(", ")) : say("{}: no publishers", topic);
 }

@@ -2,7 +2,7 @@
 // The services of the page, and a form to call one.
 
 import { isShown } from "../graphNames.js";
-import { arrange, button, create, setText, toggle } from "../ui/elements.js";
+import { arrange, button, create, pressAnywhere, setText, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { Call } from "./services/call.js";
@@ -125,5 +125,7 @@ function createRow(name, chosen, choose) {
   pick.setAttribute("aria-pressed", String(chosen));
   const type = create("small", "");
   const servers = create("small", "");
-  return { element: create("li", "", pick, type, servers), pick, type, servers };
+  const element = create("li", "", pick, type, servers);
+  pressAnywhere(element, pick);
+  return { element, pick, type, servers };
 }

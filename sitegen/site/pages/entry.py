@@ -24,11 +24,15 @@ def page_entry(
         if (widget.kind == "buttons" and widget.options.get("autostart") is not True)
         or widget.kind == "prompt"
     }
+    # What is on the page only because other nodes need it has a button beside these.
+    shown = {widget.target for widget, _ in slots_of(page)}
+    waiting |= {need for node in page.nodes.values() for need in node.needs} - shown
     entry: dict[str, Any] = {
         "nodes": {
             name: {
                 **programs[node.program].entry(node, link),
                 "autostart": name not in waiting,
+                **({"needs": list(node.needs)} if node.needs else {}),
             }
             for name, node in page.nodes.items()
         },

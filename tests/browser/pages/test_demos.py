@@ -158,18 +158,20 @@ def test_demo05_looks_inside(page: Page, url: str) -> None:
     )
 
     def panel(name: str) -> Locator:
+        page.locator(".tabbed-labels").get_by_text(name, exact=True).click()
         found = page.get_by_role("region", name=name, exact=True)
         found.scroll_into_view_if_needed()
         return found
 
-    # The client waits for the server, and gets its answer.
+    # The client waits for the server, says so, and gets its answer.
     client.start()
     client.wait_for("No service yet, waiting")
+    expect(client.panel).to_contain_text("client needs server.")
     services = panel("Services")
     expect(services.get_by_text("no server now")).to_be_visible()
     services.get_by_role("button", name="Call").click()
     expect(services.get_by_role("status")).to_have_text("no server for /add_two_ints now")
-    server.start()
+    client.button("Start server first").click()
     client.wait_for("Sum: 42")
     client.expect_state("stopped")
 

@@ -109,8 +109,12 @@ def test_demo05_looks_inside(page: Window) -> None:
         f'section[aria-label="{name}"]' for name in ("Services", "Topics", "Publish", "Log")
     )
 
+    def choose(tab: int) -> None:
+        page.click(f".tabbed-labels label:nth-of-type({tab})")
+
     client.start()
     client.wait_for("No service yet, waiting")
+    choose(4)
     page.click(f"{services} .ros-send")
     page.wait_for(f"{services} [role=status]", "no server for /add_two_ints now")
     server.start()
@@ -123,16 +127,21 @@ def test_demo05_looks_inside(page: Window) -> None:
 
     talker.start()
     listener.start()
+    choose(2)
     page.wait_for(f"{topics} [role=log]", "data: Hello, world!")
     rate = f"{topics} tbody td:last-child span"
     page.wait_until(lambda: re.fullmatch(r"[12]\.\d\d Hz", page.text(rate)))
+    choose(3)
     page.fill(f"{publish} .ros-field input", "Grüße")
     page.click(f"{publish} .ros-send")
     listener.wait_for("I heard: 'Grüße'")
+    choose(5)
     page.wait_for('section[aria-label="Nodes"]', "MB of memory")
     drawn = "/minimal_publisher publishes /chatter"
+    choose(1)
     page.find('section[aria-label="Graph"]')
     page.find(f'section[aria-label="Graph"] [aria-label*="{drawn}"]')
+    choose(6)
     page.wait_for(f"{log} [role=log]", "add_two_ints_server: 40 + 2 = 42")
     page.fill(f"{log} input[type=search]", "Grüße")
     page.wait_until(lambda: page.evaluate(COUNT, f"{log} [role=log] > *") == 1)

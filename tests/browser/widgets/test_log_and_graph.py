@@ -100,6 +100,27 @@ def test_the_graph_is_drawn_and_follows(stage: Tab) -> None:
     assert "/talker" not in drawn(panel)
 
 
+def test_the_graph_has_services_that_differ_from_topics(stage: Tab) -> None:
+    panel = show(stage, "graph")
+    chatter(stage)
+    add(stage, "service", "/server", "/add", "tutorial_interfaces/srv/AddTwoInts")
+    add(stage, "client", "/caller", "/add", "tutorial_interfaces/srv/AddTwoInts")
+    add(stage, "service", "/server", "/server/get_parameters", "rcl_interfaces/srv/GetParameters")
+    expect(panel.get_by_role("img")).to_have_attribute(
+        "aria-label",
+        "/talker publishes /chatter; /listener subscribes to /chatter; "
+        "/caller calls /add; /server serves /add",
+    )
+    assert "/server/get_parameters" not in drawn(panel)
+    assert panel.locator(".ros-service-box").all_text_contents() == ["/add"]
+    dashed = "(e) => getComputedStyle(e).strokeDasharray"
+    assert panel.locator(".ros-service-box rect").evaluate(dashed) != "none"
+    assert panel.locator(".ros-topic-box rect").evaluate(dashed) == "none"
+    expect(panel.locator(".ros-call-arrow")).to_have_count(2)
+    expect(panel.locator(".ros-arrow")).to_have_count(4)
+    assert panel.locator(".ros-legend").inner_text().split() == ["node", "topic", "service"]
+
+
 def test_the_graph_is_moved_and_zoomed(stage: Tab) -> None:
     chatter(stage)
     panel = show(stage, "graph")

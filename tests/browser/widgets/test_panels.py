@@ -338,3 +338,61 @@ def test_panels_fit_a_phone(stage: Tab, kind: str) -> None:
     height = panel.evaluate("(e) => e.offsetHeight")
     stage.evaluate("ros.graph.remove('/talker')")
     assert panel.evaluate("(e) => e.offsetHeight") == height
+
+
+def test_a_row_can_be_clicked_anywhere(stage: Tab) -> None:
+    chatter(stage)
+    panel = show(stage, "topics")
+    pick = panel.get_by_role("button", name="/chatter")
+    panel.locator("tbody td").last.click()
+    expect(pick).to_have_attribute("aria-pressed", "true")
+    # The button in it counts once, by click and by key.
+    pick.click()
+    expect(pick).to_have_attribute("aria-pressed", "false")
+    pick.press("Enter")
+    expect(pick).to_have_attribute("aria-pressed", "true")
+    # Who selects text has not clicked.
+    box = panel.locator("tbody small").first.bounding_box()
+    assert box
+    stage.mouse.move(box["x"] + 2, box["y"] + 8)
+    stage.mouse.down()
+    stage.mouse.move(box["x"] + 60, box["y"] + 8)
+    stage.mouse.up()
+    assert stage.evaluate("getSelection().isCollapsed") is False
+    expect(pick).to_have_attribute("aria-pressed", "true")
+    stage.evaluate("getSelection().empty(); unmount()")
+    serve_sums(stage)
+    panel = show(stage, "services")
+    panel.get_by_text("served by").click()
+    expect(panel.get_by_role("button", name="/add")).to_have_attribute("aria-pressed", "true")
+    expect(panel.get_by_role("button", name="Call")).to_be_visible()
+
+
+def test_cards_of_nodes_line_up(stage: Tab) -> None:
+    stage.evaluate(
+        """ros.addNode("talker", "a_package_with_a_name_so_long_that_it_takes_two_lines", "talker");
+        ros.addNode("listener", "cpp_pubsub", "listener")"""
+    )
+    add(stage, "publisher", "/talker", "/chatter", "std_msgs/msg/String", program="talker")
+    add(stage, "service", "/listener", "/reset", "std_srvs/srv/Empty", program="listener")
+    panel = show(stage, "nodes")
+    for part in ("li", ".ros-head", ".ros-about", ".ros-graph-nodes"):
+        tops = panel.locator(part).evaluate_all("(all) => all.map((e) => e.offsetTop)")
+        assert len(tops) == 2
+        assert len(set(tops)) == 1, part
+    heights = panel.locator("li").evaluate_all("(all) => all.map((e) => e.offsetHeight)")
+    assert len(set(heights)) == 1
+    columns = panel.locator("dd").evaluate_all(
+        "(all) => all.map((e) => e.offsetLeft - e.closest('li').offsetLeft)"
+    )
+    assert len(set(columns)) == 1
+
+
+@pytest.mark.parametrize("kind", ["topics", "nodes", "services", "publish", "graph", "log"])
+def test_a_panel_says_what_it_waits_for(stage: Tab, kind: str) -> None:
+    panel = show(stage, kind)
+    if kind == "nodes":
+        stage.evaluate("unmount(); ros.addNode('talker', 'cpp_pubsub', 'talker')")
+        expect(show(stage, kind)).to_contain_text("stopped")
+    else:
+        expect(panel.locator(".ros-hint:visible").first).to_contain_text(" ")

@@ -9,7 +9,7 @@ from paths import ROOT
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 from robot import color, command, expect_power, pose, reading, show_robot
-from stage import hide_tab, stop_clock
+from stage import add, hide_tab, show, stop_clock
 
 from sitegen.config.schema import ROBOTS, WIDGETS
 
@@ -299,3 +299,16 @@ def test_demo04_dances(tab: Tab, built: Built, serve: Serve) -> None:
     expect_power(robot, 0, 0)
     expect(robot.get_by_role("status")).to_have_text("Stopped: no publishers on /cmd_vel any more")
     assert pose(robot)[:2] != (0, 0)
+
+
+@pytest.mark.parametrize("kind", ["vernie", "diffdrive"])
+def test_a_robot_says_what_it_waits_for(stage: Tab, kind: str) -> None:
+    panel = show(stage, "robot", {"kind": kind, "color": "/color", "twist": "/cmd_vel"})
+    waits = panel.get_by_text("The robot moves when a node publishes on /cmd_vel.")
+    expect(waits).to_be_visible()
+    add(stage, "publisher", "/colors", "/color", "std_msgs/msg/String")
+    expect(waits).to_be_visible()
+    add(stage, "publisher", "/dancer", "/cmd_vel", "geometry_msgs/msg/Twist")
+    expect(waits).to_be_hidden()
+    stage.evaluate("ros.graph.remove('/dancer')")
+    expect(waits).to_be_visible()

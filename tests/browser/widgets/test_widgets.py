@@ -29,6 +29,7 @@ import { mount as mountButtons } from "./runtime/widgets/buttons.js";
 const node = Object.assign(new EventTarget(), {
   name: "talker",
   state: "stopped",
+  needs: [],
   calls: [],
   start() { this.calls.push("start"); },
   stop() { this.calls.push("stop"); },

@@ -54,6 +54,7 @@ class FakeNode extends EventTarget {
   state = "stopped";
   since = Date.now();
   memory = 0;
+  needs = [];
   constructor(name, packageName, executable) {
     super();
     this.name = name;

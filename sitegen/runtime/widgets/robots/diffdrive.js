@@ -45,6 +45,7 @@ export function create(ros, { twist, odometry }, changed) {
     title: say("Differential drive"),
     inputs: [odometry ? { topic: odometry, type: ODOMETRY } : { topic: twist, type: TWIST }],
     drawing: floor.element,
+    waits: odometry || twist,
     controls: [],
     advance(seconds) {
       const moving = !odometry && (speed !== 0 || turn !== 0);

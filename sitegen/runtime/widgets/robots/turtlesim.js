@@ -48,6 +48,8 @@ class Turtlesim {
     if (this.#shown && !this.#published) this.#clear();
   };
   title = "turtlesim";
+  /** Its window says so itself. */
+  waits = "";
   inputs;
   drawing;
   controls;

@@ -63,12 +63,14 @@ class Vernie {
   title = "Vernie";
   inputs;
   drawing;
+  waits;
   controls;
 
   /** @param {Ros} ros @param {Options} options @param {() => void} changed */
   constructor(ros, { color, twist, sensors }, changed) {
     this.#changed = changed;
     this.inputs = [{ topic: color, type: STRING }, { topic: twist, type: TWIST }];
+    this.waits = twist;
     this.#light = new Light(ros, color, () => {
       if (!this.#light.unknown) this.#connection.hub?.light(this.#light.index);
       changed();

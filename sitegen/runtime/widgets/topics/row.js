@@ -5,7 +5,7 @@ import { isHidden } from "../../graphNames.js";
 import { explain } from "../../messages/mismatch.js";
 import { Rate } from "../../messages/rate.js";
 import { now } from "../../protocol.js";
-import { button, create, setText } from "../../ui/elements.js";
+import { button, create, pressAnywhere, setText } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 
 /** @import { Mismatch, Ros } from "../../protocol.js" */
@@ -57,6 +57,7 @@ export class Row {
     const to = create("td", "", this.#subscriptions, this.#missed);
     const rate = create("td", "", this.#hertz, this.#bandwidth);
     this.#line = create("tr", "", head, this.#publishers, to, rate);
+    pressAnywhere(this.#line, this.pick);
     this.#warnings.colSpan = HEADINGS.length;
     this.#missed.title = say("Messages replaced by newer ones before a subscription took them");
     this.stop();

@@ -1,0 +1,156 @@
+"""With a phone, a visitor starts, reads and stops what demos run, and sees what buttons do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import closing
+
+import pytest
+from browser import Built, Serve
+from panel import Panel
+from paths import ROOT
+from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
+
+PHONE: ViewportSize = {"width": 390, "height": 844}
+# As one reads a page: what belongs together begins at the top of the screen.
+TO_THE_TOP = (
+    "(button) => (button.closest('.stage') ?? button.closest('.ros-panel')).scrollIntoView()"
+)
+
+
+class Visitor:
+    """A finger on a page of a demo."""
+
+    def __init__(self, page: Page) -> None:
+        self.page = page
+
+    def press(self, button: Locator, effect: Locator, text: str = "") -> None:
+        """Press a button and see, without scrolling, that `effect` is there and has the text."""
+        button.evaluate(TO_THE_TOP)
+        place = self.page.evaluate("scrollY")
+        button.tap()
+        if text:
+            expect(effect).to_contain_text(text)
+        expect(effect).to_be_in_viewport(ratio=0.9)
+        if button.count():
+            expect(button).to_be_in_viewport(ratio=0.9)
+        assert self.page.evaluate("scrollY") == place
+
+    def start(self, node: str, effect: Locator | None = None, text: str = "") -> None:
+        """Start a node, and see the newest line of its console unless there is another effect."""
+        panel = Panel(self.page, node)
+        line = panel.console.locator("> :last-child")
+        self.press(panel.button("Start"), effect or line, text)
+
+    def stop(self, node: str) -> None:
+        panel = Panel(self.page, node)
+        panel.expect_started()
+        self.press(panel.button("Stop"), panel.panel.locator(".ros-state").first, "stopped")
+
+
+def demo01(visitor: Visitor) -> None:
+    console = Panel(visitor.page, "talker").console
+    expect(console).to_contain_text("Hello, world! 1'")
+    console.evaluate(TO_THE_TOP)
+    expect(console.locator("> :last-child")).to_be_in_viewport(ratio=0.9)
+
+
+def demo02(visitor: Visitor) -> None:
+    visitor.start("talker", text="Hello, world!")
+    visitor.stop("talker")
+
+
+def demo03(visitor: Visitor) -> None:
+    visitor.start("talker", text="Hello, world!")
+    visitor.start("listener", text="I heard")
+    visitor.stop("listener")
+    visitor.stop("talker")
+
+
+def demo04(visitor: Visitor) -> None:
+    robot = visitor.page.get_by_role("region", name="Robot")
+    visitor.start("dance", robot.get_by_role("img"))
+    visitor.start("colors", robot.get_by_role("img"))
+    visitor.press(robot.get_by_role("button", name="Reset"), robot.get_by_role("img"))
+    visitor.stop("dance")
+    visitor.stop("colors")
+
+
+def demo05(visitor: Visitor) -> None:
+    page = visitor.page
+    drawing = page.locator(".ros-graph svg")
+    for node in ("talker", "listener", "client"):
+        visitor.start(node, drawing.locator(".ros-node-box").last)
+    # Each program adds its node: four boxes when the server is there, too.
+    first = page.get_by_role("button", name="Start server first")
+    visitor.press(first, drawing.locator(".ros-node-box", has_text="/add_two_ints_server"))
+    for tab, panel in (
+        ("Topics", ".ros-topics .ros-table"),
+        ("Services", ".ros-services .ros-list"),
+    ):
+        visitor.press(page.locator(".tabbed-labels").get_by_text(tab), page.locator(panel))
+    for node in ("talker", "listener", "server"):
+        visitor.stop(node)
+
+
+def demo06(visitor: Visitor) -> None:
+    visitor.start("listener", Panel(visitor.page, "listener").panel.get_by_role("log"))
+    visitor.start("talker", text="Hello, world!")
+    visitor.stop("talker")
+    visitor.stop("listener")
+
+
+def demo07(visitor: Visitor) -> None:
+    panel = visitor.page.get_by_role("region", name="shell", exact=True)
+    line = panel.get_by_role("log").locator("> :last-child")
+    visitor.press(panel.get_by_role("button", name="Start"), line, "rclpy is imported")
+    panel.get_by_role("textbox").fill("40 + 2")
+    panel.get_by_role("textbox").press("Enter")
+    expect(line).to_have_text("42")
+    expect(line).to_be_in_viewport(ratio=0.9)
+    visitor.stop("shell")
+
+
+def demo08(visitor: Visitor) -> None:
+    panel = Panel(visitor.page, "counter")
+    line = panel.console.locator("> :last-child")
+    visitor.press(visitor.page.get_by_role("button", name="Run"), line, "Now it is")
+    visitor.stop("counter")
+
+
+def demo09(visitor: Visitor) -> None:
+    page = visitor.page
+    paper = page.get_by_role("application")
+    # Nobody is at a loss who starts with the program instead of the turtle.
+    visitor.start("star", page.get_by_text("star needs turtlesim.").first)
+    first = page.get_by_role("button", name="Start turtlesim first").first
+    visitor.press(first, page.locator(".ros-turtle"))
+    visitor.stop("star")
+    visitor.start("star", paper)
+    visitor.press(page.get_by_role("button", name="Turn left"), paper)
+    # Where the program is changed, its output is seen.
+    run = page.get_by_role("button", name="Run")
+    line = (
+        page.get_by_role("region", name="star: Editor").get_by_role("log").locator("> :last-child")
+    )
+    visitor.press(run, line, "of 5")
+    visitor.stop("star")
+    visitor.stop("turtlesim")
+
+
+VISITS = (demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09)
+
+
+@pytest.fixture
+def phone(browser: Browser, serve: Serve) -> Iterator[Page]:
+    with closing(browser.new_context(viewport=PHONE, has_touch=True, is_mobile=True)) as context:
+        yield context.new_page()
+
+
+@pytest.mark.parametrize("visit", VISITS, ids=lambda visit: visit.__name__)
+def test_button_and_effect_are_seen_together(
+    visit: Callable[[Visitor], None], phone: Page, built: Built, serve: Serve
+) -> None:
+    phone.goto(f"{serve(built(ROOT))}{visit.__name__}/")
+    visit(Visitor(phone))
+    assert phone.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
