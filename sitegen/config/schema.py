@@ -321,18 +321,15 @@ LAYOUTS: Mapping[str, str] = {
 }
 
 _NODE = Key("node", "text", "name of the node", "node: talker", True)
+_AUTOSTART = Key(
+    "autostart", "flag", "start the node when the page opens", "autostart: false", default=False
+)
 _LINES = Key("lines", "number", "number of lines kept", "lines: 1000", default=1000)
 
 WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "buttons": (
         _NODE,
-        Key(
-            "autostart",
-            "flag",
-            "start the node when the page opens",
-            "autostart: false",
-            default=False,
-        ),
+        _AUTOSTART,
     ),
     "console": (_NODE, _LINES),
     "source": (
@@ -345,6 +342,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "editor": (
         _NODE,
         Key("file", "text", "another Python file of the package", "file: py_pubsub/words.py"),
+        _AUTOSTART,
     ),
     # Widgets that can be used without a node are about the whole page.
     "topics": (

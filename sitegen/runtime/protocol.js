@@ -68,18 +68,19 @@
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *
  * A program of the page. `since` is the time of its last change of state (ms since 1970), `memory` the size of its
- * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `needs` names the nodes without which it only waits, `type` sends it input,
- * `interrupt` is Ctrl-C. `edit` replaces the text of an installed file of a Python node from its next start on.
+ * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `needs` names the nodes
+ * without which it only waits, `type` sends it input, `interrupt` is Ctrl-C. `edit` replaces the text of an installed
+ * file of a Python node from its next start on; `check` asks the interpreter of a running one for syntax errors.
  *
  * Events: `state` and `reading` after changes of `state` and `keyboard`; `lines` (detail: Line[]) for output; `clear`
- * when its consoles must be cleared; `progress` (detail: {loaded, total}, bytes) during long downloads. A prompt also
- * emits `ready` (detail: whether the next line continues the last) and `words` (detail: {text, words}, completions).
+ * when its consoles must be cleared; `progress` (detail: {loaded, total}, bytes) during long downloads; `checked`
+ * (detail: Checked) after `check`. A prompt also emits `ready` (detail: whether the next line continues the last) and `words` (detail: {text, words}, completions).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
  *   memory: number, keyboard: Keyboard | undefined, needs: string[],
  *   start(): void, stop(): void, clear(): void,
  *   type(typed: Typed): void, interrupt(): void,
- *   edit(place: string, text: string | undefined): void, restart(): void,
+ *   edit(place: string, text: string | undefined): void, restart(): void, check(text: string): void,
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
  *
@@ -129,7 +130,11 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "reading", keyboard: Keyboard}
  *   | {op: "ready", more: boolean}
  *   | {op: "words", text: string, words: string[]}
+ *   | {op: "checked"} & Checked
  *   | {op: "exit", code: number, error: string}} FromWorker
+ *
+ * The first syntax error in a source text, as Python describes it. The line is 0 if there is none.
+ * @typedef {{text: string, line: number, error: string}} Checked
  */
 
 /**
@@ -148,6 +153,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "settled"}
  *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
  *   | Typed
+ *   | {op: "check", text: string}
  *   | {op: "stop"}} ToWorker
  *
  * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],

@@ -153,6 +153,11 @@ export class NodeProcess extends EventTarget {
     this.#edits = text === undefined ? others : { ...others, [place]: text };
   }
 
+  /** Ask the interpreter of a running Python node for syntax errors. @param {string} text */
+  check(text) {
+    if (this.#run && this.#state === "running") this.#post(this.#run.worker, { op: "check", text });
+  }
+
   /** Stop the program if it runs, then start it. */
   restart() {
     this.stop();
@@ -256,7 +261,8 @@ export class NodeProcess extends EventTarget {
         this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
         break;
       case "words":
-        this.dispatchEvent(new CustomEvent("words", { detail: message }));
+      case "checked":
+        this.dispatchEvent(new CustomEvent(message.op, { detail: message }));
         break;
       case "exit":
         if (message.error) {

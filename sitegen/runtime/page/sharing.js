@@ -8,6 +8,8 @@ import { say } from "../ui/words.js";
 /** @import { NodeHandle, PageEntry, Shared } from "../protocol.js" */
 
 const VERSION = 1;
+// Widgets that start nodes. A prompt is not among them, because Python is a large download.
+const STARTING = ["buttons", "editor"];
 const SIGN = "#share=";
 // The length of the longest link. Longer ones are ignored, because anyone can write a link.
 const LONGEST = 32_768;
@@ -58,10 +60,10 @@ export class Sharing {
     }
   }
 
-  /** Whether a node starts with the page. Only a node with buttons obeys the link. @param {string} name */
+  /** Whether a node starts with the page. Only a node with buttons or an editor obeys the link. @param {string} name */
   starts(name) {
     const entry = this.#page.nodes[name];
-    const chosen = this.#page.widgets.some(({ kind, target }) => kind === "buttons" && target === name);
+    const chosen = this.#page.widgets.some(({ kind, target }) => STARTING.includes(kind) && target === name);
     if (!this.#given.run || !chosen) return Boolean(entry?.autostart);
     return this.#given.run.includes(name);
   }

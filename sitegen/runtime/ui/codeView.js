@@ -11,7 +11,7 @@ const LOOK = EditorView.theme({
   "&": { color: "var(--text)", backgroundColor: "var(--surface)", height: "100%", fontSize: "0.875rem" },
   "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
   ".cm-scroller": { fontFamily: "var(--font-code)", lineHeight: "1.55" },
-  ".cm-gutters": { color: "var(--muted)", backgroundColor: "transparent", border: "none" },
+  ".cm-gutters": { color: "var(--muted)", backgroundColor: "var(--surface)", border: "none" },
   ".cm-activeLine, .cm-activeLineGutter": {
     backgroundColor: "color-mix(in srgb, var(--accent) 8%, transparent)",
   },
@@ -37,7 +37,7 @@ const mark = StateEffect.define();
 const marked = StateField.define({
   create: () => Decoration.none,
   update(marks, change) {
-    if (change.docChanged) marks = Decoration.none;
+    marks = marks.map(change.changes);
     for (const effect of change.effects) {
       if (!effect.is(mark)) continue;
       const line = effect.value;

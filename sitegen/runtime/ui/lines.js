@@ -19,7 +19,9 @@ import { say } from "./words.js";
  * @returns {() => void} remove them
  */
 export function showLines(element, node, limit, hints) {
-  const lines = new Lines(node, limit, hints);
+  // The id of a second console of a node ends with ":2", and so does its name with 2.
+  const [, number = ""] = element.id.split(":");
+  const lines = new Lines(node, limit, hints, `${node.name} ${number}`.trim());
   element.append(...lines.elements);
   return () => lines.close();
 }
@@ -52,13 +54,13 @@ class Lines {
   /** The node that logged last. */
   #name = "";
 
-  /** @param {NodeHandle} node @param {number} limit @param {Hints} hints */
-  constructor(node, limit, hints) {
+  /** @param {NodeHandle} node @param {number} limit @param {Hints} hints @param {string} label */
+  constructor(node, limit, hints, label) {
     this.#node = node;
     this.#limit = limit;
     this.#hints = hints;
     this.#log.setAttribute("role", "log");
-    this.#log.setAttribute("aria-label", node.name);
+    this.#log.setAttribute("aria-label", label);
     this.#log.tabIndex = 0;
     this.#newest.hidden = true;
     this.#raw.hidden = true;

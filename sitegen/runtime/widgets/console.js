@@ -27,9 +27,10 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   // Beside buttons, which have their own, the theme hides the bar.
   const clear = button(say("Clear"), "ros-clear", () => node.clear());
   element.replaceChildren(create("div", "ros-bar", title, create("div", "ros-controls", clear)));
-  const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
+  const beside = (/** @type {string} */ kind) => element.parentElement?.querySelector(`[data-ros-widget="${kind}"]`);
+  const start = beside("buttons") ? say("Press Start to run {}", name) : say("Not running");
   const endLines = showLines(element, node, limit, {
-    stopped: hasButtons ? say("Press Start to run {}", name) : say("Not running"),
+    stopped: beside("editor") ? say("Press Run to run {}", name) : start,
     starting: say("Starting…"),
     running: say("Running, no output yet"),
     stopping: say("Stopping…"),

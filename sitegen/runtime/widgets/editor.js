@@ -1,15 +1,16 @@
 // @ts-check
 // An editor for the source of a Python node. Changes stay in the visitor's browser, and are part of shared links.
 
-import { button, create, setText } from "../ui/elements.js";
+import { button, create, enable, setText } from "../ui/elements.js";
 import { codeView } from "../ui/codeView.js";
 import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
+import { wrongLine } from "../ui/pythonSyntax.js";
 import { say } from "../ui/words.js";
 
-/** @import { Line, NodeHandle, Ros } from "../protocol.js" */
+/** @import { Checked, Line, NodeHandle, Ros } from "../protocol.js" */
 
-// Save and report changes this long (ms) after the last key.
+// Save, check and report changes this long (ms) after the last key.
 const PAUSE = 300;
 
 /**
@@ -37,12 +38,14 @@ class Editor {
   /** Where localStorage keeps the edit. */
   #key;
   #fromLink = false;
-  /** The line of the last exception, or 0. */
-  #error = 0;
+  /** What is wrong in which line: a syntax error, or the last exception. Line 0 is none. */
+  #fault = { line: 0, text: "" };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
   #listening = new AbortController();
   #status = create("span", "ros-edited");
+  #start = button(say("Run"), "ros-start", () => this.#run());
+  #stop = button(say("Stop"), "ros-stop", () => this.#node.stop());
   #reset = button(say("Reset"), "ros-clear", () => {
     this.#view.set(this.#original);
     this.#view.focus();
@@ -71,14 +74,13 @@ class Editor {
     const code = create("div", "ros-code");
     const hint = create("p", "ros-leave", say("Press Esc, then Tab to leave the editor."));
     const state = new NodeStateView(node, this.#listening.signal);
-    element.replaceChildren(this.#createBar(file), state.meter, code, hint);
-    // Buttons in the same panel have one.
-    const hasButtons = element.parentElement?.querySelector('[data-ros-widget="buttons"]');
-    if (!hasButtons) state.meter.after(createNeeds(ros, node, this.#listening.signal));
+    state.label.setAttribute("aria-live", "polite");
+    element.replaceChildren(this.#createBar(file, state.label), state.meter, code, hint);
+    state.meter.after(createNeeds(ros, node, this.#listening.signal));
     const label = say("Python source {}", file);
     this.#view = codeView(code, this.#text, label, (text) => this.#typed(text), () => this.#run());
     this.#listen();
-    this.#show();
+    this.#check();
   }
 
   close() {
@@ -91,13 +93,12 @@ class Editor {
     return this.#text !== this.#original;
   }
 
-  /** @param {string} file */
-  #createBar(file) {
+  /** @param {string} file @param {HTMLElement} state */
+  #createBar(file, state) {
     this.#status.setAttribute("role", "status");
-    const title = create("div", "ros-node", create("span", "ros-name", file), this.#status);
-    const run = button(say("Run"), "ros-start", () => this.#run());
-    run.title = say("Ctrl-Enter in the editor does the same");
-    const controls = create("div", "ros-controls", run, this.#reset);
+    const title = create("div", "ros-node", create("span", "ros-name", file), create("div", "", state, this.#status));
+    this.#start.title = say("Ctrl-Enter in the editor does the same");
+    const controls = create("div", "ros-controls", this.#start, this.#stop, this.#reset);
     controls.setAttribute("role", "group");
     controls.setAttribute("aria-label", file);
     return create("div", "ros-bar", title, controls);
@@ -110,6 +111,11 @@ class Editor {
     }, { signal });
     this.#node.addEventListener("state", () => {
       if (this.#node.state === "starting") this.#mark(0);
+      else this.#show();
+    }, { signal });
+    this.#node.addEventListener("checked", (event) => {
+      const { text, line, error } = /** @type {CustomEvent<Checked>} */ (event).detail;
+      if (text === this.#text) this.#mark(line, say("line {}: {}", line, error));
     }, { signal });
     addEventListener("pagehide", () => this.#save(), { signal });
   }
@@ -118,48 +124,56 @@ class Editor {
     this.#fromLink = false;
     this.#save();
     this.#node.edit(this.#place, this.#changed ? this.#text : undefined);
-    this.#mark(0);
     this.#node.restart();
   }
 
   /** @param {string} text the new content */
   #typed(text) {
     this.#text = text;
-    this.#error = 0;
     this.#reset.disabled = !this.#changed;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
       this.#save();
-      this.#show();
+      this.#check();
     }, PAUSE);
+  }
+
+  /** Mark the first syntax error. The interpreter of a running node knows more, and answers with `checked`. */
+  #check() {
+    const line = wrongLine(this.#text);
+    this.#mark(line, say("syntax error in line {}", line));
+    this.#node.check(this.#text);
   }
 
   /** Mark the last line of this file that a traceback names: there the program stopped. @param {Line[]} lines */
   #findError(lines) {
     const reference = `File "/ros/${this.#place}", line `;
-    let error = this.#error;
+    let error = 0;
     for (const { severity, text } of lines) {
       const at = severity === "stderr" ? text.lastIndexOf(reference) : -1;
       if (at >= 0) error = Number.parseInt(text.slice(at + reference.length), 10) || 0;
     }
-    this.#mark(error);
+    if (error) this.#mark(error, say("error in line {}", error));
   }
 
-  /** @param {number} line or 0 for none */
-  #mark(line) {
-    this.#error = line;
+  /** @param {number} line or 0 for none @param {string} text */
+  #mark(line, text = "") {
+    this.#fault = { line, text };
     this.#view.mark(line);
     this.#show();
   }
 
   #show() {
+    const { state } = this.#node;
+    const over = state === "stopped" || state === "failed";
+    setText(this.#start, over ? say("Run") : say("Run again"));
+    enable([[this.#stop, !over && state !== "stopping"], [this.#start, true], [this.#reset, this.#changed]]);
     setText(this.#status, this.#describe());
-    this.#status.dataset.changed = String(this.#changed || this.#error > 0);
-    this.#reset.disabled = !this.#changed;
+    this.#status.dataset.changed = String(this.#changed || this.#fault.line > 0);
   }
 
   #describe() {
-    if (this.#error) return say("error in line {}", this.#error);
+    if (this.#fault.line) return this.#fault.text;
     if (!this.#changed) return say("unchanged");
     return this.#fromLink ? say("changed by the link: read it before you run it") : say("changed");
   }

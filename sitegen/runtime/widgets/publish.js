@@ -149,7 +149,10 @@ class PublishPanel {
   /** Publish the message in the form; return false if it is invalid. */
   #send() {
     const message = this.#message.read();
-    if (!message) return false;
+    if (!message) {
+      setNote(this.#note, say("Not published: {}", say("correct the marked fields")), true);
+      return false;
+    }
     try {
       this.#publisher ??= this.#ros.advertise(this.#topic, this.#shown.type);
       this.#publisher.publish(message);

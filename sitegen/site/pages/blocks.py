@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from markupsafe import Markup
 
 from sitegen.errors import Problems
-from sitegen.model import Layout, Markdown, Page, Part, Site, Source, Widget
+from sitegen.model import Cell, Layout, Markdown, Page, Part, Site, Source, Widget
 from sitegen.site.pages.source import shown
 from sitegen.site.prose import Prose
 
@@ -27,7 +27,8 @@ class Slot:
 class Panel:
     """Neighbouring widgets of one node, shown as one panel, or a widget about all nodes.
 
-    `source` is the HTML of a source file beside them; there may be no slots then.
+    `source` is the HTML of a source file beside them; there may be no slots then. Panels of a page
+    with the same title are numbered, because screen readers list them by these names.
     """
 
     title: str
@@ -62,8 +63,16 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
     """Return the blocks of the content, in order; widgets in a row are shown side by side."""
     slots = {id(widget): slot for widget, slot in slots_of(page)}
     numbers = itertools.count(1)
+    titles: Counter[str] = Counter()
 
-    def made(content: Iterable[Part]) -> Iterator[Block]:
+    def numbered(panel: Panel, place: str) -> Panel:
+        if not panel.slots:  # it has no name
+            return panel
+        titles[place + panel.title] += 1
+        count = titles[place + panel.title]
+        return replace(panel, title=f"{panel.title} {count}") if count > 1 else panel
+
+    def made(content: Iterable[Part], place: str = "") -> Iterator[Block]:
         for kind, parts in itertools.groupby(content, _kind):
             if kind is Layout:
                 yield from (laid_out(part) for part in parts if isinstance(part, Layout))
@@ -74,12 +83,17 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
                 row = [part for part in parts if isinstance(part, Widget | Source)]
                 groups = itertools.groupby(row, lambda part: part.target or id(part))
                 panels = (_panel(list(group), slots, site, problems) for _, group in groups)
-                yield Block(panels=tuple(panels))
+                yield Block(panels=tuple(numbered(panel, place) for panel in panels))
 
     def laid_out(part: Layout) -> Block:
         number = next(numbers)
         cells = tuple(
-            ShownCell(tuple(made(cell.content)), cell.title, cell.size, f"layout-{number}-{index}")
+            ShownCell(
+                tuple(made(cell.content, _place(part, cell))),
+                cell.title,
+                cell.size,
+                f"layout-{number}-{index}",
+            )
             for index, cell in enumerate(part.cells, start=1)
         )
         return Block(layout=part.kind, cells=cells)
@@ -116,10 +130,20 @@ def _kind(part: Part) -> type[Part]:
     return Widget if isinstance(part, Source) else type(part)
 
 
+def _place(part: Layout, cell: Cell) -> str:
+    """Return a place whose panels have names of their own: the theme adds what they are."""
+    return "consoles" if part.kind == "stage" and cell.title not in ("nodes", "show") else ""
+
+
 def _panel(
     parts: Sequence[Widget | Source], slots: dict[int, Slot], site: Site, problems: Problems
 ) -> Panel:
     widgets = [part for part in parts if isinstance(part, Widget)]
+    if any(widget.kind == "editor" for widget in widgets):
+        for widget in widgets:
+            if widget.kind == "buttons":
+                message = f"the editor of '{widget.target}' starts and stops it; remove the buttons"
+                problems.add(widget.location, "buttons", message)
     sources = [part for part in parts if isinstance(part, Source)]
     title = parts[0].target or (widgets[0].kind.capitalize() if widgets else "")
     html = "".join(shown(source, site, problems) for source in sources)

@@ -12,18 +12,17 @@ from sitegen.site import assets
 from sitegen.site.pages.blocks import slots_of
 from sitegen.site.prose import address
 
+# Widgets that let visitors start a node, so that it need not start with the page.
+STARTING = {"buttons", "editor", "prompt"}
+
 
 def page_entry(
     site: Site, page: Page, programs: Programs, edited: Mapping[str, Mapping[str, str]]
 ) -> dict[str, Any]:
     """Return the page's PageEntry; `edited` has the files of its editors by slot id."""
     link = partial(address, page)
-    waiting = {
-        widget.target
-        for widget, _ in slots_of(page)
-        if (widget.kind == "buttons" and widget.options.get("autostart") is not True)
-        or widget.kind == "prompt"
-    }
+    starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
+    waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
     # What is on the page only because other nodes need it has a button beside these.
     shown = {widget.target for widget, _ in slots_of(page)}
     waiting |= {need for node in page.nodes.values() for need in node.needs} - shown

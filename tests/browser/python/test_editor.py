@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 from browser import Built, Serve
 from panel import Panel
 from paths import ROOT
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 from sitegen.commands.build import build
 from sitegen.errors import SiteError
@@ -62,7 +63,7 @@ def test_what_is_changed_runs_and_stays_until_it_is_reset(editor: Editor) -> Non
 
     editor.page.reload()
     expect(editor.state).to_have_text("changed")
-    editor.node.start()
+    editor.run()
     editor.node.wait_for("Now it is 200")
     editor.page.get_by_role("button", name="Reset").click()
     expect(editor.state).to_have_text("unchanged")
@@ -100,6 +101,77 @@ def test_source_that_came_with_a_link_waits_for_its_reader(
     expect(editor.state).to_have_text("changed")
 
 
+def test_one_button_runs_and_shows_what_is_loaded(editor: Editor) -> None:
+    page = editor.page
+    held: list[Route] = []
+    buttons = editor.node.panel.get_by_role("group").get_by_role("button")
+    expect(buttons).to_have_text(["Run", "Stop", "Reset"])
+    page.route("**/python_stdlib.zip", lambda route: held.append(route))
+    expect(editor.node.button("Stop")).to_be_disabled()
+    with page.expect_request("**/python_stdlib.zip"):
+        editor.run()
+    bar = page.locator(".ros-editor")
+    expect(bar.get_by_role("progressbar", name="Loading Python")).to_be_visible()
+    expect(bar.locator(".ros-state")).to_contain_text("loading Python: ")
+    held[0].continue_()
+    editor.node.wait_for("Now it is 2")
+    expect(bar.get_by_role("progressbar")).to_be_hidden()
+    expect(buttons).to_have_text(["Run again", "Stop", "Reset"])
+    editor.node.stop()
+    expect(buttons).to_have_text(["Run", "Stop", "Reset"])
+    expect(page.get_by_role("button", name="Start")).to_have_count(0)
+
+
+def test_syntax_errors_are_marked_while_typing(editor: Editor) -> None:
+    wrong = editor.page.locator(".cm-wrong")
+    editor.replace("STEP = 1", "STEP = 1 +")
+    expect(editor.state).to_have_text("syntax error in line 9")
+    expect(wrong).to_have_text("STEP = 1 +")
+    editor.page.keyboard.type(" int(1.)")
+    expect(editor.state).to_have_text("changed")
+    expect(wrong).to_have_count(0)
+    # The interpreter of the running node knows what is wrong.
+    editor.run()
+    editor.node.wait_for("Now it is 2")
+    editor.code.get_by_text("def main():", exact=True).click()
+    editor.page.keyboard.press("Home")
+    editor.page.keyboard.type("  ")
+    expect(editor.state).to_have_text(re.compile("line 28: unindent does not match any outer"))
+    expect(wrong).to_have_text("  def main():")
+    # The node runs on as it was.
+    editor.node.expect_state("running")
+
+
+def test_a_traceback_has_no_frames_of_what_imports_the_program(
+    browser: Browser, serve: Serve, built: Built
+) -> None:
+    page = browser.new_page()
+    page.goto(serve(built(DEMO)))
+    editor = Editor(page)
+    editor.replace("STEP = 1", "STEP = (1")
+    editor.run()
+    editor.node.expect_state("failed")
+    expect(editor.state).to_have_text("error in line 9")
+    assert editor.node.lines() == [
+        '  File "/ros/python/py_counter/counter.py", line 9',
+        "    STEP = (1",
+        "           ^",
+        "SyntaxError: '(' was never closed",
+        "counter: exited with code 1",
+    ]
+    editor.node.button("Clear").click()
+    editor.replace("STEP = (1", "import missing")
+    editor.run()
+    editor.node.wait_for("exited with")
+    assert editor.node.lines() == [
+        "Traceback (most recent call last):",
+        '  File "/ros/python/py_counter/counter.py", line 9, in <module>',
+        "    import missing",
+        "ModuleNotFoundError: No module named 'missing'",
+        "counter: exited with code 1",
+    ]
+
+
 def test_the_line_of_an_exception_is_marked(browser: Browser, serve: Serve, built: Built) -> None:
     page = browser.new_page()
     page.goto(serve(built(DEMO)))
@@ -119,10 +191,17 @@ def test_the_line_of_an_exception_is_marked(browser: Browser, serve: Serve, buil
     [
         (
             "{node: counter, file: py_counter/conter.py}",
-            "no Python file 'py_counter/conter.py' of py_counter is installed; "
+            "editor: no Python file 'py_counter/conter.py' of py_counter is installed; "
             "did you mean 'py_counter/counter.py'?",
         ),
-        ("shell", "'shell' has no Python source in this workspace; use 'source' instead"),
+        (
+            "shell",
+            "editor: 'shell' has no Python source in this workspace; use 'source' instead",
+        ),
+        (
+            "counter}, {buttons: counter",
+            "buttons: the editor of 'counter' starts and stops it; remove the buttons",
+        ),
     ],
 )
 def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: str) -> None:
@@ -133,11 +212,11 @@ def test_what_cannot_be_edited_is_said(tmp_path: Path, option: str, expected: st
         "nodes:\n"
         "  counter: {package: py_counter, executable: counter}\n"
         "  shell: {package: sitegen, executable: prompt}\n"
-        f"pages: [{{path: /, title: Test, content: [editor: {option}]}}]\n"
+        f"pages: [{{path: /, title: Test, content: [{{editor: {option}}}]}}]\n"
     )
     with pytest.raises(SiteError) as caught:
         build(folder, output=tmp_path / "dist", report=Report())
-    assert caught.value.lines == [f"site.yaml:5: editor: {expected}"]
+    assert caught.value.lines == [f"site.yaml:5: {expected}"]
 
 
 def test_a_slash_is_typed_and_opens_no_search(tab: Page, serve: Serve, built: Built) -> None:

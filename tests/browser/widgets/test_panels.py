@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 from stage import WIDER, add, cells, chatter, hide_tab, show, subscribed
+from touch import pale_placeholders, small_targets
 
 pytestmark = pytest.mark.firefox
 
@@ -193,6 +194,18 @@ def test_a_service_is_called_with_a_form(stage: Tab) -> None:
     expect(panel.get_by_label("response")).to_have_text("sum: 9007199254740994")
     expect(panel.get_by_role("status")).to_contain_text("/add responded in")
     assert stage.evaluate("ros.calls[0].timeout") == 5000
+    # A wrong entry leaves the last response, paler and named as what it is, until the next one.
+    panel.get_by_label("b int64").fill("two")
+    panel.get_by_role("button", name="Call").click()
+    expect(panel.get_by_role("status")).to_have_text("Not called: correct the marked fields")
+    previous = panel.get_by_label("previous response")
+    expect(previous).to_have_text("sum: 9007199254740994")
+    color = "(element) => getComputedStyle(element).color"
+    assert previous.evaluate(color) == panel.locator("label > small").first.evaluate(color)
+    panel.get_by_label("b int64").fill("2")
+    panel.get_by_role("button", name="Call").click()
+    expect(panel.get_by_label("response", exact=True)).to_have_text("sum: 9007199254740995")
+    expect(previous).to_have_count(0)
 
 
 def test_a_call_without_an_answer_is_said_plainly(stage: Tab) -> None:
@@ -262,6 +275,7 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
     panel.get_by_role("button", name="Repeat").click()
     panel.get_by_label("x float64").first.fill("fast")
     expect(panel.get_by_text("'fast' is not a number")).to_be_visible()
+    expect(panel.get_by_role("status")).to_have_text("Not published: correct the marked fields")
     expect(panel.get_by_role("button", name="Repeat")).to_be_visible()
     stage.evaluate("unmount()")
     assert stage.evaluate("ros.closed") == 1
@@ -332,9 +346,8 @@ def test_panels_fit_a_phone(stage: Tab, kind: str) -> None:
     )
     panel = show(stage, kind, {"show": ["/add"]} if kind == "services" else {})
     assert stage.evaluate(WIDER) == 0
-    sizes = panel.locator("button:visible, select:visible, input:not([type=checkbox]):visible")
-    heights = sizes.evaluate_all("(all) => all.map((each) => each.offsetHeight)")
-    assert all(height >= 36 for height in heights)
+    assert small_targets(stage) == []
+    assert pale_placeholders(stage) == []
     height = panel.evaluate("(e) => e.offsetHeight")
     stage.evaluate("ros.graph.remove('/talker')")
     assert panel.evaluate("(e) => e.offsetHeight") == height

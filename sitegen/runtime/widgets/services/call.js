@@ -37,7 +37,7 @@ export class Call {
     this.request = new FormSlot(ros.types);
     this.#note.setAttribute("role", "status");
     this.#answer.tabIndex = 0;
-    this.#answer.setAttribute("aria-label", say("response"));
+    this.#date("present");
     const controls = create("div", "ros-controls", this.#send);
     this.#form = create("form", "ros-call", this.request.element, controls, this.#note, this.#answer);
     this.#form.noValidate = true;
@@ -80,18 +80,30 @@ export class Call {
     }
   }
 
+  /** Say which call the response belongs to. @param {"present" | "previous"} call */
+  #date(call) {
+    const previous = call === "previous";
+    this.#answer.classList.toggle("ros-previous", previous);
+    this.#answer.setAttribute("aria-label", previous ? say("previous response") : say("response"));
+  }
+
   async #call() {
     const request = this.request.read();
-    if (!request) return;
+    // Until the next response, the last one is not what the form asks for.
+    this.#date("previous");
     const mine = ++this.#calls;
+    if (!request) {
+      setNote(this.#note, say("Not called: correct the marked fields"), true);
+      return;
+    }
     const [service, type] = [this.#service, this.#type];
-    this.#answer.textContent = "";
     setNote(this.#note, say("Waiting for the response…"));
     const begun = performance.now();
     try {
       const response = await this.#ros.call(service, type, request, TIMEOUT);
       if (mine !== this.#calls) return;
       this.#answer.textContent = toYaml(response, `${type}_Response`, this.#ros.types);
+      this.#date("present");
       setNote(this.#note, say("{} responded in {} ms", service, (performance.now() - begun).toFixed(1)));
     } catch (error) {
       if (mine === this.#calls) setNote(this.#note, error instanceof Error ? error.message : String(error), true);

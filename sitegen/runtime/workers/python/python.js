@@ -5,7 +5,7 @@ import { moduleWorkers, place } from "../../place.js";
 import { Download } from "./download.js";
 import { setAside } from "./stacks.js";
 
-/** @import { FromWorker, Interpret } from "../../protocol.js" */
+/** @import { Checked, FromWorker, Interpret } from "../../protocol.js" */
 /** @import { Printer } from "../printer.js" */
 
 // As in rclpy_backend/program.py.
@@ -62,6 +62,13 @@ export class Python {
     return /** @type {number | Promise<number>} */ (
       host.stacks ? this.#run.callPromising(...words) : this.#run(...words)
     );
+  }
+
+  /** Find the first syntax error in a source text. @param {string} text */
+  async check(text) {
+    const python = await this.#loading;
+    const [line, error] = python.pyimport("rclpy_backend.system.syntax").check(text);
+    return /** @type {{op: "checked"} & Checked} */ ({ op: "checked", text, line, error });
   }
 
   async #load() {

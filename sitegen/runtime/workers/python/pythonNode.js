@@ -39,11 +39,14 @@ function serve(way) {
     } else if (data.op === "interpret") {
       participant = new Participant(data.id, post);
       byte = data.byte;
-      if (still) watch(still, data, participant);
+      if (still) watch(still, data, new Answers(answersOf(participant, typed)), post, end);
       else run(data, participant).catch((error) => end(1, describe(error)));
     } else if (data.op === "line" || data.op === "complete" || data.op === "keys") {
       typed.push(data);
       participant?.wake();
+    } else if (data.op === "check") {
+      // Without stacks, Python is busy in its own worker until the program ends.
+      python?.check(data.text).then(post);
     } else {
       participant?.receive(data);
       if (data.op === "stop" && stacks) heard(byte);
@@ -57,28 +60,28 @@ function serve(way) {
     end(await python?.run(node, host) ?? 1, "");
   }
 
-  /**
-   * Run the node in a blocking worker, with its participant here.
-   * @param {Worker} worker @param {Interpret} node @param {Participant} graph
-   */
-  function watch(worker, node, graph) {
-    const answers = new Answers(answersOf(graph, typed));
-    worker.onmessage = ({ data }) => {
-      if (data.op === "exit") end(data.code, data.error);
-      else if ("op" in data) post(data);
-      else answers.take(data).catch((error) => end(1, describe(error)));
-    };
-    worker.onerror = (event) => {
-      event.preventDefault();
-      end(1, event.message);
-    };
-    worker.postMessage(node);
-  }
-
   /** @param {number} code @param {string} error */
   function end(code, error) {
     printer.flush();
     participant?.finish();
     post({ op: "exit", code, error });
   }
+}
+
+/**
+ * Run a node in a blocking worker, with its participant here.
+ * @param {Worker} worker @param {Interpret} node @param {Answers} answers to its calls
+ * @param {(message: FromWorker) => void} post @param {(code: number, error: string) => void} end
+ */
+function watch(worker, node, answers, post, end) {
+  worker.onmessage = ({ data }) => {
+    if (data.op === "exit") end(data.code, data.error);
+    else if ("op" in data) post(data);
+    else answers.take(data).catch((error) => end(1, describe(error)));
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    end(1, event.message);
+  };
+  worker.postMessage(node);
 }

@@ -20,6 +20,7 @@ from pyodide.ffi import create_proxy
 
 from rclpy_backend.system import beside, collecting, loops, pool, turns
 from rclpy_backend.system.blocking import breathe, sleep, wait, wake
+from rclpy_backend.system.tracebacks import traceback_of
 
 # The number of processors that programs see, by which they choose a number of threads. These are
 # stacks that take turns; more than one, so that a thread may wait for another.
@@ -159,6 +160,15 @@ def _start(
     return handle
 
 
+def _report(args: threading.ExceptHookArgs) -> None:
+    """Replace threading.excepthook()."""
+    if args.exc_value is None or isinstance(args.exc_value, SystemExit):
+        return
+    name = args.thread.name if args.thread else "<unknown>"
+    print(f"Exception in thread {name}:", file=sys.stderr)
+    print(traceback_of(args.exc_value), end="", file=sys.stderr)
+
+
 def install(*, stacks: bool) -> None:
     """Make `threading` and the modules based on it use these threads."""
     if not stacks:
@@ -172,6 +182,7 @@ def install(*, stacks: bool) -> None:
         "get_ident": turns.current_thread,
         "get_native_id": turns.current_thread,
         "local": _threading_local.local,
+        "excepthook": _report,
     }
     for name, replacement in replaced.items():
         setattr(threading, name, replacement)

@@ -4,41 +4,44 @@ from __future__ import annotations
 
 import code
 import importlib
+import re
 import traceback
 from collections.abc import Iterator
 
-# This layer, which natively is a library in C++, and the modules that start programs.
-OURS = __file__.rpartition("/system/")[0]
-BELOW = "rclpy._rclpy_pybind11"
+# The modules that start programs.
 STARTERS = (code.__file__, importlib.__file__, "<frozen runpy>")
+# This layer, which natively is a library in C++, Pyodide, and what Python hides where an import
+# fails.
+HIDDEN = re.compile(
+    rf"{re.escape(__file__.rpartition('/system/')[0])}/|.*/_?pyodide/|<frozen importlib\b"
+)
 
 
 def traceback_of(error: BaseException) -> str:
     """Return the traceback of an exception that left a program.
 
-    It starts in the program, and so do those of its causes. As natively, an exception raised below
-    rclpy shows no frames there, and an interrupt none of the wait.
+    It starts in the program, and so do those of its causes. As natively, what stands in for C++ has
+    no frames there, and neither have imports.
     """
     told = traceback.TracebackException.from_exception(error)
-    _shorten(told, error)
+    _shorten(told)
     return "".join(told.format())
 
 
-def _shorten(told: traceback.TracebackException, error: BaseException | None) -> None:
-    told.stack = traceback.StackSummary.from_list(list(_shown(told.stack, error)))
-    if told.__cause__:
-        _shorten(told.__cause__, error and error.__cause__)
-    if told.__context__:
-        _shorten(told.__context__, error and error.__context__)
+def _shorten(told: traceback.TracebackException) -> None:
+    shown = traceback.StackSummary.from_list(list(_shown(told.stack)))
+    # A file that Python cannot parse has not run: native Python names only its line.
+    told.stack = shown or None  # type: ignore[assignment]
+    for earlier in (told.__cause__, told.__context__):
+        if earlier:
+            _shorten(earlier)
 
 
-def _shown(
-    frames: traceback.StackSummary, error: BaseException | None
-) -> Iterator[traceback.FrameSummary]:
+def _shown(frames: traceback.StackSummary) -> Iterator[traceback.FrameSummary]:
     begun = False
-    short = isinstance(error, KeyboardInterrupt) or type(error).__module__ == BELOW
     for frame in frames:
-        ours = frame.filename.startswith(f"{OURS}/")
-        begun = begun or not (ours or frame.filename in STARTERS)
-        if begun and not (ours and short):
+        if HIDDEN.match(frame.filename):
+            continue
+        begun = begun or frame.filename not in STARTERS
+        if begun:
             yield frame
