@@ -330,7 +330,8 @@ class Site:
     `notes` is what the author may want to know about a site that is right. `nav` is empty where the
     paths of the pages are the navigation; `languages` are those beside `language`. `offline` is
     None where nobody said anything, False where the site is to work without a network no more, and
-    so it is with `isolate`.
+    so it is with `isolate`. `version` is the name of this one, if the site has versions; `url` is
+    then its address.
     """
 
     root: Path
@@ -355,6 +356,7 @@ class Site:
     offline: bool | None = None
     isolate: bool | None = None
     pyodide: Pyodide = field(default_factory=lambda: Pyodide())
+    version: str = ""
 
 
 @dataclass(frozen=True)
