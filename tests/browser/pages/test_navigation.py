@@ -118,5 +118,5 @@ def test_what_is_wider_than_a_phone_says_so_and_scrolls(tab: Tab, url: str) -> N
         assert (wide, overflow, index) == (True, "auto", 0)
         assert attachment.split(", ")[:4] == ["local", "local", "scroll", "scroll"]
     table.press("ArrowRight")
-    tab.wait_for_function("document.querySelector('.table').scrollLeft > 0")
+    expect(table).not_to_have_js_property("scrollLeft", 0)
     assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
