@@ -47,7 +47,7 @@ BUDGETS = [
     Budget("demo01/", 75 * KB, 260 * KB, 14),
     Budget("demo02/", 75 * KB, 260 * KB, 14),
     Budget("demo03/", 75 * KB, 260 * KB, 14),
-    Budget("demo04/", 160 * KB, 375 * KB, 20),
+    Budget("demo04/", 160 * KB, 380 * KB, 20),
     Budget("demo05/", 220 * KB, 420 * KB, 23),
     Budget("demo06/", 1450 * KB, 16500 * KB, 23),
     Budget("demo07/", 1450 * KB, 16500 * KB, 24),
