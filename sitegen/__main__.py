@@ -69,6 +69,13 @@ def _build(arguments: argparse.Namespace) -> None:
         page, with_python = arguments.single_file, arguments.with_python
         build_single(folder, page, output=output, report=report, with_python=with_python)
         return
+    if arguments.version:
+        from sitegen.commands.versions.build import build_version
+        from sitegen.commands.versions.names import Version
+
+        version, verbose = Version(arguments.version, arguments.alias), arguments.verbose
+        build_version(folder, version, output=output, report=report, debug=debug, verbose=verbose)
+        return
     from sitegen.cache import unchanged
     from sitegen.cache.folder import cache_folder
 
@@ -120,8 +127,10 @@ def _compile(arguments: argparse.Namespace) -> None:
 
 def _deploy(arguments: argparse.Namespace) -> None:
     from sitegen.commands.deploy import deploy
+    from sitegen.commands.versions.names import Version
 
-    deploy(arguments.folder, _report(arguments), dry_run=arguments.dry_run)
+    version = Version(arguments.version, arguments.alias) if arguments.version else None
+    deploy(arguments.folder, _report(arguments), dry_run=arguments.dry_run, version=version)
 
 
 def _serve(arguments: argparse.Namespace) -> None:

@@ -20,7 +20,10 @@ from sitegen.site import assets, bundles, offline, pages
 
 # GitHub Pages also takes this file as the request to serve all files unchanged.
 MARKER = ".nojekyll"
+# Names the versions of a site, where there are several side by side.
+VERSIONS = "versions.json"
 FOREIGN = "contains files that sitegen did not write; empty it or choose another --output"
+ONE_OF_MANY = "build another with --version, or choose another --output"
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,13 @@ def make(
     site = config.load(folder / "site.yaml")
     if options.live:
         site = replace(site, offline=None)
+    if options.version:
+        url = f"{site.url}{options.version}/" if site.url else ""
+        site = replace(site, version=options.version, url=url)
     if output:
         check_output(output)
+        if (output / VERSIONS).exists():
+            raise SiteError([f"{output} contains versions of a site; {ONE_OF_MANY}"])
 
     # In a checkout, the bundles may be older than the modules of the runtime.
     bundles.refresh(report)

@@ -331,7 +331,8 @@ class Site:
     `packages` are the packages of the workspace by name; it is empty if no node needs the
     workspace. `notes` are hints about a site that has no errors. `nav` is empty if the navigation
     follows the paths of the pages; `languages` are the languages besides `language`. `offline` and
-    `isolate` are None if site.yaml does not mention them, and False if it turns them off.
+    `isolate` are None if site.yaml does not mention them, and False if it turns them off. `version`
+    names this version of a site with versions; `url` is then the URL of the version.
     """
 
     root: Path
@@ -356,6 +357,7 @@ class Site:
     offline: bool | None = None
     isolate: bool | None = None
     pyodide: Pyodide = field(default_factory=lambda: Pyodide())
+    version: str = ""
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,8 @@ class Options:
     while its author edits it: browsers do not cache it, and the server makes the search index on
     demand. With `debug`, C++ programs report source lines. A `draft` links C++ programs in a fifth
     of the time; they are up to twice as large. `engines` limits the engines that programs are built
-    for; when empty, they are built for all engines of the site.
+    for; when empty, they are built for all engines of the site. `version` names the version to
+    build of a site with versions.
     """
 
     compile: bool = True
@@ -21,6 +22,7 @@ class Options:
     debug: bool = False
     draft: bool = False
     engines: tuple[str, ...] = ()
+    version: str = ""
 
 
 PUBLISH = Options()

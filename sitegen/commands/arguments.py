@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from sitegen import __version__
+from sitegen.commands.versions.names import is_name
 from sitegen.errors import nearest
 
 DESCRIPTION = "Package a ROS 2 workspace into a static web page that runs it."
@@ -75,8 +76,12 @@ def parse(argv: Sequence[str] | None) -> argparse.Namespace:
         # The exit code of argparse and Click for a wrong command line: a script must not continue.
         parser.print_help(sys.stderr)
         parser.exit(USAGE)
+    if arguments.command in ("build", "deploy"):
+        _check_version(arguments, commands.choices[arguments.command])
     for name, default in (("debug", False), ("color", "auto")):
         vars(arguments).setdefault(name, default)
+    if arguments.command == "build" and arguments.single_file and arguments.version:
+        build.error("argument --version: a single file has no versions")
     if arguments.command == "build" and not arguments.single_file:
         if arguments.with_python:
             build.error("argument --with-python: needs --single-file PAGE")
@@ -115,6 +120,35 @@ def _add_folder(parser: Parser, what: str = "the folder that contains site.yaml"
         metavar="FOLDER",
         help=f"{what} (default: the current folder)",
     )
+
+
+def _add_version(parser: Parser) -> None:
+    parser.add_argument(
+        "--version",
+        metavar="NAME",
+        help="build the site as a version of it, such as 1.2, beside the other versions",
+    )
+    parser.add_argument(
+        "--alias",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="with --version: another name that leads to it from now on, such as latest",
+    )
+
+
+def _check_version(arguments: argparse.Namespace, parser: Parser) -> None:
+    """Refuse names that do not make an address; make the aliases what they are elsewhere."""
+    arguments.alias = tuple(arguments.alias)
+    if arguments.alias and arguments.version is None:
+        parser.error("argument --alias: needs --version NAME")
+    named = [("--version", arguments.version)] if arguments.version is not None else []
+    for option, name in (*named, *(("--alias", alias) for alias in arguments.alias)):
+        if not is_name(name):
+            why = "write it like 1.2 or latest, with letters, digits, '.', '-', '_' and '+'"
+            parser.error(f"argument {option}: '{name}' is not a valid name; {why}")
+    if arguments.version in arguments.alias:
+        parser.error(f"argument --alias: '{arguments.version}' is the version itself")
 
 
 def _add_beginnings(add: Add) -> None:
@@ -163,11 +197,13 @@ def _add_builds(add: Add) -> Parser:
     build.add_argument(
         "--verbose", action="store_true", help="list all pages and nodes, however many"
     )
+    _add_version(build)
     deploy = add("deploy", help="build the site and publish it to a Git branch")
     _add_folder(deploy)
     deploy.add_argument(
         "--dry-run", action="store_true", help="show what would be published without publishing it"
     )
+    _add_version(deploy)
     return build
 
 

@@ -9,9 +9,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sitegen import config
-from sitegen.build import make, write
+from sitegen.build import VERSIONS, make, write
 from sitegen.commands.build import build
 from sitegen.commands.git import Repository
+from sitegen.commands.versions.build import assemble
+from sitegen.commands.versions.names import Version
 from sitegen.errors import SiteError
 from sitegen.model import Site
 from sitegen.report import Report, count, shown, size
@@ -28,8 +30,13 @@ class Changes(NamedTuple):
     removed: list[str]
 
 
-def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
-    """Build the site of `folder` and publish it; with `dry_run`, only say what would happen."""
+def deploy(
+    folder: Path, report: Report, *, dry_run: bool = False, version: Version | None = None
+) -> None:
+    """Build the site of `folder` and publish it; with `dry_run`, only say what would happen.
+
+    As a `version`, it is published beside those that are there.
+    """
     site = config.load(folder / "site.yaml")
     target = site.deploy
     repository = Repository.of(site.root, target.remote, target.branch)
@@ -40,9 +47,16 @@ def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
             f"branch '{target.branch}' of {target.remote} contains no web site (no index.html)"
         )
         raise SiteError([f"{message}; choose another one in site.yaml: deploy: {{branch: …}}"])
+    if VERSIONS in old and not version:
+        message = f"branch '{target.branch}' of {target.remote} contains versions of the site"
+        raise SiteError([f"{message}; publish another one: sitegen deploy --version …"])
     with tempfile.TemporaryDirectory(prefix="sitegen-") as temporary:
-        output = Path(temporary) / "dist" if dry_run else folder / "dist"
-        if dry_run:
+        output = Path(temporary) / "dist" if dry_run or version else folder / "dist"
+        if version:
+            published = Path(temporary) / "published"
+            repository.extract(before, published)
+            write(assemble(folder, version, published, report)[1], output)
+        elif dry_run:
             write(make(folder, report).artifacts, output)
         else:
             build(folder, output=output, report=report)
@@ -63,8 +77,9 @@ def deploy(folder: Path, report: Report, *, dry_run: bool = False) -> None:
         if before and not any(changes):
             report.say(f"{where} is up to date; nothing to publish")
             return
-        repository.publish(output, new, before, _message(site, repository))
-    report.say(f"published {what}, from {shown(output)} to {where}: {_summed_up(changes)}")
+        repository.publish(output, new, before, _message(site, repository, version))
+    source = f"with version {version.name}," if version else f"from {shown(output)}"
+    report.say(f"published {what}, {source} to {where}: {_summed_up(changes)}")
     report.say(_next(site, repository.url, first=not before))
 
 
@@ -89,9 +104,9 @@ def _summed_up(changes: Changes) -> str:
     return ", ".join(f"{len(paths)} {name}" for name, paths in names)
 
 
-def _message(site: Site, repository: Repository) -> str:
-    head = repository.head()
-    return f"Publish {site.title}" + (f", {head}" if head else "")
+def _message(site: Site, repository: Repository, version: Version | None) -> str:
+    head, name = repository.head(), f" {version.name}" if version else ""
+    return f"Publish {site.title}{name}" + (f", {head}" if head else "")
 
 
 def _next(site: Site, remote: str, *, first: bool) -> str:

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 import sys
+import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -82,6 +83,17 @@ class Repository:
         lines = self._git("ls-tree", "-r", "-z", "--full-tree", commit).split("\0")
         entries = (line.partition("\t") for line in lines if line)
         return {path: entry.split()[2] for entry, _, path in entries}
+
+    def extract(self, commit: str, folder: Path) -> None:
+        """Write the files of a commit to `folder`; those of no commit are none."""
+        folder.mkdir()
+        if not commit:
+            return
+        archive = folder.with_suffix(".zip")
+        # As they are, whatever the lines of the author's own files end with.
+        self._git("-c", "core.autocrlf=false", "archive", f"--output={archive}", commit)
+        with zipfile.ZipFile(archive) as opened:
+            opened.extractall(folder)
 
     def digest(self, data: bytes) -> str:
         """Return the digest that git computes for a file."""

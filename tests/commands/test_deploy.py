@@ -190,6 +190,34 @@ def test_no_branch_of_sources_is_replaced(
     assert "branch 'main' of origin contains no web site (no index.html)" in refused(site, capsys)
 
 
+def test_versions_stay_on_the_branch(
+    site: Path, remote: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = state(site)
+    assert main(["deploy", str(site), "--version", "1.0", "--alias", "latest"]) == 0
+    (site / "index.md").write_text("# Vixen\n")
+    assert main(["deploy", "--dry-run", str(site), "--version", "1.1"]) == 0
+    assert "1.1/index.html" not in files(remote)
+    assert main(["deploy", str(site), "--version", "1.1", "--alias", "latest"]) == 0
+    out = capsys.readouterr().out
+    assert f"with version 1.1, to branch 'gh-pages' of origin ({remote}): " in out
+    assert " 0 removed" in out
+    there = files(remote)
+    assert {"1.0/index.html", "1.1/more/index.html", "latest/more/index.html"} <= there.keys()
+    assert b"Vixen" not in there["1.0/index.html"]
+    assert b"Vixen" in there["1.1/index.html"]
+    assert git(remote, "rev-list", "--count", "gh-pages") == "2"
+    assert git(remote, "log", "-1", "--format=%s", "gh-pages").startswith("Publish Fox 1.1, ")
+    # Nothing of it is built into the author's folder, and nothing is left behind.
+    assert not (site / "dist").exists()
+    assert git(site, "for-each-ref", "refs/heads") == before
+
+    assert main(["deploy", str(site), "--version", "1.1"]) == 0
+    assert "is up to date; nothing to publish" in capsys.readouterr().out
+    line = "branch 'gh-pages' of origin contains versions of the site"
+    assert refused(site, capsys) == f"{line}; publish another one: sitegen deploy --version …"
+
+
 def test_a_server_says_why(
     site: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -9,7 +9,7 @@ import pytest
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.model import Page, Site
-from sitegen.site.pages.nav import Link, Navigation
+from sitegen.site.pages.nav import WHOLE, Link, Navigation
 
 
 def write(folder: Path, pages: str, *files: str, more: str = "") -> Path:
@@ -87,14 +87,26 @@ def test_paths_are_the_navigation(tmp_path: Path) -> None:
         )
     )
     navigation = Navigation(site)
-    # A folder of several pages without its own is a group, which leads to the first.
-    assert lines(navigation.menu(page(site, ""))) == ["home*", "A", "b"]
-    assert navigation.menu(page(site, ""))[1].href == "a/one/"
+    # A folder of several pages without its own is a group, which is no link.
+    menu = navigation.menu(page(site, ""))
+    assert lines(menu) == ["home*", ["A", ["one", "two"]], "b"]
+    assert (menu[1].href, menu[1].open) == ("", False)
+    assert navigation.menu(page(site, "a/two/"))[1].open
     assert lines(navigation.menu(page(site, "a/two/"))) == ["home", ["A", ["one", "two*"]], "b"]
     assert [link.title for link in navigation.trail(page(site, "b/x/y/"))] == ["b"]
     previous, following = navigation.around(page(site, "a/two/"))
     assert previous == Link("one", "../../a/one/")
     assert following == Link("b", "../../b/")
+
+
+def test_a_large_site_has_the_groups_of_the_page_alone(tmp_path: Path) -> None:
+    """Otherwise its size would grow with the square of its pages."""
+    names = [f"{folder}/{number}" for folder in "ab" for number in range(WHOLE)]
+    pages = "\n".join(f"  - {{path: {name}/, file: {name}.md}}" for name in names)
+    site = load(write(tmp_path, pages, *(f"{name}.md" for name in names)))
+    one, other = Navigation(site).menu(page(site, "b/7/"))
+    assert (one.href, one.inside) == ("../../a/0/", ())
+    assert (other.href, len(other.inside)) == ("", WHOLE)
 
 
 NAV = """\

@@ -22,7 +22,10 @@ DOCS = ROOT / "docs"
 SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 
 WRITING = DOCS.joinpath("writing.md").read_text(encoding="utf-8")
-WIDGETS_PAGE = DOCS.joinpath("widgets.md").read_text(encoding="utf-8")
+WIDGET_PAGES = "".join(
+    DOCS.joinpath(name).read_text(encoding="utf-8") for name in ("widgets.md", "panels.md")
+)
+PAGES_PAGE = DOCS.joinpath("pages.md").read_text(encoding="utf-8")
 KEYS = [key for tables in TABLES.values() for keys in tables.values() for key in keys]
 PAGES = sorted(
     file
@@ -50,7 +53,7 @@ def test_the_keys_of_front_matter_are_described() -> None:
 
 
 def test_every_widget_is_described() -> None:
-    assert re.findall(r"^### (\w+)$", WIDGETS_PAGE, flags=re.MULTILINE) == [
+    assert re.findall(r"^### (\w+)$", WIDGET_PAGES, flags=re.MULTILINE) == [
         *("stage", "columns", "grid", "tabs"),
         *WIDGETS,
     ]
@@ -79,7 +82,7 @@ def test_a_paragraph_right_behind_a_table_is_found() -> None:
 
 
 def test_every_level_is_described() -> None:
-    assert re.findall(r"^\| (I\d) ", SITE_YAML, flags=re.MULTILINE) == list(LEVELS)
+    assert re.findall(r"^\| (I\d) ", PAGES_PAGE, flags=re.MULTILINE) == list(LEVELS)
 
 
 def test_the_example_is_a_site(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""docs/what-runs.md names headers: they are there, and a program includes them all."""
+"""The headers that the documentation names are there, and a program includes them all."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from paths import ROOT
 
 from sitegen import workspace
 
-PAGE = ROOT.joinpath("docs/what-runs.md").read_text(encoding="utf-8")
+PAGES = ("what-runs.md", "libraries.md", "launch.md")
+PAGE = "\n".join(ROOT.joinpath("docs", name).read_text(encoding="utf-8") for name in PAGES)
 INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"
 HEADERS = re.findall(r"`([\w/]+\.hp?p?)`", PAGE)

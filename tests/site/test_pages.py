@@ -374,7 +374,8 @@ def test_tables_keep_their_alignment_without_style_attributes(author: Author) ->
     author.page("", "|a|b|\n|--|--:|\n|1|2|")
     html = author.built()["index.html"]
     assert "style=" not in html
-    assert '<div class="table" tabindex="0"><table>' in html
+    assert '<div class="table" role="group" aria-label="' in html
+    assert 'tabindex="0"><table>' in html
     assert '<td align="right">2</td>' in html
 
 

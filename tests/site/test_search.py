@@ -131,7 +131,7 @@ def test_each_language_has_its_own(tab: Tab, site: Path, serve: Serve) -> None:
 
 # What readers of this site's own pages ask for, and the page that must come first.
 ASKED = {
-    "publish a message": "docs/widgets/",
+    "publish a message": "docs/panels/",
     "edit code": "demo08/",
     "edit the code": "demo08/",
     "start a node": "demo02/",
@@ -155,7 +155,7 @@ ASKED = {
     "columns": "docs/widgets/",
     "editor": "docs/widgets/",
     "console": "docs/widgets/",
-    "parameters": "docs/site-yaml/",
+    "parameters": "docs/nodes/",
     "packages from pypi": "docs/python/",
     "numpy": "docs/python/",
     "isolated pages": "docs/python/",

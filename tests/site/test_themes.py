@@ -24,7 +24,7 @@ from sitegen.site.pages.colours import contrast, shades
 from sitegen.site.pages.theme import Theme
 
 EVERYTHING = ROOT / "tests/sites/prose"
-DOCUMENTED = ROOT.joinpath("docs/themes.md").read_text().split("# What a template is given")[1]
+DOCUMENTED = ROOT.joinpath("docs/templates.md").read_text().split("# What a template is given")[1]
 TABLE = re.findall(r"^\| (`.*?) \|", DOCUMENTED.split("\n## ")[0], flags=re.MULTILINE)
 NAMES = {name for cell in TABLE for name in re.findall(r"`(\w+)`", cell)}
 
@@ -70,7 +70,7 @@ def test_a_template_can_use_all_of_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("template", "fault"),
     [
-        ("\n{{ nonsense }}", "themes/mine: theme: 'nonsense' is undefined; see docs/themes.md"),
+        ("\n{{ nonsense }}", "themes/mine: theme: 'nonsense' is undefined; see docs/templates.md"),
         ("\n{% if %}", "page.html:2: theme: Expected an expression, got 'end of statement block'"),
     ],
 )

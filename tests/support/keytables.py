@@ -25,6 +25,8 @@ from sitegen.config.schema import (
     Key,
 )
 
+# The widgets of one node; all others are panels.
+OF_NODES = ("buttons", "console", "source", "prompt", "editor")
 # The keys below each heading of a page.
 TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     "site-yaml.md": {
@@ -32,24 +34,27 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "site": SITE,
         "deploy": DEPLOY,
         "pyodide": PYODIDE,
+    },
+    "nodes.md": {
         "A node": NODE,
         "A node compiled elsewhere": COMPILED,
         "A node of ROS2WASM": ROS2WASM,
-        "A page": PAGE,
     },
+    "pages.md": {"A page": PAGE},
     "widgets.md": {
         "stage": STAGE,
         "columns": COLUMN,
-        **{kind: keys for kind, keys in WIDGETS.items() if keys},
+        **{kind: WIDGETS[kind] for kind in OF_NODES},
     },
+    "panels.md": {kind: keys for kind, keys in WIDGETS.items() if keys and kind not in OF_NODES},
 }
 LINKS = {
-    "site": "#site",
-    "deploy": "#deploy",
-    "pyodide": "#pyodide",
-    "nodes": "#a-node",
-    "parameters": "#parameters",
-    "pages": "#a-page",
+    "site": "site-yaml.md#site",
+    "deploy": "site-yaml.md#deploy",
+    "pyodide": "site-yaml.md#pyodide",
+    "nodes": "nodes.md#a-node",
+    "parameters": "nodes.md#parameters",
+    "pages": "pages.md#a-page",
     "nav": "writing.md#navigation",
     "content": "widgets.md#content",
     "items": "widgets.md#content",

@@ -1,6 +1,6 @@
 // @ts-check
 // Shared links restore the state of a page: running nodes, panels, tabs and the reading position. The state is the
-// fragment of the address, which is not sent to the server; docs/protocol.md describes its format.
+// fragment of the address, which is not sent to the server; docs/formats.md describes its format.
 
 import { button, create } from "../ui/elements.js";
 import { say } from "../ui/words.js";

@@ -15,11 +15,12 @@ def missing(site: Site, said: SimpleNamespace) -> Page:
     """Return the page, in the language of the site; `said` has the texts of its theme.
 
     The server shows it at any depth, so its URLs start at the site's folder on the server: the path
-    of `url`. Without `url`, the site is assumed to be at the root of its server.
+    of `url`. Without `url`, the site is assumed to be at the root of its server, with its versions
+    in folders.
     """
     home = next((page for page in site.pages if not page.path), site.pages[0])
     text = f"{said.missing_text}\n\n[{said.missing_home}](/{home.path})\n"
     location = Location(site.root / "site.yaml", 1)
-    base = urlsplit(site.url).path or "/"
+    base = urlsplit(site.url).path or (f"/{site.version}/" if site.version else "/")
     content = (Markdown(text, site.root, location),)
     return Page(PATH, said.missing, "", {}, content, "", location, base=base)

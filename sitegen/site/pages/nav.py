@@ -10,11 +10,14 @@ from typing import NamedTuple
 from sitegen.model import NavItem, Page, Site
 from sitegen.site.prose import address
 
+# Up to this many lines, the menu of every page has all groups with what they contain.
+WHOLE = 200
+
 
 class Link(NamedTuple):
     """A link; in a menu, `inside` has the items below it and `current` marks the page itself.
 
-    `open` marks the page and the items above it.
+    `open` marks the page and the items above it. A group without its own page has no `href`.
     """
 
     title: str
@@ -52,9 +55,10 @@ class _Entry:
 
 
 class Navigation:
-    """The tree of pages; a menu shows the top, the branches above the page, and its own.
+    """The tree of pages; a menu has the top, the branches above a page, its own, and all groups.
 
-    If each page showed all others, the size of a site would grow with the square of its pages.
+    If each page of a large site showed all others, its size would grow with the square of its
+    pages, so there, closed groups are links to their first page.
     """
 
     def __init__(self, site: Site) -> None:
@@ -65,6 +69,7 @@ class Navigation:
         self._entries: dict[str, _Entry] = {}
         self._index(self._top, None)
         self._order = list(self._entries)
+        self._whole = len(self._order) <= WHOLE
         self._places = {path: index for index, path in enumerate(self._order)}
 
     def menu(self, page: Page) -> list[Link]:
@@ -74,8 +79,7 @@ class Navigation:
 
     def trail(self, page: Page) -> list[Link]:
         """Return the breadcrumbs: the links from the top to `page`, without itself."""
-        way = self._above(page)[1:]
-        return [self._link(entry, page, set()) for entry in reversed(way)]
+        return [self._alone(entry, page) for entry in reversed(self._above(page)[1:])]
 
     def around(self, page: Page) -> tuple[Link | None, Link | None]:
         """Return the pages before and after `page`."""
@@ -123,23 +127,26 @@ class Navigation:
         return way
 
     def _link(self, entry: _Entry, page: Page, above: set[int]) -> Link:
-        path = next(entry.pages(), None)
-        shown = self._shown(path, page) if path is not None else None
-        own = shown if entry.page is not None else None
-        title = own.title if own and own.language else entry.title
-        href = entry.url or (address(page, shown.path) if shown else "")
-        link = Link(title, href, current=own is not None and own.path == page.path)
-        if id(entry) not in above:
-            return link
+        link, is_open = self._alone(entry, page), id(entry) in above
+        if not is_open and (link.href or not self._whole):
+            return link if link.href else link._replace(href=self._first(entry, page))
         inside = tuple(self._link(each, page, above) for each in entry.inside)
-        return link._replace(open=True, inside=inside)
+        current = entry.page is not None and entry.page == _original(page)
+        return link._replace(current=current, open=is_open, inside=inside)
+
+    def _alone(self, entry: _Entry, page: Page) -> Link:
+        """Return the link to an entry, without what is below it."""
+        if entry.page is None:
+            return Link(entry.title, entry.url)
+        shown = self._shown(entry.page, page)
+        return Link(shown.title if shown.language else entry.title, address(page, shown.path))
+
+    def _first(self, group: _Entry, page: Page) -> str:
+        path = next(group.pages(), None)
+        return "" if path is None else address(page, self._shown(path, page).path)
 
     def _to(self, path: str | None, page: Page) -> Link | None:
-        if path is None:
-            return None
-        shown = self._shown(path, page)
-        title = shown.title if shown.language else self._entries[path].title
-        return Link(title, address(page, shown.path))
+        return None if path is None else self._alone(self._entries[path], page)
 
     def _shown(self, path: str, page: Page) -> Page:
         """Return the page with that path in the language of `page`, or the original."""

@@ -226,6 +226,7 @@ class Renderer:
             languages=navigation.languages(page, site),
             tags=[Link(name, address(page, path)) for name, path in self._tags(page)],
             root=address(page, ""),
+            versions=address(page, "../versions.json") if site.version and not alone else "",
             home=address(page, home.path if home else ""),
             theme=address(page, theme.path),
             style=address(page, f"{theme.path}site.css") if theme.style else "",

@@ -66,7 +66,7 @@ class Theme:
             return self.template.render(**names)
         except jinja2.TemplateError as error:
             where = f"themes/{self.folders[-1].name}"
-            raise SiteError([f"{where}: theme: {error.message}; see docs/themes.md"]) from error
+            raise SiteError([f"{where}: theme: {error.message}; see docs/templates.md"]) from error
 
     def texts(self, language: str) -> SimpleNamespace:
         """Return the texts of the theme in a language."""

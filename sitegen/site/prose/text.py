@@ -24,7 +24,8 @@ _TAG = re.compile(
     r"""<(a|img|source|video|audio|track|iframe)\b(?:[^>"']|"[^"]*"|'[^']*')*>""", re.I
 )
 _ADDRESS = re.compile(r"""(\s(?:href|src|poster)\s*=\s*)(["'])(.*?)\2""", re.I | re.S)
-_HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>", re.I | re.S)
+# A heading, or the start of a table, which the heading above it names.
+_HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>|<table\b", re.I | re.S)
 _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
 # A checkbox, and the words that label it.
 _TASK = re.compile(
@@ -79,7 +80,6 @@ class Prose:
         text = _TAG.sub(lambda tag: self._tag(tag, source), text)
         text = _HEADING.sub(self._heading, text)
         text = _TASK.sub(r"<label>\1</label>", text) if "task-list" in text else text
-        text = text.replace("<table", '<div class="table" tabindex="0"><table')
         text = text.replace("</table>", "</table></div>")
         self.ids.update(_ID.findall(text))
         return text
@@ -119,6 +119,11 @@ class Prose:
         return text
 
     def _heading(self, found: re.Match[str]) -> str:
+        if found[1] is None:
+            # It may be wider than the page, and who has no mouse scrolls what has the focus.
+            name = self.headings[-1].title if self.headings else self.page.title
+            label = html.escape(name)
+            return f'<div class="table" role="group" aria-label="{label}" tabindex="0">{found[0]}'
         level, attributes, inner = int(found[1]), found[2], found[3]
         title = plain(inner)
         given = _ID.search(attributes)

@@ -61,7 +61,7 @@ def test_without_scripts_nothing_is_offered_that_does_not_work(browser: Browser,
     )
     assert tab.get_by_role("link", name="Next").is_visible()
     assert tab.locator("main math").count() == 4
-    assert tab.locator("main svg[role=img]").count() == 2
+    assert tab.locator("main .diagram[role=img]").count() == 2
     context.close()
 
 

@@ -78,8 +78,8 @@ def arrow(tip: Point, start: Point) -> str:
 def drawing(parts: Sequence[str], w: float, h: float, says: str) -> str:
     """Return the complete drawing; `says` describes it to screen readers."""
     size = f'width="{math.ceil(w)}" height="{math.ceil(h)}" viewBox="0 0 {number(w)} {number(h)}"'
-    svg = f'<svg role="img" aria-label="{escape(says)}" {size}>{"".join(parts)}</svg>'
-    return f'<div class="diagram" tabindex="0">{svg}</div>'
+    svg = f'<svg aria-hidden="true" {size}>{"".join(parts)}</svg>'
+    return f'<div class="diagram" role="img" aria-label="{escape(says)}" tabindex="0">{svg}</div>'
 
 
 def number(value: float) -> str:
