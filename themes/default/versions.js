@@ -17,7 +17,15 @@ async function offer(select) {
     }),
   );
   select.hidden = false;
-  select.addEventListener("change", () => go(new URL(select.dataset.root ?? "", location.href), select.value));
+  const leave = () => go(new URL(select.dataset.root ?? "", location.href), select.value);
+  // The arrow keys change a closed list at every press; Enter says which version was meant.
+  let browsing = false;
+  select.addEventListener("pointerdown", () => (browsing = false));
+  select.addEventListener("keydown", ({ key }) => {
+    browsing = key !== "Enter" && key !== " ";
+    if (key === "Enter" && select.value !== current) leave();
+  });
+  select.addEventListener("change", () => browsing || leave());
   // Who comes back finds the version of this page.
   addEventListener("pageshow", () => (select.value = current));
 }
