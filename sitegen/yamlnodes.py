@@ -7,7 +7,7 @@ from typing import Any
 import yaml
 
 # Far more than any file of a site or a robot has. Checked beforehand, so that no text takes more
-# than a few seconds: the parser written in Python reads about 100 kB in a second.
+# than a few seconds: the parser written in Python reads 100 to 400 kB in a second.
 LARGEST = 4_000_000
 LARGEST_IN_PYTHON = 400_000
 DEEPEST = 100

@@ -50,16 +50,19 @@ def merge(parameters: dict[str, str], more: Mapping[str, str]) -> None:
 
 def written(value: Any) -> str:
     """Return a value as one line of YAML."""
-    if isinstance(value, str) and _is_plain(value):
-        return value
-    if isinstance(value, str) and value.isprintable():
-        return "'" + value.replace("'", "''") + "'"
+    if isinstance(value, str):
+        return value if _is_plain(value) else _quoted(value)
+    if isinstance(value, list):
+        items = (_quoted(each) if isinstance(each, str) else written(each) for each in value)
+        return f"[{', '.join(items)}]"
+    return str(yaml.safe_dump(value, default_flow_style=True)).partition("\n...")[0].strip()
+
+
+def _quoted(text: str) -> str:
+    if text.isprintable():
+        return "'" + text.replace("'", "''") + "'"
     # In double quotes, line ends are escaped: in single quotes, they would become spaces.
-    style = '"' if isinstance(value, str) else None
-    text = yaml.safe_dump(
-        value, default_flow_style=True, default_style=style, width=math.inf, allow_unicode=True
-    )
-    return text.partition("\n...")[0].strip()
+    return str(yaml.safe_dump(text, default_style='"', width=math.inf, allow_unicode=True)).strip()
 
 
 def _is_plain(text: str) -> bool:

@@ -17,7 +17,10 @@ Build = Callable[..., None]
 
 
 @pytest.fixture
-def build_with(monkeypatch: pytest.MonkeyPatch) -> Callable[[Build], None]:
+def build_with(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Build], None]:
+    # A checkout whose site was just built has nothing to build.
+    monkeypatch.chdir(tmp_path)
+
     def replace(build: Build) -> None:
         module = ModuleType("sitegen.commands.build")
         vars(module).update(build=build, Report=object)

@@ -63,6 +63,13 @@ def test_a_parameter_may_be_any_text(text: str) -> None:
     assert yamlnodes.load(written) == text
 
 
+@pytest.mark.parametrize("value", [["a\nb", "c, d", "[", "it's"], [1, 2.5], [True], None, 3])
+def test_a_parameter_may_be_a_list(value: object) -> None:
+    written = parameterfiles.written(value)
+    assert "\n" not in written
+    assert yamlnodes.load(written) == value
+
+
 @pytest.mark.parametrize(
     ("values", "expected"),
     [
@@ -190,6 +197,7 @@ def test_a_page_of_text(tmp_path: Path, text: str, expected: str) -> None:
             '<svg><a xlink:href=" java&#x0a;script:alert(1)"><text>a</text></a></svg>',
             ["'href' cannot run a script"],
         ),
+        ("<a href=javascript:alert(1)>x</a>", ["a link cannot run a script"]),
         ('<button formaction="https://e.vil">x</button>', ["'formaction=' is not allowed"]),
         ('<img src="a.svg" alt="" srcset="https://e.vil/a.png 1x">', ["'srcset=' is not"]),
         ("<body onload=alert(1)>", ["'<body>' is not allowed"]),

@@ -11,6 +11,15 @@ from sitegen.config import load
 from sitegen.errors import SiteError
 
 
+def fault(root: Path, name: str, text: str) -> str:
+    """Return the first problem of a launch file that starts nothing, without the file's name."""
+    (root / name).write_text(text)
+    found, [line, *_] = nodes(root, name)
+    assert found == []
+    assert line.startswith(f"{name}:")
+    return line.removeprefix(f"{name}:")
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
@@ -50,10 +59,9 @@ from sitegen.errors import SiteError
     ],
 )
 def test_what_is_wrong_is_said_with_its_line(root: Path, text: str, expected: str) -> None:
-    (root / "x.launch.xml").write_text(f"<?xml version='1.0'?>\n{text}\n")
-    found, [line, *_] = nodes(root, "x.launch.xml")
-    assert found == []
-    assert line.startswith(f"x.launch.xml:2: {expected}")
+    assert fault(root, "x.launch.xml", f"<?xml version='1.0'?>\n{text}\n").startswith(
+        f"2: {expected}"
+    )
 
 
 @pytest.mark.parametrize(
@@ -67,10 +75,7 @@ def test_what_is_wrong_is_said_with_its_line(root: Path, text: str, expected: st
     ],
 )
 def test_the_same_of_yaml(root: Path, text: str, expected: str) -> None:
-    (root / "x.launch.yaml").write_text(f"{text}\n")
-    found, [line, *_] = nodes(root, "x.launch.yaml")
-    assert found == []
-    assert line.startswith(f"x.launch.yaml:{expected}")
+    assert fault(root, "x.launch.yaml", f"{text}\n").startswith(expected)
 
 
 @pytest.mark.parametrize(
@@ -100,10 +105,7 @@ def test_the_same_of_yaml(root: Path, text: str, expected: str) -> None:
     ],
 )
 def test_the_same_of_python(root: Path, text: str, expected: str) -> None:
-    (root / "x.launch.py").write_text(text)
-    found, [line, *_] = nodes(root, "x.launch.py")
-    assert found == []
-    assert line.startswith(f"x.launch.py:{expected}")
+    assert fault(root, "x.launch.py", text).startswith(expected)
 
 
 def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:

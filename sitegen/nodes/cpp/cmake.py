@@ -39,7 +39,7 @@ class CMake:
     """Runs CMake on packages for one `engine`; all files are below `work`.
 
     With `debug`, programs record their source lines; the library does not. A `draft` is linked
-    without link-time optimization, in a fifth of the time; it is twice as large.
+    with less optimization, in a fifth of the time; it is twice as large.
     """
 
     tools: Toolchain

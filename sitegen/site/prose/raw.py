@@ -26,7 +26,7 @@ TAGS = {
     "style": NO_STYLES,
     "object": NO_DOCUMENTS,
     "embed": NO_DOCUMENTS,
-    "form": "pages cannot submit forms; remove the form",
+    "form": NO_FORMS,
     "base": "it would change every link of the page; remove it",
     "meta": THEME,
     "link": THEME,
@@ -39,7 +39,7 @@ ATTRIBUTES = {
     "srcdoc": NO_DOCUMENTS,
     "srcset": "only the file in 'src' is copied into the site; remove it",
 }
-# The addresses that links.py checks.
+# The addresses that links.py checks, with the tags that text.py finds them in.
 LINKED = {
     *((tag, "src") for tag in ("img", "source", "video", "audio", "track", "iframe")),
     *(("a", "href"), ("video", "poster")),
@@ -65,7 +65,7 @@ def refused(text: str, source: str) -> Iterator[tuple[str, str]]:
             if why := ATTRIBUTES.get(attribute) or (attribute.startswith("on") and NO_SCRIPTS):
                 yield shown, f"'{shown.rstrip(' =')}=' is not allowed: {why}"
             elif (name, key) not in LINKED and _SCRIPT.match(_IGNORED.sub("", value)):
-                yield shown, f"'{attribute}' cannot run a script; use a widget"
+                yield value, f"'{attribute}' cannot run a script; use a widget"
 
 
 def _elements(text: str) -> Iterator[Any]:

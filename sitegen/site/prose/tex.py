@@ -36,23 +36,14 @@ def _converter(_pid: int) -> _Converter:
 
 class _Converter:
     def __init__(self) -> None:
+        # `sitegen serve` renders pages and the search index in different threads.
+        self._lock = threading.Lock()
         self._process: subprocess.Popen[str] | None = None
 
     def convert(self, tex: str, block: bool) -> str:
-        process = self._process = self._process or _started()
-        assert process.stdin and process.stdout
-        late = threading.Timer(LIMIT, process.kill)
-        late.start()
-        try:
-            with contextlib.suppress(BrokenPipeError):
-                print(json.dumps([tex, block]), file=process.stdin, flush=True)
-            line = process.stdout.readline()
-        finally:
-            late.cancel()
+        with self._lock:
+            line = self._answer(json.dumps([tex, block]))
         if not line:
-            self._process = None
-            process.kill()
-            process.communicate()
             raise TexError("too complex, or a brace or a parenthesis is not closed")
         found: str
         fault: str
@@ -60,6 +51,24 @@ class _Converter:
         if fault:
             raise TexError(fault)
         return found
+
+    def _answer(self, question: str) -> str:
+        """Return the line that answers a line; nothing if the process hung or crashed."""
+        process = self._process = self._process or _started()
+        assert process.stdin and process.stdout
+        late = threading.Timer(LIMIT, process.kill)
+        late.start()
+        try:
+            with contextlib.suppress(BrokenPipeError):
+                print(question, file=process.stdin, flush=True)
+            line = process.stdout.readline()
+        finally:
+            late.cancel()
+        if not line:
+            self._process = None
+            process.kill()
+            process.communicate()
+        return line
 
 
 def _started() -> subprocess.Popen[str]:

@@ -23,7 +23,10 @@ from sitegen.site.prose.media import sized
 _TAG = re.compile(
     r"""<(a|img|source|video|audio|track|iframe)\b(?:[^>"']|"[^"]*"|'[^']*')*>""", re.I
 )
-_ADDRESS = re.compile(r"""(\s(?:href|src|poster)\s*=\s*)(["'])(.*?)\2""", re.I | re.S)
+_ADDRESS = re.compile(
+    r"""([\s/](?:href|src|poster)\s*=\s*)(?:(["'])(?P<quoted>.*?)\2|(?P<bare>[^\s"'>]+))""",
+    re.I | re.S,
+)
 # A heading, or the start of a table, which the heading above it names.
 _HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>|<table\b", re.I | re.S)
 _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
@@ -145,7 +148,8 @@ class Prose:
 
         def rewrite(found: re.Match[str]) -> str:
             nonlocal image
-            new, file = self.links.resolve(html.unescape(found[3]), key, source)
+            url = found["bare"] if found["quoted"] is None else found["quoted"]
+            new, file = self.links.resolve(html.unescape(url), key, source)
             image = image or file
             return found[0] if new is None else f'{found[1]}"{html.escape(new)}"'
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from sitegen.site.prose.diagrams import svg
-from sitegen.site.prose.diagrams.fault import MOST_LINES, MOST_PARTS, DiagramError
+from sitegen.site.prose.diagrams.fault import DiagramError, check_size
 from sitegen.site.prose.diagrams.layers import Box, place
 from sitegen.site.prose.diagrams.svg import Point
 
@@ -30,6 +30,7 @@ ARROW = re.compile(
     r"(?:(?P<head>>)|(?P<text>\s*[^-=.>|\s][^>|]*?\s*)(?:-{2,3}|\.+-|={2,3})(?P<end>>)?)?"
     r"(?:\|(?P<bar>[^|]*)\|)?"
 )
+PARTS = ("boxes", "arrows")
 REFUSED = {"subgraph", "end", "classDef", "class", "style", "linkStyle", "click", "direction"}
 
 
@@ -63,16 +64,10 @@ def flowchart(lines: Sequence[str]) -> str:
     for line in lines[1:]:
         for statement in filter(None, map(str.strip, line.split(";"))):
             _read(statement, chart)
-            _check(line, len(chart.boxes), len(chart.arrows))
+            check_size(line, len(chart.boxes), len(chart.arrows), PARTS)
     if not chart.boxes:
         raise DiagramError(lines[0], "this flowchart has no boxes; write 'talker --> listener'")
     return _draw(chart, direction)
-
-
-def _check(line: str, boxes: int, arrows: int) -> None:
-    if boxes > MOST_PARTS or arrows > MOST_LINES:
-        limits = f"{MOST_PARTS} boxes and {MOST_LINES} arrows"
-        raise DiagramError(line, f"too large; at most {limits} are supported")
 
 
 def _read(line: str, chart: _Chart) -> None:
@@ -84,7 +79,7 @@ def _read(line: str, chart: _Chart) -> None:
     while True:
         names, rest = _names(rest, line, chart)
         if arrow:
-            _check(line, len(chart.boxes), len(starts) * len(names))
+            check_size(line, len(chart.boxes), len(starts) * len(names), PARTS)
             chart.arrows += [_arrow(a, b, arrow) for a in starts for b in names]
         if not rest:
             return

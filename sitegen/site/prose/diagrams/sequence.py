@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 from sitegen.site.prose.diagrams import svg
-from sitegen.site.prose.diagrams.fault import MOST_LINES, MOST_PARTS, DiagramError
+from sitegen.site.prose.diagrams.fault import DiagramError, check_size
 
 MARGIN, HEAD, APART, STEP = 12.0, 44.0, 150.0, 46.0
 NAME = r"[\w/.~ -]*?[\w/~]"
@@ -75,9 +75,7 @@ def sequence(lines: Sequence[str]) -> str:
     read = _Sequence()
     for line in lines[1:]:
         _read(line, read)
-        if len(read.names) > MOST_PARTS or len(read.messages) > MOST_LINES:
-            limits = f"{MOST_PARTS} participants and {MOST_LINES} messages"
-            raise DiagramError(line, f"too large; at most {limits} are supported")
+        check_size(line, len(read.names), len(read.messages), ("participants", "messages"))
     if read.open:
         frame = read.open[-1]
         raise DiagramError(frame.kind, f"'{frame.kind}' is not closed; close it with 'end'")
