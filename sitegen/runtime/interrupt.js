@@ -12,12 +12,12 @@ export function sharedByte() {
   return sharesMemory ? new Uint8Array(new SharedArrayBuffer(1)) : undefined;
 }
 
-/** Make the program that has the byte handle the messages that were posted to it. @param {Uint8Array} [byte] */
+/** Make the program that has the byte handle the message that is posted next. @param {Uint8Array} [byte] */
 export function interrupt(byte) {
   if (byte) Atomics.store(byte, 0, HEAR);
 }
 
-/** Confirm that these messages have arrived. @param {Uint8Array} [byte] */
+/** Confirm that this message has arrived. @param {Uint8Array} [byte] */
 export function heard(byte) {
   if (byte) Atomics.store(byte, 0, 0);
 }

@@ -175,8 +175,9 @@ export class NodeProcess extends EventTarget {
   /** Send Ctrl-C to the program. */
   interrupt() {
     if (!this.#run) return;
-    this.#post(this.#run.worker, { op: "stop" });
+    // In this order: the worker clears the byte when it has the message, and a byte set after that would be left over.
     interrupt(this.#run.byte);
+    this.#post(this.#run.worker, { op: "stop" });
   }
 
   /** Send Ctrl-C to the program, and terminate it if it does not end. */

@@ -16,7 +16,7 @@ from rclpy_backend.system.blocking import wait
 
 # As in runtime/interrupt.js.
 HEAR = signal.SIGUSR2
-# The page posts its message before it sets the byte; the message arrives within this time (s).
+# The page sets the byte before it posts its message, which arrives within this time (s).
 LIMIT = 0.1
 OURS = __file__.rpartition("/system/")[0]
 
@@ -31,8 +31,8 @@ def _hear(number: int, frame: FrameType | None) -> None:
     if program is None or frame is None:
         return
     if frame.f_code.co_filename.startswith(f"{OURS}/"):
-        # This layer must not be suspended outside of its own waits: try again after the next step.
-        signal.raise_signal(number)
+        # This layer must not be suspended outside of its own waits, the next of which receives the
+        # message. Raising the signal again would call this function again from within itself.
         return
     end = time.monotonic() + LIMIT
     while (left := end - time.monotonic()) > 0 and (not program.stacks or can_run_sync()):
