@@ -174,7 +174,7 @@ def test_all_that_is_wrong_is_said_at_once(tmp_path: Path) -> None:
         "write it like 'types: {/chatter: std_msgs/msg/String}'",
         "site.yaml:5: nodes.c.ros2wasm: it loads 'alone.wasm', which does not exist; "
         "copy it next to the script",
-        "site.yaml:6: nodes.d.package: unknown key; known: ros2wasm, types",
+        "site.yaml:6: nodes.d.package: unknown key; known: needs, ros2wasm, types",
         "site.yaml:6: nodes.d.types: expected names of the graph with a type each, found a list; "
         "write it like 'types: {/chatter: std_msgs/msg/String}'",
         "site.yaml:6: nodes.d.ros2wasm: '../talker.js' is outside the site's folder; "

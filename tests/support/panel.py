@@ -29,10 +29,11 @@ class Speaker(Protocol):
 class Panel:
     """The buttons and the console of one node."""
 
-    def __init__(self, page: Page, node: str) -> None:
+    def __init__(self, page: Page, node: str, region: str = "") -> None:
+        """`region` is the name of the region that has the buttons, if it is not the node's."""
         self._page = page
         self.node = node
-        self.panel = page.get_by_role("region", name=node, exact=True)
+        self.panel = page.get_by_role("region", name=region or node, exact=True)
         # In a stage, it is apart from the buttons.
         self.console = page.get_by_role("log", name=node, exact=True, include_hidden=True)
 

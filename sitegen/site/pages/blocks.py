@@ -35,6 +35,11 @@ class Panel:
     slots: tuple[Slot, ...]
     source: str = ""
 
+    @property
+    def edits(self) -> bool:
+        """Whether it is an editor, which is named apart from the panel of the node's buttons."""
+        return any(slot.kind == "editor" for slot in self.slots)
+
 
 @dataclass(frozen=True)
 class ShownCell:
@@ -63,13 +68,14 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
     """Return the blocks of the content, in order; widgets in a row are shown side by side."""
     slots = {id(widget): slot for widget, slot in slots_of(page)}
     numbers = itertools.count(1)
-    titles: Counter[str] = Counter()
+    titles: Counter[tuple[str, bool]] = Counter()
 
     def numbered(panel: Panel, place: str) -> Panel:
         if not panel.slots:  # it has no name
             return panel
-        titles[place + panel.title] += 1
-        count = titles[place + panel.title]
+        name = place + panel.title, panel.edits
+        titles[name] += 1
+        count = titles[name]
         return replace(panel, title=f"{panel.title} {count}") if count > 1 else panel
 
     def made(content: Iterable[Part], place: str = "") -> Iterator[Block]:

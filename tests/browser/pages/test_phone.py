@@ -13,9 +13,9 @@ from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
 
 PHONE: ViewportSize = {"width": 390, "height": 844}
 # As one reads a page: what belongs together begins at the top of the screen.
-TO_THE_TOP = (
-    "(button) => (button.closest('.stage') ?? button.closest('.ros-panel')).scrollIntoView()"
-)
+TO_THE_TOP = "(element) => element.scrollIntoView()"
+PANEL = "(element) => element.closest('.stage') ?? element.closest('.ros-panel')"
+TOP = "(element) => Math.round(element.getBoundingClientRect().top)"
 
 
 class Visitor:
@@ -26,15 +26,16 @@ class Visitor:
 
     def press(self, button: Locator, effect: Locator, text: str = "") -> None:
         """Press a button and see, without scrolling, that `effect` is there and has the text."""
-        button.evaluate(TO_THE_TOP)
-        place = self.page.evaluate("scrollY")
+        panel = button.evaluate_handle(PANEL)
+        panel.evaluate(TO_THE_TOP)
+        place = panel.evaluate(TOP)
         button.tap()
         if text:
             expect(effect).to_contain_text(text)
         expect(effect).to_be_in_viewport(ratio=0.9)
         if button.count():
             expect(button).to_be_in_viewport(ratio=0.9)
-        assert self.page.evaluate("scrollY") == place
+        assert panel.evaluate(TOP) == place
 
     def start(self, node: str, effect: Locator | None = None, text: str = "") -> None:
         """Start a node, and see the newest line of its console unless there is another effect."""
@@ -51,7 +52,7 @@ class Visitor:
 def demo01(visitor: Visitor) -> None:
     console = Panel(visitor.page, "talker").console
     expect(console).to_contain_text("Hello, world! 1'")
-    console.evaluate(TO_THE_TOP)
+    console.evaluate_handle(PANEL).evaluate(TO_THE_TOP)
     expect(console.locator("> :last-child")).to_be_in_viewport(ratio=0.9)
 
 
@@ -112,10 +113,10 @@ def demo07(visitor: Visitor) -> None:
 
 
 def demo08(visitor: Visitor) -> None:
-    panel = Panel(visitor.page, "counter")
+    panel = Panel(visitor.page, "counter", region="counter: Editor")
     line = panel.console.locator("> :last-child")
-    visitor.press(visitor.page.get_by_role("button", name="Run"), line, "Now it is")
-    visitor.stop("counter")
+    visitor.press(panel.button("Run"), line, "Now it is")
+    visitor.press(panel.button("Stop"), panel.panel.locator(".ros-state").first, "stopped")
 
 
 def demo09(visitor: Visitor) -> None:

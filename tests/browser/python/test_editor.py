@@ -25,7 +25,7 @@ class Editor:
 
     def __init__(self, page: Page) -> None:
         self.page = page
-        self.node = Panel(page, "counter")
+        self.node = Panel(page, "counter", region="counter: Editor")
         self.code = page.get_by_role("textbox", name="Python source py_counter/counter.py")
         self.state = page.locator(".ros-edited")
         expect(self.code).to_be_visible()
