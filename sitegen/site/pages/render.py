@@ -187,73 +187,109 @@ class Renderer:
         alone: bool,
     ) -> tuple[str, Sequence[Sheet]]:
         """Return the HTML of a page, and the joined style sheets that it loads."""
-        site, navigation = self.site, self._navigation
-        if alone:
-            navigation = Navigation(replace(site, pages=(), nav=()))
-        theme = self._themes[page.theme or site.theme]
-        language = page.language or site.language
-        text = "".join(block.html for block in flat(parts))
-        live = entry is not None
-        toc, has_heading = _toc(prose.headings), any(h.level == 1 for h in prose.headings)
-        footer = prose.html(site.look.footer) if site.look.footer else ""
-        home = navigation.home(page)
-        previous, following = navigation.around(page)
-        fonts = (site.look.font, site.look.code_font)
-        searched = search.wanted(site) and not alone
-        offline = bool(site.offline) and not alone and not page.base
-        # Nobody links to a page that is shown in place of others.
-        public = site.url and not page.base
+        theme = self._themes[page.theme or self.site.theme]
         sheets: list[Sheet] = []
 
         def sheet(name: str, parts: Mapping[str, str]) -> str:
-            sheets.append(Sheet(page.theme or site.theme, name, tuple(parts.items())))
+            sheets.append(Sheet(page.theme or self.site.theme, name, tuple(parts.items())))
             return address(page, f"{theme.path}{name}")
 
         html = theme.html(
-            site=site,
+            site=self.site,
             page=page,
-            language=language,
-            text=theme.texts(language),
-            blocks=parts,
-            has_heading=has_heading,
-            toc=toc,
-            live=live,
-            can=abilities(page) if site.levels else [],
-            menu=navigation.menu(page),
-            trail=navigation.trail(page),
-            previous=previous,
-            next=following,
-            languages=navigation.languages(page, site),
-            tags=[Link(name, address(page, path)) for name, path in self._tags(page)],
-            root=address(page, ""),
-            versions=address(page, "../versions.json") if site.version and not alone else "",
-            home=address(page, home.path if home else ""),
-            theme=address(page, theme.path),
-            style=address(page, f"{theme.path}site.css") if theme.style else "",
-            logo=address(page, lasting_name(site.look.logo)) if site.look.logo else "",
-            footer=Markup(footer),
-            runtime=address(page, "runtime/"),
-            modules=modules(site, page, self._programs, entry),
-            programs=programs(entry),
             sheet=sheet,
-            search=address(page, search.path(language)) if searched else "",
-            share=live and not alone,
-            feed=address(page, discovery.FEED) if site.feed else "",
-            url=f"{site.url}{page.path}" if public else "",
-            image=f"{site.url}{preview.path(site, page)}" if public else "",
-            edit=edit_link(site, page),
-            changed=self._changed.get(page.file, "") if page.file else "",
-            offline=offline,
-            policy=policy(
-                text,
-                live=live,
-                fonts=any(isinstance(f, Path) for f in fonts),
-                offline=offline,
-            ),
-            file_note=Markup("" if alone else FILE_NOTE),
-            choice=Markup(CHOICE),
+            **self._content(page, parts, prose, theme),
+            **self._around(page, alone=alone),
+            **self._look(page, prose, theme),
+            **self._runtime(page, parts, entry, alone=alone),
+            **self._record(page),
         )
         return html, sheets
+
+    def _content(
+        self, page: Page, parts: Sequence[Block], prose: Prose, theme: Theme
+    ) -> Mapping[str, object]:
+        """Return what a template shows of the page itself."""
+        language = page.language or self.site.language
+        return {
+            "language": language,
+            "text": theme.texts(language),
+            "blocks": parts,
+            "has_heading": any(heading.level == 1 for heading in prose.headings),
+            "toc": _toc(prose.headings),
+            "can": abilities(page) if self.site.levels else [],
+            "tags": [Link(name, address(page, path)) for name, path in self._tags(page)],
+        }
+
+    def _around(self, page: Page, *, alone: bool) -> Mapping[str, object]:
+        """Return the links from the page to the others, if it is not `alone`."""
+        site, navigation = self.site, self._navigation
+        if alone:
+            navigation = Navigation(replace(site, pages=(), nav=()))
+        home = navigation.home(page)
+        previous, following = navigation.around(page)
+        language = page.language or site.language
+        searched = search.wanted(site) and not alone
+        return {
+            "menu": navigation.menu(page),
+            "trail": navigation.trail(page),
+            "previous": previous,
+            "next": following,
+            "languages": navigation.languages(page, site),
+            "root": address(page, ""),
+            "home": address(page, home.path if home else ""),
+            "versions": address(page, "../versions.json") if site.version and not alone else "",
+            "search": address(page, search.path(language)) if searched else "",
+        }
+
+    def _look(self, page: Page, prose: Prose, theme: Theme) -> Mapping[str, object]:
+        """Return what the author chose for the look of all pages."""
+        look = self.site.look
+        return {
+            "theme": address(page, theme.path),
+            "style": address(page, f"{theme.path}site.css") if theme.style else "",
+            "logo": address(page, lasting_name(look.logo)) if look.logo else "",
+            "footer": Markup(prose.html(look.footer) if look.footer else ""),
+        }
+
+    def _runtime(
+        self,
+        page: Page,
+        parts: Sequence[Block],
+        entry: Mapping[str, Any] | None,
+        *,
+        alone: bool,
+    ) -> Mapping[str, object]:
+        """Return what the page runs, and what its policy allows it."""
+        live = entry is not None
+        offline = bool(self.site.offline) and not alone and not page.base
+        fonts = (self.site.look.font, self.site.look.code_font)
+        html = "".join(block.html for block in flat(parts))
+        own_fonts = any(isinstance(font, Path) for font in fonts)
+        return {
+            "live": live,
+            "share": live and not alone,
+            "runtime": address(page, "runtime/"),
+            "modules": modules(self.site, page, self._programs, entry),
+            "programs": programs(entry),
+            "offline": offline,
+            "policy": policy(html, live=live, fonts=own_fonts, offline=offline),
+            "file_note": Markup("" if alone else FILE_NOTE),
+            "choice": Markup(CHOICE),
+        }
+
+    def _record(self, page: Page) -> Mapping[str, object]:
+        """Return where the page is published, and where and when it was written."""
+        site = self.site
+        # Nobody links to a page that is shown in place of others.
+        public = site.url and not page.base
+        return {
+            "url": f"{site.url}{page.path}" if public else "",
+            "image": f"{site.url}{preview.path(site, page)}" if public else "",
+            "feed": address(page, discovery.FEED) if site.feed else "",
+            "edit": edit_link(site, page),
+            "changed": self._changed.get(page.file, "") if page.file else "",
+        }
 
 
 _forked: Renderer
