@@ -111,6 +111,9 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
     elif package is None:
         message = f"no package '{node.package}' in the workspace; {nearest(node.package, packages)}"
         problems.add(*declared.where("package"), message)
+    elif package.build_type == "catkin":
+        message = f"package '{package.name}' is for ROS 1 (catkin); use its version for ROS 2"
+        problems.add(*declared.where("package"), message)
     elif package.build_type not in BUILD_TYPES:
         message = (
             f"package '{package.name}' is of build type '{package.build_type}'; "

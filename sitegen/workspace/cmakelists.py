@@ -10,6 +10,7 @@ from sitegen.workspace.cmakescript import INCLUDES, Script, written
 
 INTERFACE = (".msg", ".srv", ".action", ".idl")
 ADDS_EXECUTABLE = ("add_executable", "ament_auto_add_executable")
+SETS_PROPERTIES = ("set_target_properties", "set_property")
 COPIED = ("FILES", "PROGRAMS")
 AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
 
@@ -63,6 +64,8 @@ class Listing:
         if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
             self._add_executable(words[0])
             self._add_sources(words)
+        elif name in SETS_PROPERTIES and "OUTPUT_NAME" in words[:-1]:
+            self._rename(words)
         elif name == "rclcpp_components_register_node" and "EXECUTABLE" in words[:-1]:
             self._add_executable(words[words.index("EXECUTABLE") + 1])
         elif name in INCLUDES and "$" in "".join(words[:1]):
@@ -98,6 +101,19 @@ class Listing:
             self.executables = None
         elif self.executables is not None and name not in self.executables:
             self.executables.append(name)
+
+    def _rename(self, words: list[str]) -> None:
+        """Process a property that gives the program of a target another name."""
+        end = next(at for at, word in enumerate(words) if word in ("PROPERTY", "PROPERTIES"))
+        name = self.script.surely(words[words.index("OUTPUT_NAME") + 1])
+        for target in self.script.values(words[:end]):
+            if self.executables is None or target not in self.executables:
+                continue
+            if name is None:
+                self.executables = None
+            else:
+                self.executables[self.executables.index(target)] = name
+                self.sources[name] = self.sources.pop(target, [])
 
     def _add_sources(self, words: list[str]) -> None:
         for name, *files in filter(None, [self.script.values(words)]):

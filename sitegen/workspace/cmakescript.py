@@ -26,6 +26,7 @@ BLOCKS = ("function", "macro", "foreach")
 # Commands that set variables to values that only CMake knows.
 SETS = ("cmake_path", "execute_process", "file", "get_filename_component", "list", "math", "string")
 DEEPEST, LONGEST = 20, 1000
+TRUE = ("1", "ON", "YES", "TRUE", "Y")
 
 # The name in lower case, and the arguments as written.
 Command = tuple[str, list[str]]
@@ -49,19 +50,22 @@ class Script:
     # Variables whose values depend on conditions, and the number of conditions around a command.
     _unsure: set[str] = field(default_factory=set)
     _conditions: int = 0
+    # The values of options. Builds for the browser have no tests.
+    _options: dict[str, bool] = field(default_factory=lambda: {"BUILD_TESTING": False})
 
     def run(self, commands: Iterable[Command], depth: int = 0) -> Iterator[Command]:
         """Yield the commands that are not control flow, in order.
 
         A call of a function is replaced by the commands in it. Both branches of a condition are
-        yielded, except for tests of the package, which are left out.
+        yielded, except for those of options, which have their default values.
         """
         rest = iter(commands)
         for name, words in rest:
             if name in BLOCKS:
                 yield from self._block(name, words, list(_until(f"end{name}", name, rest)), depth)
-            elif name == "if" and words == ["BUILD_TESTING"]:
-                yield from self.run(_without_tests(_until("endif", "if", rest)), depth)
+            elif name == "if" and (value := self._decided(words)) is not None:
+                branch = _branch(_until("endif", "if", rest), first=value)
+                yield from self.run(branch, depth)
             elif name in self._functions and depth < DEEPEST:
                 yield from self._call(self._functions[name], words, depth)
             else:
@@ -90,8 +94,19 @@ class Script:
         values = self.variables.get(match[1])
         return ";".join(values) if values is not None else match[0]
 
+    def _decided(self, words: list[str]) -> bool | None:
+        """Return the value of a condition that is an option; None for any other condition."""
+        *before, name = words or [""]
+        if before not in ([], ["NOT"]) or name not in self._options:
+            return None
+        return self._options[name] is (not before)
+
     def _set(self, name: str, words: list[str]) -> None:
         variable, values = (words or [""])[0], list[str]()
+        if name == "option" and words:
+            on = words[2:3] and words[2].upper() in TRUE
+            self._options.setdefault(variable, bool(on))
+            return
         if name == "project" and words:
             variable, values = "PROJECT_NAME", words[:1]
         elif name == "set" and words:
@@ -105,6 +120,7 @@ class Script:
                 self.variables.pop(word, None)
             return
         self.variables[variable] = values
+        self._options.pop(variable, None)
         (self._unsure.add if self._conditions else self._unsure.discard)(variable)
 
     def _block(
@@ -124,7 +140,8 @@ class Script:
         if words[:1] == ["RANGE"]:
             numbers = [int(word) for word in self.values(words[1:]) if word.isdigit()]
             first, last, step = (*([0] if len(numbers) == 1 else []), *numbers, 1, 1)[:3]
-            return [str(n) for n in range(first, last + 1, step or 1)] if numbers else []
+            items = range(first, last + 1, step or 1) if numbers else range(0)
+            return [str(number) for number in items[:LONGEST]]
         if words[:1] != ["IN"]:
             return self.values(words)
         items, lists = list[str](), False
@@ -157,14 +174,18 @@ def _until(end: str, begin: str, commands: Iterator[Command]) -> Iterator[Comman
         yield name, words
 
 
-def _without_tests(block: Iterable[Command]) -> list[Command]:
-    """Return the commands after else() in an `if(BUILD_TESTING)` block."""
+def _branch(block: Iterator[Command], *, first: bool) -> list[Command]:
+    """Return the commands of an if() block up to else(), or what is left of it without them."""
     found, depth, other = list[Command](), 0, False
     for name, words in block:
+        if depth == 0 and name in ("else", "elseif") and not other:
+            other = True
+            if name == "elseif" and not first:
+                return [("if", words), *block, ("endif", [])]
+            continue
         depth += (name == "if") - (name == "endif")
-        if other:
+        if other != first:
             found.append((name, words))
-        other = other or (name == "else" and depth == 0)
     return found
 
 

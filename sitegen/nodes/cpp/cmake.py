@@ -12,6 +12,7 @@ from pathlib import Path
 from sitegen.model import Package
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.shipped import CLIENTS
+from sitegen.workspace.manifest import ENVIRONMENT
 
 HERE = Path(__file__).parent
 CLIENT = CLIENTS / "cpp"
@@ -29,6 +30,8 @@ SETTINGS = [
     *("-U", "*_DIR"),
 ]
 
+# Where programs are, in the folder of a build.
+PROGRAMS = "bin"
 UNDEFINED = "error: undefined symbol: "
 
 Done = subprocess.CompletedProcess[str]
@@ -71,7 +74,11 @@ class CMake:
 
     def program(self, package: Package, executable: str) -> Path:
         """The path of a built `executable`, without its suffix."""
-        return self.tree(package) / "bin" / executable
+        return self.tree(package) / PROGRAMS / executable
+
+    def has_strict_warnings(self, package: Package) -> bool:
+        """Return whether a configured package asks for errors instead of warnings."""
+        return "-Werror" in (self.tree(package) / "build.ninja").read_text(encoding="utf-8")
 
     @property
     def _launcher(self) -> list[str | Path]:
@@ -94,6 +101,11 @@ class CMake:
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
         return self._configure(package.path, tree, prefixes, shown, package.linked)
+
+    def make_programs(self, package: Package, *executables: str) -> Done:
+        """Build programs of a configured package; of several, a failure stops only its own one."""
+        # A target can have another name than its program.
+        return self.make(package, *(f"{PROGRAMS}/{name}.js" for name in executables))
 
     def make(self, package: Package, *targets: str) -> Done:
         """Build targets of a configured package; of several, a failure stops only its own one."""
@@ -120,7 +132,6 @@ class CMake:
             "CMAKE_MAKE_PROGRAM": self.tools.ninja,
             "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
             "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
-            "CMAKE_RUNTIME_OUTPUT_DIRECTORY": tree / "bin",
             "CMAKE_C_FLAGS_RELEASE": optimize,
             "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
             "CMAKE_CXX_FLAGS_RELEASE": optimize,
@@ -129,6 +140,7 @@ class CMake:
             "SITEGEN_ENGINE": self.engine,
             "SITEGEN_LINKED": ";".join(linked),
             "SITEGEN_PREFIX": tree / "prefix",
+            "SITEGEN_PROGRAMS": tree / PROGRAMS,
             "SITEGEN_PYTHON": sys.executable,
             "SITEGEN_RCLCPP": self.library,
             "SITEGEN_SHOWN": shown,
@@ -137,4 +149,4 @@ class CMake:
             defines["Eigen3_DIR"] = self.tools.eigen
         words = [f"-D{name}={value}" for name, value in defines.items()]
         command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
-        return self.tools.run(*command, *SETTINGS, *words)
+        return self.tools.run(*command, *SETTINGS, *words, variables=ENVIRONMENT)

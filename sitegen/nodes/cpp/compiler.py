@@ -204,6 +204,7 @@ class Compiler:
             # time.
             ready = [at for at, lines in enumerate(told) if not lines]
             if ready:
+                self._tell_of_warnings([jobs[at] for at in ready])
                 list(pool.map(self._compile_library, engines))
                 made = self._told(pool, self._compile_job, [jobs[at] for at in ready])
                 for at, lines in zip(ready, made, strict=True):
@@ -223,6 +224,15 @@ class Compiler:
             return []
 
         return list(pool.map(attempt, *zip(*jobs, strict=True)))
+
+    def _tell_of_warnings(self, jobs: Sequence[tuple[Job, str]]) -> None:
+        strict = {
+            job.package.name
+            for job, engine in jobs
+            if self._cmake(engine).has_strict_warnings(job.package)
+        }
+        for name in sorted(strict):
+            self._report.say(f"{name}: -Werror has no effect in builds for the browser")
 
     def _cmake(self, engine: str) -> CMake:
         return CMake(self._tools, self._work, engine, self._debug, self._draft)
@@ -317,12 +327,12 @@ class Compiler:
         for name in names.values():
             self._report.doing(name, "compiling")
         problems = []
-        done = cmake.make(package, *job.executables)
+        done = cmake.make_programs(package, *job.executables)
         # If anything failed, build each program alone, to attribute the output to it.
         again = bool(done.returncode) and len(job.executables) > 1
         for executable, name in names.items():
             if again:
-                done = cmake.make(package, executable)
+                done = cmake.make_programs(package, executable)
             if done.returncode:
                 diagnosis = Diagnosis(self._root, package)
                 problems += diagnosis.of_build(executable, done.stdout, cmake.tree(package))

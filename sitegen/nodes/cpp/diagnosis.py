@@ -9,6 +9,7 @@ from pathlib import Path
 from sitegen.errors import relative
 from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
+from sitegen.nodes.cpp.cmake import PROGRAMS
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -53,7 +54,7 @@ class Diagnosis:
 
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
         """Return why `executable` could not be compiled in the build folder `tree`."""
-        if f"unknown target '{executable}'" in output:
+        if f"unknown target '{PROGRAMS}/{executable}.js'" in output:
             what = f"has no executable '{executable}'"
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
                 what += f" without {names}, which is not available in the browser"

@@ -39,6 +39,9 @@ UNUSUAL = re.compile(
     r"@|-(E|S|M|MM|[xX].*|fmodules.*|include-pch|i(dirafter|macros|prefix|quote|with).*)$"
 )
 
+# Options that turn warnings into errors.
+AS_ERROR = re.compile(r"-(Werror(=.*)?|pedantic-errors)$")
+
 # Lines that continue after a backslash are left to the compiler.
 COMMENT = re.compile(r"//(?:[^\\\n]|\\(?!\s*$))*|/\*.*?\*/", re.DOTALL | re.MULTILINE)
 INCLUDE = re.compile(r'#\s*include\s*(?:"([^"]+)"|<([^>]+)>)$')
@@ -215,6 +218,8 @@ def _run(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
 def main(store: str, ros: str, compiler: str, *words: str) -> int:
     """Run the compiler; return its exit code."""
     made = None
+    # em++ warns of more than the compiler that the author knows, which is no error of the program.
+    words = tuple(word for word in words if not AS_ERROR.match(word))
     command = Command.read(words)
     # If the compiler fails here, it will report the same error for the source file.
     with contextlib.suppress(OSError, ValueError):

@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sysconfig
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
@@ -45,10 +46,16 @@ class Toolchain:
         identity = _identity(compiler) + (f" {eigen.stat().st_mtime_ns}" if eigen else "")
         return Toolchain(compiler, cmake, ninja, identity, eigen)
 
-    def run(self, *command: str | Path, flags: str = "") -> subprocess.CompletedProcess[str]:
-        """Run a tool, em++ below it with `flags`; `stdout` has its output, errors included."""
+    def run(
+        self, *command: str | Path, flags: str = "", variables: Mapping[str, str] | None = None
+    ) -> subprocess.CompletedProcess[str]:
+        """Run a tool, em++ below it with `flags`; `stdout` has its output, errors included.
+
+        `variables` are set in its environment.
+        """
         paths = [os.environ.get("NODE_PATH", ""), str(DEBIAN_NODE_PATH)]
         env = os.environ | {"NODE_PATH": os.pathsep.join(path for path in paths if path)}
+        env |= variables or {}
         if flags:
             env["EMCC_CFLAGS"] = f"{env.get('EMCC_CFLAGS', '')} {flags}"
         return subprocess.run(

@@ -17,6 +17,7 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
             "1.5 kg 6.25 m",
         ],
         "plain": ["rolls on 4, holds front, 254"],
+        "report": ["4 tools, [9-kilted]"],
         "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
     }
     tab.goto(serve(built(SITES / "shapes")))

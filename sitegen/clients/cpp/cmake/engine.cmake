@@ -61,3 +61,7 @@ endforeach()
 foreach(_language C CXX)
   string(APPEND CMAKE_${_language}_STANDARD_LIBRARIES " \"${SITEGEN_RCLCPP}\"")
 endforeach()
+if(NOT CMAKE_SOURCE_DIR STREQUAL SITEGEN_CPP)  # a package, and not the library
+  include("${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
+  cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL sitegen_finish "${CMAKE_SOURCE_DIR}")
+endif()

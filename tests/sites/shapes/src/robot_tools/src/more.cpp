@@ -1,0 +1,6 @@
+int tools();
+
+int more()
+{
+  return tools() + 1;
+}
