@@ -38,12 +38,17 @@ def note(
     said: Mapping[bool, Sequence[str]],
     *,
     debug: bool,
+    since: int,
 ) -> None:
     """Record that `output` was built from `folder` and the other folders `roots`.
 
-    `said` is the report without and with --verbose.
+    `said` is the report without and with --verbose. Nothing is recorded if a file has changed after
+    `since`, the time in ns when the build began: it may have been read before that.
     """
     roots = sorted(set(roots))
+    waiting = (found for root in (folder, *roots) for found in _files(root, output.resolve()))
+    if any(about.st_ctime_ns > since for _, about in waiting):
+        return
     record = {
         "debug": debug,
         "roots": [str(root) for root in roots],

@@ -23,7 +23,7 @@ def build(
 
     Raises: SiteError if anything is wrong; `output` is left unchanged.
     """
-    begun = time.monotonic()
+    begun, since = time.monotonic(), time.time_ns()
     made = make(folder, report, output=output, options=Options(debug=debug))
     write(made.artifacts, output)
     before = list(report.said)
@@ -39,7 +39,7 @@ def build(
     )
     roots = read_folders(made.site)
     said = {each: [*before, *lines] for each, lines in sums.items()}
-    unchanged.note(folder, roots, output, cache_folder(), said, debug=debug)
+    unchanged.note(folder, roots, output, cache_folder(), said, debug=debug, since=since)
 
 
 def read_folders(site: Site) -> list[Path]:

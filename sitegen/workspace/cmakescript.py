@@ -140,8 +140,8 @@ class Script:
         if words[:1] == ["RANGE"]:
             numbers = [int(word) for word in self.values(words[1:]) if word.isdigit()]
             first, last, step = (*([0] if len(numbers) == 1 else []), *numbers, 1, 1)[:3]
-            items = range(first, last + 1, step or 1) if numbers else range(0)
-            return [str(number) for number in items[:LONGEST]]
+            counted = range(first, last + 1, step or 1) if numbers else range(0)
+            return [str(number) for number in counted[:LONGEST]]
         if words[:1] != ["IN"]:
             return self.values(words)
         items, lists = list[str](), False

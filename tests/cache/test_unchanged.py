@@ -11,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
-from sitegen.report import Report
+from sitegen.report import Report, Style
 
 SITE = """\
 site: {title: My robot}
@@ -84,6 +85,23 @@ def test_whatever_changes_is_built(site: Path, run: Run, change: Callable[[Path]
     change(site)
     assert run().startswith("built 2 pages")
     assert run().startswith("nothing changed")
+
+
+def test_what_changes_while_a_site_is_built_is_built_next(
+    site: Path, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Editing(Report):
+        """An author who writes while the build tells what it has made."""
+
+        def say(self, line: str, style: Style = "") -> None:
+            (site / "index.md").write_text("# Welcome\n\nThe other text.\n")
+            super().say(line, style)
+
+    monkeypatch.setenv("SITEGEN_CACHE", str(tmp_path / "cache"))
+    build(site, output=site / "dist", report=Editing(io.StringIO()))
+    assert "The first text" in (site / "dist/index.html").read_text()
+    assert run().startswith("built 2 pages")
+    assert "The other text" in (site / "dist/index.html").read_text()
 
 
 def test_the_history_of_a_second_working_tree_counts(site: Path, run: Run) -> None:

@@ -4,14 +4,47 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from sitegen.model import Package
 from sitegen.nodes.cpp.diagnosis import Diagnosis
 
 
-def test_headers_that_authors_install_are_told_with_how(tmp_path: Path) -> None:
+@pytest.fixture
+def diagnosis(tmp_path: Path) -> Diagnosis:
     package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", (), (), ())
+    return Diagnosis(tmp_path, package)
+
+
+def test_headers_that_authors_install_are_told_with_how(diagnosis: Diagnosis) -> None:
     said = 'Could not find a package configuration file provided by "Eigen3" with any of'
-    assert Diagnosis(tmp_path, package).of_cmake(said) == [
+    assert diagnosis.of_cmake(said) == [
         "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
         "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
+    ]
+
+
+def test_a_missing_header_is_told_once(diagnosis: Diagnosis) -> None:
+    said = "{}/src/arm/src/{}.cpp:{}:10: fatal error: '{}' file not found"
+    root = diagnosis.root
+    outputs = {
+        "one": "\n".join(
+            [
+                said.format(root, "one", 3, "grip/grip.hpp"),
+                said.format(root, "part", 7, "grip/grip.hpp"),
+                said.format(root, "part", 8, "local.hpp"),
+            ]
+        ),
+        "two": said.format(root, "two", 4, "grip/grip.hpp"),
+    }
+    grip = "src/arm/src/one.cpp:3: 'arm' includes 'grip/grip.hpp', which was not found"
+    local = "src/arm/src/part.cpp:8: 'arm' includes 'local.hpp', which was not found"
+    assert diagnosis.of_builds(outputs, root, {}) == [
+        f"{grip} (and 2 other files); is package 'grip' in the workspace?",
+        local,
+    ]
+    assert diagnosis.of_builds(outputs, root, {"grip": ["src/grip/CMakeLists.txt: why"]}) == [
+        f"{grip}, because package 'grip' failed (and 2 other files)",
+        "src/grip/CMakeLists.txt: why",
+        local,
     ]

@@ -158,6 +158,27 @@ def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: st
             ("talker",),
         ),
         ("add_executable(unfinished", ()),
+        (
+            'add_executable(a a.cpp)\nset_target_properties(a PROPERTIES PREFIX "" OUTPUT_NAME b)',
+            ("b",),
+        ),
+        (
+            "add_executable(a a.cpp)\nset_property(TARGET a PROPERTY OUTPUT_NAME ${PROJECT_NAME})",
+            ("demo",),
+        ),
+        ("add_executable(a a.cpp)\nset_target_properties(a PROPERTIES OUTPUT_NAME ${X})", None),
+        (
+            'option(X "x" OFF)\nif(X)\nadd_executable(a a.cpp)\nelse()\nadd_executable(b b.cpp)\n'
+            "endif()\nif(NOT X)\nadd_executable(c c.cpp)\nendif()",
+            ("b", "c"),
+        ),
+        (
+            'option(X "x")\nif(X)\nadd_executable(a a.cpp)\nelseif(Y)\nadd_executable(b b.cpp)\n'
+            'set(N d)\nelse()\nadd_executable(c c.cpp)\nendif()\noption(Z "z" ON)\nif(Z)\n'
+            "add_executable(e e.cpp)\nelse()\nadd_executable(f f.cpp)\nendif()",
+            ("b", "c", "e"),
+        ),
+        ("foreach(n RANGE 999999999999)\nendforeach()\nadd_executable(a a.cpp)", ("a",)),
     ],
 )
 def test_executables(tmp_path: Path, cmake: str, executables: tuple[str, ...] | None) -> None:

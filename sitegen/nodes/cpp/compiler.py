@@ -206,7 +206,8 @@ class Compiler:
             if ready:
                 self._tell_of_warnings([jobs[at] for at in ready])
                 list(pool.map(self._compile_library, engines))
-                made = self._told(pool, self._compile_job, [jobs[at] for at in ready])
+                compiling = partial(self._compile_job, failed)
+                made = self._told(pool, compiling, [jobs[at] for at in ready])
                 for at, lines in zip(ready, made, strict=True):
                     told[at] = lines
         problems = list(dict.fromkeys(line for lines in told for line in lines))
@@ -220,7 +221,8 @@ class Compiler:
             try:
                 step(job, engine)
             except SiteError as error:
-                return error.lines
+                # What goes wrong in each engine alike is told once.
+                return [line.replace(f"{self._work / engine}/", "") for line in error.lines]
             return []
 
         return list(pool.map(attempt, *zip(*jobs, strict=True)))
@@ -283,9 +285,9 @@ class Compiler:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
             if made.returncode:
-                diagnosis = Diagnosis(self._root, package)
+                diagnosis = Diagnosis(self._root, package, needs)
                 tree = cmake.tree(package)
-                raise SiteError(diagnosis.of_build("libraries", made.stdout, tree))
+                raise SiteError(diagnosis.of_builds({"libraries": made.stdout}, tree, failed))
         except SiteError:
             shutil.rmtree(cmake.prefix(package), ignore_errors=True)
             raise
@@ -319,14 +321,14 @@ class Compiler:
         if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
             self._configure(cmake, job.package, job.needs, failed[engine])
 
-    def _compile_job(self, job: Job, engine: str) -> None:
+    def _compile_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         package = job.package
         browsers = BROWSERS[engine]
         names = {name: f"{package.name}/{name} ({browsers})" for name in job.executables}
         for name in names.values():
             self._report.doing(name, "compiling")
-        problems = []
+        outputs: dict[str, str] = {}
         done = cmake.make_programs(package, *job.executables)
         # If anything failed, build each program alone, to attribute the output to it.
         again = bool(done.returncode) and len(job.executables) > 1
@@ -334,8 +336,7 @@ class Compiler:
             if again:
                 done = cmake.make_programs(package, executable)
             if done.returncode:
-                diagnosis = Diagnosis(self._root, package)
-                problems += diagnosis.of_build(executable, done.stdout, cmake.tree(package))
+                outputs[executable] = done.stdout
             else:
                 program = cmake.program(package, executable)
                 prefixes = [cmake.ros, *map(cmake.prefix, (*job.needs, package))]
@@ -345,8 +346,9 @@ class Compiler:
                 shown = list(map(self._shown, theirs))
                 self._keep(program, prefixes, shown, self.build(job, executable, engine))
             self._report.done(name)
-        if problems:
-            raise SiteError(problems)
+        if outputs:
+            diagnosis = Diagnosis(self._root, package, job.needs)
+            raise SiteError(diagnosis.of_builds(outputs, cmake.tree(package), failed[engine]))
 
     def _keep(
         self, program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: Build

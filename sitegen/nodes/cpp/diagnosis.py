@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from sitegen.errors import relative
 from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
+from sitegen.report import count
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -22,19 +24,24 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Header-only packages that authors can install, and how.
 INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
-# Headers of packages that CMake finds although they are empty (clients/cpp/share).
-HOLLOW = re.compile(r"fatal error: '(opencv2)/")
-HOLLOW_NAMES = {"opencv2": "OpenCV"}
+MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
+# Packages that CMake finds although they are empty (clients/cpp/share), by the folder of their
+# headers.
+HOLLOW = {"opencv2": "OpenCV"}
 NO_BUILD = "has no build for the page"
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """Explains the errors of `package`; paths are relative to `root`, as one types them there."""
+    """Explains the errors of `package`; paths are relative to `root`, as one types them there.
+
+    `needs` are the packages of the workspace that it depends on.
+    """
 
     root: Path
     package: Package
+    needs: Sequence[Package] = ()
 
     def missing(self, output: str) -> str:
         """Return the required package that CMake did not find; "" if it failed otherwise."""
@@ -52,6 +59,41 @@ class Diagnosis:
             return [self._needs(missing, f"is not installed ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
+    def of_builds(
+        self, outputs: Mapping[str, str], tree: Path, failed: Mapping[str, Sequence[str]]
+    ) -> list[str]:
+        """Return why executables could not be compiled, by the output of each.
+
+        Each missing header is reported once. `failed` has the errors of other packages, which
+        explain why their headers are missing.
+        """
+        headers: dict[str, set[str]] = {}
+        problems = []
+        for executable, output in outputs.items():
+            missing = MISSING_HEADER.findall(output)
+            for file, line, header in missing:
+                headers.setdefault(header, set()).add(f"{self._show(Path(file))}:{line}")
+            if not missing:
+                problems += self.of_build(executable, output, tree)
+        for header, places in headers.items():
+            problems += self._without(header, sorted(places), failed)
+        return problems
+
+    def _without(
+        self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]
+    ) -> list[str]:
+        folder, _, rest = header.partition("/")
+        if folder in HOLLOW:
+            return [self._needs(HOLLOW[folder], NO_BUILD)]
+        others = f" (and {count(len(places) - 1, 'other file')})" if len(places) > 1 else ""
+        problem = f"{places[0]}: '{self.package.name}' includes '{header}', which was not found"
+        if folder in failed:
+            return [f"{problem}, because package '{folder}' failed{others}", *failed[folder]]
+        advice = f"; is package '{folder}' in the workspace?" if rest else ""
+        if any(need.name == folder for need in self.needs):
+            advice = f"; package '{folder}' has no such header"
+        return [f"{problem}{others}{advice}"]
+
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
         """Return why `executable` could not be compiled in the build folder `tree`."""
         if f"unknown target '{PROGRAMS}/{executable}.js'" in output:
@@ -59,8 +101,6 @@ class Diagnosis:
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
                 what += f" without {names}, which is not available in the browser"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
-        if hollow := HOLLOW.search(output):
-            return [self._needs(HOLLOW_NAMES[hollow[1]], NO_BUILD)]
         source = FAILED_SOURCE.search(output)
         file = self._cmake
         if source:
