@@ -10,6 +10,7 @@ from typing import TextIO
 
 from sitegen.commands.arguments import parse
 from sitegen.errors import SiteError
+from sitegen.options import Options
 from sitegen.report import Report, count, paint, painted_problem, wants_colour
 
 BUILT, WRONG, STOPPED, BUG = 0, 1, 130, 70
@@ -74,7 +75,10 @@ def _build(arguments: argparse.Namespace) -> None:
         from sitegen.commands.versions.names import Version
 
         version, verbose = Version(arguments.version, arguments.alias), arguments.verbose
-        build_version(folder, version, output=output, report=report, debug=debug, verbose=verbose)
+        options = Options(debug=debug, keep_going=arguments.keep_going)
+        build_version(
+            folder, version, output=output, report=report, options=options, verbose=verbose
+        )
         return
     from sitegen.cache import unchanged
     from sitegen.cache.folder import cache_folder
@@ -88,7 +92,8 @@ def _build(arguments: argparse.Namespace) -> None:
     # Importing the rest takes longer than detecting that nothing has changed.
     from sitegen.commands.build import build
 
-    build(folder, output=output, report=report, debug=debug, verbose=arguments.verbose)
+    options = Options(debug=debug, keep_going=arguments.keep_going)
+    build(folder, output=output, report=report, options=options, verbose=arguments.verbose)
 
 
 def _new(arguments: argparse.Namespace) -> None:

@@ -14,7 +14,8 @@ class Options:
     demand. With `debug`, C++ programs report source lines. A `draft` links C++ programs in a fifth
     of the time; they are up to twice as large. `engines` limits the engines that programs are built
     for; when empty, they are built for all engines of the site. `version` names the version to
-    build of a site with versions.
+    build of a site with versions. With `keep_going`, programs that do not compile are left out, and
+    their pages say why.
     """
 
     compile: bool = True
@@ -23,6 +24,7 @@ class Options:
     draft: bool = False
     engines: tuple[str, ...] = ()
     version: str = ""
+    keep_going: bool = False
 
 
 PUBLISH = Options()

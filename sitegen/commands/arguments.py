@@ -82,6 +82,8 @@ def parse(argv: Sequence[str] | None) -> argparse.Namespace:
         vars(arguments).setdefault(name, default)
     if arguments.command == "build" and arguments.single_file and arguments.version:
         build.error("argument --version: a single file has no versions")
+    if arguments.command == "build" and arguments.single_file and arguments.keep_going:
+        build.error("argument --keep-going: a single file needs all nodes of its page")
     if arguments.command == "build" and not arguments.single_file:
         if arguments.with_python:
             build.error("argument --with-python: needs --single-file PAGE")
@@ -196,6 +198,11 @@ def _add_builds(add: Add) -> Parser:
     )
     build.add_argument(
         "--verbose", action="store_true", help="list all pages and nodes, however many"
+    )
+    build.add_argument(
+        "--keep-going",
+        action="store_true",
+        help="write the site without the C++ nodes that do not compile; their pages say why",
     )
     _add_version(build)
     deploy = add("deploy", help="build the site and publish it to a Git branch")

@@ -10,21 +10,27 @@ from sitegen.cache import unchanged
 from sitegen.cache.folder import cache_folder
 from sitegen.commands.summary import summary
 from sitegen.model import Site
-from sitegen.options import Options
+from sitegen.nodes.cpp.program import FailedProgram
+from sitegen.options import PUBLISH, Options
 from sitegen.report import Report, count, shown
 
 
 def build(
-    folder: Path, *, output: Path, report: Report, debug: bool = False, verbose: bool = False
+    folder: Path,
+    *,
+    output: Path,
+    report: Report,
+    options: Options = PUBLISH,
+    verbose: bool = False,
 ) -> None:
-    """Build the site of `folder` into `output`; with `debug`, C++ nodes report source lines.
+    """Build the site of `folder` into `output`, with a summary.
 
     The summary lists all pages and nodes if `verbose`, else as many as fit on a screen.
 
     Raises: SiteError if anything is wrong; `output` is left unchanged.
     """
     begun, since = time.monotonic(), time.time_ns()
-    made = make(folder, report, output=output, options=Options(debug=debug))
+    made = make(folder, report, output=output, options=options)
     write(made.artifacts, output)
     before = list(report.said)
     sums = {each: summary(made.site, made.programs, verbose=each) for each in (False, True)}
@@ -37,9 +43,11 @@ def build(
         f" → {shown(output)} (python -m http.server --directory {shown(output)})",
         "good",
     )
+    if any(isinstance(program, FailedProgram) for program in made.programs.values()):
+        return  # the next build tries again
     roots = read_folders(made.site)
     said = {each: [*before, *lines] for each, lines in sums.items()}
-    unchanged.note(folder, roots, output, cache_folder(), said, debug=debug, since=since)
+    unchanged.note(folder, roots, output, cache_folder(), said, debug=options.debug, since=since)
 
 
 def read_folders(site: Site) -> list[Path]:

@@ -31,9 +31,10 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
         *needs, package = workspace.with_plugins(packages, name)
         jobs.append(compiler.Job(package, tuple(executables), tuple(needs)))
     engines = archive.ENGINES
-    builds = compiler.compile_nodes(
+    compiled = compiler.compile_nodes(
         jobs, engines, root=root, workspace=root, cache=cache_folder(), report=report
     )
+    builds = compiled.builds
     archive.pack(builds, output)
     data = output.read_bytes()
     report.say(f"wrote {output}: {count(len(builds), 'node')}, {size(len(data))}; in site.yaml:")

@@ -8,8 +8,9 @@
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean, needs?: string[],
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
- *   ros2wasm?: Ros2wasmEntry,
- * }} NodeEntry with one of `builds`, `python` and `ros2wasm`; `needs` names nodes without which it only waits
+ *   ros2wasm?: Ros2wasmEntry, fault?: string,
+ * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `needs`
+ *   names nodes without which it only waits
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],

@@ -118,4 +118,4 @@ def test_the_workspace_has_to_have_what_is_launched(root: Path) -> None:
         load(root / "site.yaml")
     text = "\n".join(caught.value.lines)
     assert "launch: 'twice', which 'x.launch.xml' starts, is also a node in site.yaml" in text
-    assert "x.launch.xml:2: node: package 'mine' is of build type 'catkin'" in text
+    assert "x.launch.xml:2: node: package 'mine' is for ROS 1 (catkin)" in text

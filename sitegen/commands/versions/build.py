@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import time
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from sitegen.build import MARKER, VERSIONS, Made, check_output, make, write
@@ -12,7 +13,7 @@ from sitegen.commands.summary import summary
 from sitegen.commands.versions.listed import default, read, with_version, written
 from sitegen.commands.versions.names import Version
 from sitegen.model import Artifact
-from sitegen.options import Options
+from sitegen.options import PUBLISH, Options
 from sitegen.report import Report, count, shown
 from sitegen.site.offline.worker import PATH as WORKER
 from sitegen.site.offline.worker import RETIRED
@@ -28,7 +29,7 @@ def build_version(
     *,
     output: Path,
     report: Report,
-    debug: bool = False,
+    options: Options = PUBLISH,
     verbose: bool = False,
 ) -> None:
     """Build the site of `folder` as a version of it into `output`, which keeps the others.
@@ -37,7 +38,7 @@ def build_version(
     """
     begun = time.monotonic()
     check_output(output)
-    made, artifacts = assemble(folder, version, output, report, debug=debug)
+    made, artifacts = assemble(folder, version, output, report, options)
     write(artifacts, output)
     for line in summary(made.site, made.programs, verbose=verbose):
         report.say(line)
@@ -50,14 +51,14 @@ def build_version(
 
 
 def assemble(
-    folder: Path, version: Version, before: Path, report: Report, *, debug: bool = False
+    folder: Path, version: Version, before: Path, report: Report, options: Options = PUBLISH
 ) -> tuple[Made, list[Artifact]]:
     """Make the site of `folder` as a version of it, beside the other versions in `before`.
 
     What else is in `before`, such as a site without versions, does not stay.
     """
     versions = with_version(read(before), version)
-    made = make(folder, report, options=Options(debug=debug, version=version.name))
+    made = make(folder, report, options=replace(options, version=version.name))
     own = [each for each in made.artifacts if each.path not in SHARED]
     artifacts = [Artifact(f"{version.name}/{each.path}", each.source) for each in own]
     for other in versions:

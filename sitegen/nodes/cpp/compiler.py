@@ -20,7 +20,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.model import BROWSERS, Build, Package
 from sitegen.nodes.cpp import sourcemap
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
-from sitegen.nodes.cpp.diagnosis import Diagnosis
+from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
 from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
@@ -48,7 +48,16 @@ class Job:
     needs: tuple[Package, ...]
 
 
+# By package and executable.
 Builds = Mapping[tuple[str, str], Sequence[Build]]
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """The builds of the programs that compiled, and why the others did not, in one line each."""
+
+    builds: Builds
+    faults: Mapping[tuple[str, str], str]
 
 
 def compile_nodes(
@@ -60,16 +69,16 @@ def compile_nodes(
     cache: Path,
     report: Report,
     options: Options = PUBLISH,
-) -> Builds:
+) -> Compiled:
     """Compile each executable for each engine, or take it from the cache.
 
-    `root` is the folder of the site, `workspace` that of the workspace. Returns the builds by
-    package and executable.
+    `root` is the folder of the site, `workspace` that of the workspace. With `keep_going`, errors
+    are reported, and everything else is returned.
 
     Raises: SiteError with the output of the compiler if a program does not compile.
     """
     if not jobs:
-        return {}
+        return Compiled({}, {})
     try:
         tools = Toolchain.find()
     except ToolMissingError as error:
@@ -82,17 +91,28 @@ def compile_nodes(
         for engine in engines
         if not all(b.wasm.exists() for b in compiler.builds(job, [engine]))
     ]
+    faults: dict[tuple[str, str], str] = {}
     if missing:
-        compiler.compile(missing)
+        told = compiler.compile(missing)
+        problems = list(dict.fromkeys(line for lines in told for line in lines))
+        if problems and not options.keep_going:
+            raise SiteError(problems)
+        for line in problems:
+            report.say(line, "bad")
+        for (job, _), lines in zip(missing, told, strict=True):
+            for executable in job.executables if lines else ():
+                faults[job.package.name, executable] = brief(lines[0])
         forget_old(cache)
     builds = {
         (job.package.name, executable): [compiler.build(job, executable, e) for e in engines]
         for job in jobs
         for executable in job.executables
     }
-    for folder in {build.wasm.parent for each in builds.values() for build in each}:
+    # Of the executables of a failed job, some may have compiled.
+    built = {key: each for key, each in builds.items() if all(one.wasm.exists() for one in each)}
+    for folder in {build.wasm.parent for each in built.values() for build in each}:
         use(folder)
-    return builds
+    return Compiled(built, {key: fault for key, fault in faults.items() if key not in built})
 
 
 # The errors of packages that other packages depend on, by package.
@@ -186,11 +206,8 @@ class Compiler:
         below = self._debug and package.path.is_relative_to(self._root)
         return package.path.relative_to(self._root).as_posix() if below else package.name
 
-    def compile(self, jobs: Sequence[tuple[Job, str]]) -> None:
-        """Compile all `jobs`, several at a time.
-
-        Raises: SiteError with all failures.
-        """
+    def compile(self, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
+        """Compile all `jobs`, several at a time; return the errors of each."""
         engines = sorted({engine for _, engine in jobs})
         self._work.mkdir(parents=True, exist_ok=True)
         use(self._work)
@@ -210,9 +227,7 @@ class Compiler:
                 made = self._told(pool, compiling, [jobs[at] for at in ready])
                 for at, lines in zip(ready, made, strict=True):
                     told[at] = lines
-        problems = list(dict.fromkeys(line for lines in told for line in lines))
-        if problems:
-            raise SiteError(problems)
+        return told
 
     def _told(self, pool: Executor, step: Step, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
         """Run a step for all `jobs`, several at a time; return the errors of each."""

@@ -126,6 +126,12 @@ class Diagnosis:
         return text.replace(f"{self.root}/", "")
 
 
+def brief(problem: str) -> str:
+    """Return the first line of a problem without its file, for readers who do not have it."""
+    first = problem.split("\n", 1)[0]
+    return re.sub(r"^\S+: ", "", first)
+
+
 def _not_found(tree: Path) -> list[str]:
     """Return the optional packages that CMake did not find."""
     cache = tree / "CMakeCache.txt"

@@ -84,3 +84,39 @@ class CppProgram:
 
     def _stem(self, engine: str) -> str:
         return f"nodes/{self.package}/{self.executable}.{engine}"
+
+
+@dataclass(frozen=True)
+class FailedProgram:
+    """A program that did not compile: its node is on its page, which says why it cannot start."""
+
+    package: str
+    executable: str
+    fault: str
+
+    worker = "cpp/cppNode"
+    kind = "C++"
+    files: Sequence[Artifact] = ()
+
+    @property
+    def name(self) -> str:
+        """Return its name as `ros2 run` takes it."""
+        return f"{self.package}/{self.executable}"
+
+    @property
+    def sizes(self) -> Mapping[str, Mapping[str, int]]:
+        """Return nothing, because there are no files."""
+        return {}
+
+    def types(self, node: Node) -> Mapping[str, object]:
+        """Return nothing, because no program names types."""
+        return {}
+
+    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
+        """Return the NodeEntry of `node`, with the fault."""
+        return {
+            "package": self.package,
+            "executable": self.executable,
+            "arguments": node.command_line(),
+            "fault": self.fault,
+        }

@@ -69,6 +69,8 @@ export class NodeProcess extends EventTarget {
     this.#mounted = mounted;
     this.#groups = groups;
     mounted.then(() => this.#tellEarly());
+    // What starts with the page says so then.
+    if (entry.fault && !entry.autostart) this.#fail(`did not build: ${entry.fault}`);
   }
 
   get state() {
@@ -91,6 +93,10 @@ export class NodeProcess extends EventTarget {
   start() {
     if (this.#state === "stopping") this.#startAgain = true;
     if (this.#run) return;
+    if (this.#entry.fault) {
+      this.#fail(`did not build: ${this.#entry.fault}`);
+      return;
+    }
     this.#setState("starting");
     const { builds = {}, python, ros2wasm } = this.#entry;
     if (ros2wasm) {
@@ -268,9 +274,11 @@ export class NodeProcess extends EventTarget {
       case "exit":
         if (message.error) {
           this.#fail(message.error);
-        } else if (message.code !== 0) {
+        } else if (message.code !== 0 && this.#state !== "stopping") {
           this.#fail(`exited with code ${message.code}`);
         } else {
+          // A program may return what it likes when the visitor has stopped it.
+          if (message.code !== 0) this.#print("info", `${this.name}: exited with code ${message.code}`);
           this.#end("stopped", "by itself");
         }
         break;

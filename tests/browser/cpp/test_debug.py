@@ -12,6 +12,7 @@ from paths import ROOT
 from playwright.sync_api import BrowserContext
 
 from sitegen.commands.build import build
+from sitegen.options import Options
 from sitegen.report import Report
 
 SITE = ROOT / "tests" / "sites" / "faults"
@@ -71,7 +72,7 @@ ENDS = {
 def debugged(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("debug") / "author"
     shutil.copytree(SITE, folder)
-    build(folder, output=folder / "dist", report=Report(), debug=True)
+    build(folder, output=folder / "dist", report=Report(), options=Options(debug=True))
     return folder / "dist"
 
 

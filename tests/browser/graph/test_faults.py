@@ -136,5 +136,7 @@ def test_what_a_program_published_before_it_ended_arrives(page: Page) -> None:
     speaker.start()
     speaker.expect_state("stopped")
     listener.wait_for("heard 300 words")
+    # What a program returns that was stopped is told, and is no failure.
     listener.stop()
+    listener.wait_for("listen: exited with code 1")
     expect_nothing_left(page)
