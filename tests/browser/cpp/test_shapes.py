@@ -18,6 +18,13 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
         ],
         "plain": ["rolls on 4, holds front, 254"],
         "report": ["4 tools, [9-kilted]"],
+        "edges": [
+            "node, lifecycle node managed",
+            "2 left",
+            "refused",
+            "7 in robot_tools",
+            "heard words",
+        ],
         "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
     }
     tab.goto(serve(built(SITES / "shapes")))

@@ -18,11 +18,6 @@ enum rcl_clock_change_t
   RCL_SYSTEM_TIME_NO_CHANGE = 4
 };
 
-struct rcl_duration_t
-{
-  std::int64_t nanoseconds;
-};
-
 struct rcl_time_jump_t
 {
   rcl_clock_change_t clock_change;

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/node_interfaces/get_node_parameters_interface.hpp"
+#include "rclcpp/node_interfaces/get_node_topics_interface.hpp"
 #include "rclcpp/subscription.hpp"
 
 namespace rclcpp
@@ -26,6 +28,20 @@ std::shared_ptr<Subscription<MessageT>> create_subscription(
   base->add(detail::ExecutableKind::kSubscription, subscription, options.callback_group);
   base->add(detail::ExecutableKind::kWaitable, subscription->events(), options.callback_group);
   return subscription;
+}
+
+/// As upstream, for the interfaces of a node.
+template<
+  class MessageT, class CallbackT, class AllocatorT = std::allocator<void>,
+  class NodeParametersT, class NodeTopicsT>
+std::shared_ptr<Subscription<MessageT>> create_subscription(
+  NodeParametersT &&, NodeTopicsT && topics, const std::string & topic_name, const QoS & qos,
+  CallbackT && callback,
+  const SubscriptionOptionsWithAllocator<AllocatorT> & options =
+  SubscriptionOptionsWithAllocator<AllocatorT>())
+{
+  return create_subscription<MessageT>(
+    topics, topic_name, qos, std::forward<CallbackT>(callback), options);
 }
 
 }  // namespace rclcpp

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rclcpp/node_interfaces/get_node_base_interface.hpp"
+#include "rclcpp/node_interfaces/get_node_timers_interface.hpp"
 #include "rclcpp/node_interfaces/node_parts.hpp"
 #include "rclcpp/timer.hpp"
 

@@ -6,6 +6,13 @@
 #include "builtin_interfaces/msg/duration.hpp"
 #include "rmw/types.h"
 
+using rcl_duration_value_t = std::int64_t;
+
+struct rcl_duration_t
+{
+  rcl_duration_value_t nanoseconds;
+};
+
 namespace rclcpp
 {
 
@@ -23,6 +30,9 @@ public:
   : nanoseconds_(std::chrono::duration_cast<std::chrono::nanoseconds>(duration).count()) {}
   Duration(const builtin_interfaces::msg::Duration & message)  // NOLINT: implicit upstream
   : Duration(message.sec, message.nanosec) {}
+
+  explicit Duration(const rcl_duration_t & duration)
+  : nanoseconds_(duration.nanoseconds) {}
 
   static Duration from_nanoseconds(std::int64_t nanoseconds)
   {

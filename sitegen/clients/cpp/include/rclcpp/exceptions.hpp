@@ -25,6 +25,21 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// An argument that the layers below refuse.
+class RCLInvalidArgument : public RCLError, public std::invalid_argument
+{
+public:
+  explicit RCLInvalidArgument(const std::string & text)
+  : RCLError(text), std::invalid_argument(text) {}
+};
+
+class InvalidNodeError : public std::runtime_error
+{
+public:
+  InvalidNodeError()
+  : std::runtime_error("node is invalid") {}
+};
+
 class InvalidQosOverridesException : public std::runtime_error
 {
 public:

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "rclcpp/executors/multi_threaded_executor.hpp"
 #include "rclcpp/executors/single_threaded_executor.hpp"
@@ -29,6 +30,12 @@ void spin_all(std::shared_ptr<NodeT> node, std::chrono::nanoseconds max_duration
 {
   spin_all(node->get_node_base_interface(), max_duration);
 }
+
+/// As upstream, where a unique pointer becomes a shared one.
+template<class NodeT>
+void spin(std::unique_ptr<NodeT> node) {spin(std::shared_ptr<NodeT>(std::move(node)));}
+template<class NodeT>
+void spin_some(std::unique_ptr<NodeT> node) {spin_some(std::shared_ptr<NodeT>(std::move(node)));}
 
 namespace executors
 {

@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -54,8 +55,14 @@ public:
   template<class T>
   decltype(auto) get_value() const
   {
-    require(ParameterValue::type_of<T>());
-    return value_.get<T>();
+    if constexpr (std::is_same_v<T, Parameter>) {
+      return (*this);
+    } else if constexpr (std::is_same_v<T, ParameterValue>) {
+      return (value_);
+    } else {
+      require(ParameterValue::type_of<T>());
+      return value_.get<T>();
+    }
   }
   bool as_bool() const {return get_value<PARAMETER_BOOL>();}
   std::int64_t as_int() const {return get_value<PARAMETER_INTEGER>();}

@@ -7,6 +7,13 @@
 
 enum rcl_clock_type_e {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};
 using rcl_clock_type_t = rcl_clock_type_e;
+using rcl_time_point_value_t = std::int64_t;
+
+struct rcl_time_point_t
+{
+  rcl_time_point_value_t nanoseconds;
+  rcl_clock_type_t clock_type;
+};
 
 namespace rclcpp
 {
@@ -22,6 +29,9 @@ public:
   Time(  // NOLINT: implicit upstream
     const builtin_interfaces::msg::Time & message, rcl_clock_type_t clock = RCL_ROS_TIME)
   : Time(message.sec, message.nanosec, clock) {}
+
+  explicit Time(const rcl_time_point_t & point)
+  : Time(point.nanoseconds, point.clock_type) {}
 
   /// The maximum time of a message.
   static Time max(rcl_clock_type_t clock = RCL_SYSTEM_TIME)

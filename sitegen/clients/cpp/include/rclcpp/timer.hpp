@@ -60,26 +60,6 @@ private:
   Callback callback_;
 };
 
-template<class FunctorT, class = void>
-class GenericTimer : public TimerBase
-{
-public:
-  RCLCPP_SMART_PTR_DEFINITIONS(GenericTimer)
-
-  using TimerBase::TimerBase;
-};
-
-template<class FunctorT, class = void>
-class WallTimer : public GenericTimer<FunctorT>
-{
-public:
-  RCLCPP_SMART_PTR_DEFINITIONS(WallTimer)
-
-  WallTimer(std::chrono::nanoseconds period, TimerBase::Callback callback, bool autostart = true)
-  : GenericTimer<FunctorT>(
-      std::make_shared<Clock>(RCL_STEADY_TIME), period, std::move(callback), autostart) {}
-};
-
 namespace detail
 {
 
@@ -114,4 +94,42 @@ std::chrono::nanoseconds timer_period(std::chrono::duration<Rep, Period> period)
 }
 
 }  // namespace detail
+
+class Context;
+
+using VoidCallbackType = std::function<void ()>;
+using TimerCallbackType = std::function<void (TimerBase &)>;
+
+template<class FunctorT, class = void>
+class GenericTimer : public TimerBase
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericTimer)
+
+  using TimerBase::TimerBase;
+  /// As upstream. NodeTimersInterface::add_timer() starts it.
+  GenericTimer(
+    Clock::SharedPtr clock, std::chrono::nanoseconds period, FunctorT callback,
+    std::shared_ptr<Context>, bool autostart = true)
+  : TimerBase(
+      std::move(clock), period, detail::timer_callback(std::move(callback)), autostart) {}
+};
+
+template<class FunctorT, class = void>
+class WallTimer : public GenericTimer<FunctorT>
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(WallTimer)
+
+  WallTimer(std::chrono::nanoseconds period, TimerBase::Callback callback, bool autostart = true)
+  : GenericTimer<FunctorT>(
+      std::make_shared<Clock>(RCL_STEADY_TIME), period, std::move(callback), autostart) {}
+  WallTimer(
+    std::chrono::nanoseconds period, FunctorT callback, std::shared_ptr<Context> context,
+    bool autostart = true)
+  : GenericTimer<FunctorT>(
+      std::make_shared<Clock>(RCL_STEADY_TIME), period, std::move(callback), std::move(context),
+      autostart) {}
+};
+
 }  // namespace rclcpp

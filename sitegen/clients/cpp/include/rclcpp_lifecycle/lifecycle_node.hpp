@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lifecycle_msgs/msg/transition_event.hpp"
-#include "rclcpp/node.hpp"
+#include "rclcpp/detail/any_node.hpp"
 #include "rclcpp_lifecycle/lifecycle_publisher.hpp"
 #include "rclcpp_lifecycle/node_interfaces/lifecycle_node_interface.hpp"
 #include "rclcpp_lifecycle/state.hpp"
@@ -16,7 +16,9 @@ namespace rclcpp_lifecycle
 {
 
 /// A node with a state that other nodes can change.
-class LifecycleNode : public rclcpp::Node, public node_interfaces::LifecycleNodeInterface
+class LifecycleNode : public rclcpp::detail::AnyNode,
+  public node_interfaces::LifecycleNodeInterface,
+  public std::enable_shared_from_this<LifecycleNode>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(LifecycleNode)
@@ -31,11 +33,6 @@ public:
     const std::string & node_name, const std::string & name_space,
     const rclcpp::NodeOptions & options = rclcpp::NodeOptions(),
     bool enable_communication_interface = true);
-
-  std::shared_ptr<LifecycleNode> shared_from_this()
-  {
-    return std::static_pointer_cast<LifecycleNode>(rclcpp::Node::shared_from_this());
-  }
 
   template<class MessageT, class AllocatorT = std::allocator<void>>
   std::shared_ptr<LifecyclePublisher<MessageT, AllocatorT>> create_publisher(

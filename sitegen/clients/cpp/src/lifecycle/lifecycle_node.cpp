@@ -97,14 +97,14 @@ LifecycleNode::LifecycleNode(
 LifecycleNode::LifecycleNode(
   const std::string & node_name, const std::string & name_space,
   const rclcpp::NodeOptions & options, bool communicate)
-: Node(node_name, name_space, options), current_(state(S::PRIMARY_STATE_UNCONFIGURED))
+: AnyNode(node_name, name_space, options), current_(state(S::PRIMARY_STATE_UNCONFIGURED))
 {
   if (communicate) {serve();}
 }
 
 void LifecycleNode::serve()
 {
-  events_ = rclcpp::Node::create_publisher<lifecycle_msgs::msg::TransitionEvent>(
+  events_ = AnyNode::create_publisher<lifecycle_msgs::msg::TransitionEvent>(
     "~/transition_event", 10);
   services_.push_back(create_service<srv::ChangeState>(
       "~/change_state", [this](

@@ -22,12 +22,10 @@ detail::Arguments arguments_of(const NodeOptions & options)
 
 }  // namespace
 
-Node::Node(const std::string & name, const NodeOptions & options)
-: Node(name, "", options)
+namespace detail
 {
-}
 
-Node::Node(
+AnyNode::AnyNode(
   const std::string & name, const std::string & name_space, const NodeOptions & options)
 : SeesGraph(
     std::make_shared<node_interfaces::NodeBaseInterface>(
@@ -49,13 +47,28 @@ Node::Node(
   }
 }
 
-Node::Node(const Node & other, const std::string & sub_namespace)
-: std::enable_shared_from_this<Node>(), SeesGraph(other), HasParameters(other),
+AnyNode::AnyNode(const AnyNode & other, const std::string & sub_namespace)
+: SeesGraph(other), HasParameters(other),
   options_(other.options_), sub_namespace_(other.extend_name(sub_namespace)),
   logger_(other.logger_), rosout_(other.rosout_), clock_(other.clock_),
   time_source_(other.time_source_), logger_services_(other.logger_services_)
 {
 }
+
+std::string AnyNode::get_effective_namespace() const
+{
+  const std::string space = get_namespace();
+  if (sub_namespace_.empty()) {return space;}
+  return (space == "/" ? space : space + "/") + sub_namespace_;
+}
+
+std::string AnyNode::extend_name(const std::string & name) const
+{
+  const bool relative = !name.empty() && name[0] != '/' && name[0] != '~';
+  return relative && !sub_namespace_.empty() ? sub_namespace_ + "/" + name : name;
+}
+
+}  // namespace detail
 
 Node::SharedPtr Node::create_sub_node(const std::string & sub_namespace)
 {
@@ -65,19 +78,6 @@ Node::SharedPtr Node::create_sub_node(const std::string & sub_namespace)
             "a sub-namespace should not have a leading /", 0);
   }
   return SharedPtr(new Node(*this, sub_namespace));
-}
-
-std::string Node::get_effective_namespace() const
-{
-  const std::string space = get_namespace();
-  if (sub_namespace_.empty()) {return space;}
-  return (space == "/" ? space : space + "/") + sub_namespace_;
-}
-
-std::string Node::extend_name(const std::string & name) const
-{
-  const bool relative = !name.empty() && name[0] != '/' && name[0] != '~';
-  return relative && !sub_namespace_.empty() ? sub_namespace_ + "/" + name : name;
 }
 
 }  // namespace rclcpp

@@ -9,6 +9,7 @@
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/timer.hpp"
 #include "rclcpp/waitable.hpp"
 
 namespace rclcpp
@@ -47,13 +48,20 @@ private: \
     group->remove(detail::ExecutableKind::kWaitable, waitable); \
   }
 
+#define ROS_TIMERS \
+  void add_timer(TimerBase::SharedPtr timer, CallbackGroup::SharedPtr group) \
+  { \
+    base_->add(detail::ExecutableKind::kTimer, timer, group); \
+  }
+
 ROS_NODE_PART(NodeServicesInterface, ROS_RESOLVE(resolve_service_name, true))
-ROS_NODE_PART(NodeTimersInterface, )
+ROS_NODE_PART(NodeTimersInterface, ROS_TIMERS)
 ROS_NODE_PART(NodeTopicsInterface, ROS_RESOLVE(resolve_topic_name, false))
 ROS_NODE_PART(NodeWaitablesInterface, ROS_WAITABLES)
 ROS_NODE_PART(NodeTimeSourceInterface, )
 
 #undef ROS_RESOLVE
+#undef ROS_TIMERS
 #undef ROS_WAITABLES
 #undef ROS_NODE_PART
 

@@ -1,0 +1,10 @@
+// The version of tf2_ros in Kilted, whose API this is.
+#pragma once
+
+#define TF2_ROS_VERSION_MAJOR (0)
+#define TF2_ROS_VERSION_MINOR (41)
+#define TF2_ROS_VERSION_PATCH (0)
+#define TF2_ROS_VERSION_STR "0.41.0"
+#define TF2_ROS_VERSION_GTE(major, minor, patch) \
+  ((0 > (major)) || (0 == (major) && \
+  (41 > (minor) || (41 == (minor) && 0 >= (patch)))))
