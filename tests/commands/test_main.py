@@ -12,6 +12,7 @@ import pytest
 from sitegen import __version__
 from sitegen.__main__ import main
 from sitegen.errors import SiteError
+from sitegen.options import PUBLISH, Options
 
 Build = Callable[..., None]
 
@@ -30,10 +31,10 @@ def build_with(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[Bui
 
 
 def test_it_builds_the_folder(build_with: Callable[[Build], None]) -> None:
-    calls: list[tuple[Path, Path, bool, bool]] = []
+    calls: list[tuple[Path, Path, Options, bool]] = []
     build_with(
-        lambda folder, output, report, debug, verbose: calls.append(
-            (folder, output, debug, verbose)
+        lambda folder, output, report, options, verbose: calls.append(
+            (folder, output, options, verbose)
         )
     )
     assert main(["build"]) == 0
@@ -41,12 +42,14 @@ def test_it_builds_the_folder(build_with: Callable[[Build], None]) -> None:
     assert main(["build", "demo", "--output", "public"]) == 0
     assert main(["build", "--debug"]) == 0
     assert main(["build", "--verbose"]) == 0
+    assert main(["build", "--keep-going"]) == 0
     assert calls == [
-        (Path(), Path("dist"), False, False),
-        (Path("demo"), Path("demo/dist"), False, False),
-        (Path("demo"), Path("public"), False, False),
-        (Path(), Path("dist"), True, False),
-        (Path(), Path("dist"), False, True),
+        (Path(), Path("dist"), PUBLISH, False),
+        (Path("demo"), Path("demo/dist"), PUBLISH, False),
+        (Path("demo"), Path("public"), PUBLISH, False),
+        (Path(), Path("dist"), Options(debug=True), False),
+        (Path(), Path("dist"), PUBLISH, True),
+        (Path(), Path("dist"), Options(keep_going=True), False),
     ]
 
 

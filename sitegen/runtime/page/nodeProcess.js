@@ -274,10 +274,11 @@ export class NodeProcess extends EventTarget {
       case "exit":
         if (message.error) {
           this.#fail(message.error);
-        } else if (message.code !== 0 && this.#state !== "stopping") {
+        } else if (message.code !== 0 && (this.#state !== "stopping" || this.#entry.python)) {
           this.#fail(`exited with code ${message.code}`);
         } else {
-          // A program may return what it likes when the visitor has stopped it.
+          // When the visitor has stopped it, main() may return what it likes. In Python, another code than 0 is mostly
+          // that of an exception.
           if (message.code !== 0) this.#print("info", `${this.name}: exited with code ${message.code}`);
           this.#end("stopped", "by itself");
         }
