@@ -32,7 +32,9 @@ def test_what_the_page_says_is_not_there_is_not(words: str) -> None:
 
 def test_each_package_that_cmake_finds_is_on_the_page() -> None:
     shares = {folder.name for folder in ROOT.glob("sitegen/clients/cpp/share/*")}
-    tools = {name for name in shares if name.startswith(("ament_cmake", "ament_lint", "rosidl_"))} | {"rclpy"}
+    tools = {
+        name for name in shares if name.startswith(("ament_cmake", "ament_lint", "rosidl_"))
+    } | {"rclpy"}
     for package in shares - tools - {"class_loader"}:
         assert f"`{package}`" in PAGE or f"## {package}" in PAGE
 
