@@ -156,7 +156,7 @@ def main() -> None:
     """Write what the launch file describes, or what the last of its functions to call returns."""
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
-    RUN.folders = given["folders"]
+    RUN.folders, RUN.roots = given["folders"], given["roots"]
     install()
     if "xacro" in Path(RUN.file).read_text(encoding="utf-8", errors="replace"):
         import xacro

@@ -13,8 +13,8 @@ from sitegen.launch import commandline
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.xacro import printed
 
-# The launch file that runs, and the folders of the packages of the workspace.
-RUN = SimpleNamespace(file="", folders={})
+# The launch file that runs, the folders of the packages, and the folders that may be read.
+RUN = SimpleNamespace(file="", folders={}, roots=[])
 
 
 class Text:
@@ -106,7 +106,8 @@ class Context:
                 raise SubstitutionError(str(error)) from None
 
         def output(line: str) -> str:
-            return printed(line, {name: Path(path) for name, path in RUN.folders.items()})
+            folders = {name: Path(path) for name, path in RUN.folders.items()}
+            return printed(line, folders, [*map(Path, RUN.roots)])
 
         variables = self.launch_configurations
         return expand(text(given), variables, Path(RUN.file), folder, output)

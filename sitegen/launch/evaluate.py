@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,8 @@ from sitegen.model import Component, Container, Node, Package
 from sitegen.workspace import containers, parameterfiles
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
-DEEPEST = 20
+# Files that include themselves would be read for ever.
+DEEPEST, MOST_FILES = 20, 500
 
 
 @dataclass
@@ -72,6 +73,8 @@ class _Launch:
         self._folders = folders
         self._problems = problems
         self._notes = notes
+        self._roots = (problems.root, *(each.path for each in packages.values()))
+        self._read = 0
         self.nodes: list[Node] = []
         # By the full name of a container: its node, and the components loaded into it.
         self._components: dict[str, tuple[str, list[Component]]] = {}
@@ -99,8 +102,8 @@ class _Launch:
         read = READERS.get(scope.file.suffix)
         if scope.file.suffix == ".py":
             read = self._read_python
-        folders = (self._problems.root, *(each.path for each in self._packages.values()))
-        if not any(scope.file.resolve().is_relative_to(folder) for folder in folders):
+        self._read += 1
+        if not any(scope.file.resolve().is_relative_to(folder) for folder in self._roots):
             self._note(location, "include", f"'{scope.file}' is outside the folder of site.yaml")
         elif read is None:
             kinds = ", ".join([*READERS, ".py"])
@@ -109,7 +112,7 @@ class _Launch:
                 "include",
                 f"'{scope.file.name}' is not a supported launch file; supported: {kinds}",
             )
-        elif scope.depth > DEEPEST:
+        elif scope.depth > DEEPEST or self._read > MOST_FILES:
             self._note(location, "include", "launch files include each other in a cycle")
         else:
             try:
@@ -119,8 +122,8 @@ class _Launch:
             except OSError as error:
                 self._note(location, "include", f"'{scope.file.name}': {error.strerror}")
 
-    def _read_python(self, file: Path) -> list[Action]:
-        return python.read(file, self._folders)
+    def _read_python(self, file: Path, calls: Sequence[python.Call] = ()) -> list[Action]:
+        return python.read(file, self._folders, self._roots, calls)
 
     def _all(self, actions: list[Action], scope: Scope) -> None:
         for action in actions:
@@ -195,11 +198,8 @@ class _Launch:
         scope.parameters["use_sim_time"] = self._needed(action, "value", scope)
 
     def _timer(self, action: Action, scope: Scope) -> None:
-        period = self._needed(action, "period", scope)
-        message = (
-            "delays are not supported in the browser: these nodes start at once, not after "
-            f"{period} s"
-        )
+        start = f"these nodes start at once, not after {self._needed(action, 'period', scope)} s"
+        message = f"delays are not supported in the browser: {start}"
         self._notes.add(action.location, action.kind, message)
         self._all(action.inside, scope.inner())
 
@@ -209,7 +209,7 @@ class _Launch:
         outer = scope.calls
         scope.calls = (*outer, (int(action.attributes["number"]), dict(scope.variables)))
         try:
-            self._all(python.read(scope.file, self._folders, scope.calls), scope)
+            self._all(self._read_python(scope.file, scope.calls), scope)
         except UnreadableError as error:
             self._note(error.location, "launch", str(error))
         finally:
@@ -375,8 +375,8 @@ class _Launch:
         return self._expanded(action.attributes.get(name, ""), scope)
 
     def _expanded(self, text: str, scope: Scope) -> str:
-        printed = partial(xacro.printed, folders=self._folders)
-        return expand(text, scope.variables, scope.file, self._share, printed)
+        run = partial(xacro.printed, folders=self._folders, roots=self._roots)
+        return expand(text, scope.variables, scope.file, self._share, run)
 
     def _share(self, package: str) -> Path:
         found = self._folders.get(package)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -21,17 +21,22 @@ LIMIT = 20
 Call = tuple[int, Mapping[str, str]]
 
 
-def read(file: Path, folders: Mapping[str, Path], calls: Sequence[Call] = ()) -> list[Action]:
+def read(
+    file: Path,
+    folders: Mapping[str, Path],
+    roots: Collection[Path],
+    calls: Sequence[Call] = (),
+) -> list[Action]:
     """Return the actions of a launch file, or those of the last function of `calls`.
 
     Each of `calls` is a function that the previous one created. `folders` are those of the packages
-    of the workspace.
+    of the workspace; its commands read files in `roots`.
 
     Raises: UnreadableError if the file fails.
     """
     command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
     paths = {name: str(path) for name, path in folders.items()}
-    given = json.dumps({"folders": paths, "calls": calls})
+    given = json.dumps({"folders": paths, "roots": [*map(str, roots)], "calls": calls})
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:

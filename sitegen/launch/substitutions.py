@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import math
 import os
 import shlex
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from urllib.parse import unquote
 
+from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
+from sitegen.workspace.manifest import ENVIRONMENT
 
-# Builtins that expressions may use; none of them opens files or imports modules.
-PLAIN = (abs, all, any, bool, float, int, len, max, min, round, sorted, str, sum)
-NAMES = {**vars(math), "math": math, **{each.__name__: each for each in PLAIN}}
+# A page shows the values of its launch file to everyone, so the environment of the author's
+# computer is not read, except for what ROS is configured with.
+LONGEST_SHOWN = 200
+PUBLIC = ("ROS_", "RMW_", "RCUTILS_")
 
 
 class SubstitutionError(Exception):
@@ -39,9 +41,7 @@ def expand(
         "var": lambda name, *default: _first(
             variables.get(name), *default, what=f"argument '{name}'"
         ),
-        "env": lambda name, *default: _first(
-            os.environ.get(name), *default, what=f"environment variable '{name}'"
-        ),
+        "env": _variable,
         "dirname": lambda: str(file.parent),
         "filename": lambda: str(file),
         "find_pkg_share": lambda package: str(share(package)),
@@ -155,11 +155,30 @@ def _part(word: str) -> str:
 def _evaluated(expression: str) -> str:
     """Return the value of a Python expression, which may use `math` and the plain functions."""
     try:
-        return str(eval(expression, {"__builtins__": {}}, NAMES))
+        return str(value_of(expression))
+    except ExpressionError as error:
+        raise SubstitutionError(f"'{_short(expression)}': {error}") from None
     except Exception as error:
         raise SubstitutionError(
-            f"'{expression}' is not a valid expression: {type(error).__name__}: {error}"
+            f"'{_short(expression)}' is not a valid expression: {type(error).__name__}: {error}"
         ) from None
+
+
+def _short(expression: str) -> str:
+    return expression if len(expression) <= LONGEST_SHOWN else f"{expression[:LONGEST_SHOWN]}…"
+
+
+def _variable(name: str, *default: str) -> str:
+    """Return a variable of the environment."""
+    if name.startswith(PUBLIC):
+        value = ENVIRONMENT.get(name, os.environ.get(name))
+        return _first(value, *default, what=f"environment variable '{name}'")
+    if not default:
+        raise SubstitutionError(
+            f"environment variable '{name}' is not read, because the page would publish its value; "
+            f"use an argument, or a default: $(env {name} …)"
+        )
+    return default[0]
 
 
 def _first(*values: str | None, what: str) -> str:

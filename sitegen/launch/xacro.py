@@ -6,16 +6,18 @@ import json
 import shlex
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
 from sitegen.launch.substitutions import SubstitutionError
 
+# Seconds; a description of a robot takes less than one.
+LIMIT = 20
 PROGRAM = Path(__file__).with_name("describe_robot.py")
 
 
-def printed(line: str, folders: Mapping[str, Path]) -> str:
-    """Return the output of a command, `cat` or `xacro`.
+def printed(line: str, folders: Mapping[str, Path], roots: Collection[Path]) -> str:
+    """Return the output of a command, `cat` or `xacro`, that reads files in `roots`.
 
     `folders` are those of the packages of the workspace.
 
@@ -28,6 +30,9 @@ def printed(line: str, folders: Mapping[str, Path]) -> str:
     for path in paths:
         if not Path(path).is_file():
             raise SubstitutionError(f"no file '{path}'")
+        # A page shows to everyone what it has read.
+        if not any(Path(path).resolve().is_relative_to(root.resolve()) for root in roots):
+            raise SubstitutionError(f"'{path}' is outside the workspace")
     if name == "xacro":
         return _expanded(words, folders)
     return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
@@ -37,7 +42,10 @@ def _expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
     """Return the URDF that `xacro` makes."""
     given = json.dumps({name: str(path) for name, path in folders.items()})
     command = [sys.executable, "-I", "-B", str(PROGRAM), *words]
-    done = subprocess.run(command, input=given, text=True, capture_output=True)
+    try:
+        done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        raise SubstitutionError(f"xacro took longer than {LIMIT} s") from None
     if done.returncode:
         # The last line is the error; the lines before it are warnings.
         lines = done.stderr.strip().splitlines() or ["xacro failed"]

@@ -33,6 +33,23 @@ def fault(root: Path, name: str, text: str) -> str:
         ),
         ("<launch><let name='x' value='$(eval 1/0)'/></launch>", "let: '1/0' is not a valid"),
         ("<launch><let name='x' value='$(eval open)'/></launch>", "let: 'open' is not a valid"),
+        ("<launch><let name='x' value='$(eval 9**9**9)'/></launch>", "let: '9**9**9': the value"),
+        (
+            "<launch><let name='x' value='$(env HOME)'/></launch>",
+            "let: environment variable 'HOME' is not read, because the page would publish",
+        ),
+        (
+            "<launch><let name='x' value='$(file-content /etc/hostname)'/></launch>",
+            "let: '/etc/hostname' is outside the workspace",
+        ),
+        (
+            "<launch><let name='x' value='$(command &quot;cat /etc/hostname&quot;)'/></launch>",
+            "let: '/etc/hostname' is outside the workspace",
+        ),
+        (
+            "<launch><include file='$(filename)'/><include file='$(filename)'/></launch>",
+            "include: launch files include each other",
+        ),
         ("<launch><arg name='x'/></launch>", "arg: 'x' has no value; give one in 'launch_arg"),
         ("<launch><let name='x' value='$(var y)'/></launch>", "let: argument 'y' is not set"),
         ("<launch><let name='x' value='$(var y'/></launch>", "let: '$(var y' has an unclosed"),
