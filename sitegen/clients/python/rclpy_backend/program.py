@@ -7,6 +7,7 @@ import os
 import runpy
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 
 from rclpy_backend import signals
 from rclpy_backend.system import exits, threads, turns
@@ -32,7 +33,6 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
     code = 0
     try:
         code = _code(_call(module, attribute)) if attribute else _execute(f"{PREFIX}/{module}")
-        threads.join_all()
     except SystemExit as end:
         code = _code(end.code)
     except BaseException as error:
@@ -41,6 +41,8 @@ def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
         # A program that Stop ended has not failed, even if it raises: many call shutdown() twice.
         stopped = signals.received and type(error).__name__ in ENDS
         code = 0 if stopped else 1
+    with suppress(KeyboardInterrupt, SystemExit):
+        threads.join_all()
     exits.run()
     for stream in (sys.stdout, sys.stderr):
         stream.flush()

@@ -13,7 +13,9 @@ import queue
 import sys
 import threading
 import time
+import weakref
 from collections.abc import Callable
+from concurrent.futures import thread as futures
 from typing import Any
 
 from pyodide.ffi import create_proxy
@@ -196,9 +198,23 @@ def install(*, stacks: bool) -> None:
 
 
 def join_all() -> None:
-    """Wait for the program's non-daemon threads."""
+    """Wait for the program's non-daemon threads, as Python does when the main thread has ended.
+
+    Those of thread pools end when they have nothing left to do.
+    """
     own = turns.running().threads
+    for worker in list(futures._threads_queues):
+        if worker.ident in own:
+            _end_pool(worker)
     for thread in threading.enumerate():
         if thread is not threading.main_thread() and not thread.daemon and thread.ident in own:
             thread.join()
     sys.stdout.flush()
+
+
+def _end_pool(worker: threading.Thread) -> None:
+    """Shut down the pool of a thread. Python's own function would end those of all programs."""
+    reference, *_ = getattr(worker, "_args", None) or [None]
+    executor = reference() if isinstance(reference, weakref.ref) else None
+    if executor:  # else it is gone, and has told its threads
+        executor.shutdown(wait=False)

@@ -1,12 +1,18 @@
-"""Spins until it is stopped; says how that ends."""
+"""Spins until it is stopped, beside threads that wait; says how that ends."""
+
+from concurrent.futures import ThreadPoolExecutor
 
 import rclpy
+
+# Natively its thread ends with the program, and so here.
+POOL = ThreadPoolExecutor()
 
 
 def main():
     """Spin."""
     rclpy.init()
     node = rclpy.create_node("stopping")
+    POOL.submit(node.get_name).result()
     try:
         node.get_logger().info("spinning")
         rclpy.spin(node)
