@@ -152,7 +152,7 @@ def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Pa
     tab.get_by_role("button", name="Reload").click()
     expect(tab.locator("main")).to_contain_text("The second text.")
     # All tabs go with it: none is left between two versions.
-    other.wait_for_function("window.old === undefined")
+    other.wait_for_function("() => window.old === undefined")
     until(tab, f"async () => !(await caches.keys()).includes({json.dumps(first)})")
     host.off()
     tab.reload()

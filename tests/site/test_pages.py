@@ -413,7 +413,7 @@ def test_a_page_from_a_subfolder_of_a_server(
     tab.on("response", lambda response: answers.update({response.url: response.status}))
     url = serve(dist, "/me/robots/")
     tab.goto(url)
-    tab.wait_for_function("document.querySelector('main img').complete")
+    tab.wait_for_function("() => document.querySelector('main img').complete")
     tab.get_by_role("link", name="Next").click()
     tab.wait_for_selector("html[data-nodes=talker]")
     assert tab.is_hidden("#file-note")

@@ -49,7 +49,7 @@ def test_a_page_that_was_left_goes_on_where_it_was(
         page.goto("about:blank")
         page.wait_for_timeout(2000)
         page.go_back(wait_until="commit")  # it is there at once: nothing loads
-        page.wait_for_function("window.restored")
+        page.wait_for_function("() => window.restored")
         listener.wait_for(f"Hello, world! {numbers(listener, 'I heard')[-1] + 3}")
     heard = numbers(listener, "I heard")
     # Nothing is missed and nothing repeated.

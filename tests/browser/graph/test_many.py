@@ -133,7 +133,7 @@ def run(tab: Page, serve: Serve, folder: Path) -> Iterator[Callable[[str], None]
     yield start
     tab.evaluate("for (const node of ros.nodes.values()) node.stop()")
     # A program that runs ends in its own time, at most a second after Ctrl-C.
-    tab.wait_for_function("[...ros.nodes.values()].every(({ state }) => state === 'stopped')")
+    tab.wait_for_function("() => [...ros.nodes.values()].every(({ state }) => state === 'stopped')")
     expect_nothing_left(tab)
 
 

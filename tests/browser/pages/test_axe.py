@@ -72,7 +72,7 @@ def test_nothing_serious_where_nodes_run(tab: Tab, built: Built, serve: Serve) -
     tab.goto(f"{serve(built(EVERYTHING))}guide/nodes/")
     for name in ("talker", "listener"):
         tab.get_by_role("group", name=name).get_by_role("button", name="Start").click()
-    tab.wait_for_function("document.querySelectorAll('.ros-console [role=log] *').length > 5")
+    tab.wait_for_function("() => document.querySelectorAll('.ros-console [role=log] *').length > 5")
     assert serious(tab) == []
 
 

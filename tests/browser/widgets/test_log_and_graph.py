@@ -151,7 +151,7 @@ def test_the_graph_is_moved_and_zoomed(stage: Tab) -> None:
     picture.focus()
     stage.mouse.wheel(0, -100)
     stage.wait_for_function(
-        "document.querySelector('svg > g').getAttribute('transform').length > 30"
+        "() => document.querySelector('svg > g').getAttribute('transform').length > 30"
     )
     zoomed = view()
     assert zoomed[2] > 1

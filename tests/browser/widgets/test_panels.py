@@ -158,7 +158,7 @@ def test_nothing_is_subscribed_while_nobody_looks(stage: Tab, kind: str) -> None
         (into_details, "document.querySelector('details').open = true"),
     ]:
         stage.evaluate(gone)
-        stage.wait_for_function("ros.subscriptions.length === 0")
+        stage.wait_for_function("() => ros.subscriptions.length === 0")
         stage.evaluate(back)
         stage.wait_for_function("(count) => ros.subscriptions.length === count", arg=len(all_of_it))
     stage.evaluate("unmount()")
@@ -264,10 +264,10 @@ def test_a_message_is_published_once_and_repeated(stage: Tab) -> None:
     expect(panel.get_by_role("status")).to_have_text("The rate must be a number from 0.1 to 100 Hz")
     rate.fill("50")
     panel.get_by_role("button", name="Repeat").click()
-    stage.wait_for_function("ros.published.length > 10")
+    stage.wait_for_function("() => ros.published.length > 10")
     # What is typed meanwhile goes out with the next message; what is no message stops it.
     panel.get_by_label("x float64").first.fill("2")
-    stage.wait_for_function("ros.published.at(-1).message.linear.x === 2")
+    stage.wait_for_function("() => ros.published.at(-1).message.linear.x === 2")
     panel.get_by_role("button", name="Stop").click()
     count = stage.evaluate("ros.published.length")
     stage.wait_for_timeout(100)

@@ -195,7 +195,7 @@ def test_the_keyboard_scrolls_the_console(page: Tab) -> None:
     assert from_end(page) < 2
     log.focus()
     page.keyboard.press("Home")
-    page.wait_for_function("document.querySelector('#console .ros-lines').scrollTop === 0")
+    page.wait_for_function("() => document.querySelector('#console .ros-lines').scrollTop === 0")
     expect(page.locator("#console .ros-newest")).to_be_visible()
 
 
