@@ -7,13 +7,14 @@ from pathlib import Path
 from sitegen.build import make
 from sitegen.cache.folder import cache_folder
 from sitegen.commands import wiring
-from sitegen.errors import Problems, SiteError
+from sitegen.errors import Problems, SiteError, relative
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Markdown, Site
 from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.site.prose import without_text
+from sitegen.workspace.absent import absent, advice
 
 
 def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, list[str]]:
@@ -22,11 +23,28 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
     Raises: SiteError if a build would fail, or if `strict` and there are warnings.
     """
     site = make(folder, report, options=Options(compile=False)).site
-    warnings = [*site.notes, *_definitions(site), *_images(site), *wiring.warnings(site)]
+    warnings = [*site.notes, *_absent(site), *_definitions(site), *_images(site)]
+    warnings += wiring.warnings(site)
     warnings = list(dict.fromkeys(warnings))
     if strict and warnings:
         raise SiteError(warnings)
     return site, warnings
+
+
+def _absent(site: Site) -> list[str]:
+    """Return the packages that C++ nodes need and that have to be added to the workspace.
+
+    They are warnings, because CMake may find them where the site is built.
+    """
+    problems = []
+    for job in jobs_of(site, nodes_of(site), cache=cache_folder()):
+        for package in (*job.needs, job.package):
+            file = relative(package.path / "CMakeLists.txt", site.root)
+            problems += [
+                f"{file}: '{package.name}' needs '{name}', {advice(name)}"
+                for name in absent(package, site.packages)
+            ]
+    return problems
 
 
 def _definitions(site: Site) -> list[str]:

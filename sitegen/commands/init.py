@@ -20,6 +20,7 @@ from sitegen.launch import launched
 from sitegen.model import Node, Package
 from sitegen.nodes.python import archives, dependencies
 from sitegen.report import Report
+from sitegen.workspace.absent import absent, advice
 from sitegen.workspace.unsupported import unsupported_libraries
 
 FILE = "site.yaml"
@@ -89,6 +90,9 @@ def _write_site(folder: Path, report: Report) -> None:
             report.say(f"  {name}: its executables are known only to CMake; add the ones you want")
     for fault in runs.faults:
         report.say(f"  skipped: {fault}")
+    for package in packages.values():
+        for name in absent(package, packages):
+            report.say(f"  {package.name}: needs '{name}', {advice(name)}", "warning")
     report.say(f"wrote {file}")
     report.say(f"wrote {schema.write(folder)}")
 

@@ -48,7 +48,8 @@ class Listing:
 
     `sources` maps executables to source files, relative to the CMakeLists.txt of the package.
     `installs` maps paths below the prefix to what is installed there unchanged. `finds` has the
-    required packages; `plugins` has the packages for which plugins are described.
+    packages that are not optional, `requires` those without which CMake fails; `plugins` has the
+    packages for which plugins are described.
     """
 
     script: Script
@@ -57,6 +58,7 @@ class Listing:
     sources: dict[str, list[str]] = field(default_factory=dict)
     installs: list[Install] = field(default_factory=list)
     finds: list[str] = field(default_factory=list)
+    requires: list[str] = field(default_factory=list)
     plugins: list[str] = field(default_factory=list)
 
     def add(self, name: str, words: list[str]) -> None:
@@ -74,6 +76,8 @@ class Listing:
             self._add_interfaces(words[1:])
         elif name == "find_package" and ("QUIET" not in words or "REQUIRED" in words):
             self.finds += self.script.values(words[:1])
+            if "REQUIRED" in words and self.script.unconditional:
+                self.requires += self.script.values(words[:1])
         elif name == "pluginlib_export_plugin_description_file":
             self.plugins += self.script.values(words[:1])
         elif name == "install":

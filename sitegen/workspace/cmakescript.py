@@ -84,6 +84,11 @@ class Script:
                 found += VARIABLE.sub(self._one, word).split(";")
         return found
 
+    @property
+    def unconditional(self) -> bool:
+        """Whether the current command is outside of all conditions, except for decided ones."""
+        return not self._conditions
+
     def surely(self, word: str) -> str | None:
         """Return the value of a word; None if only CMake can tell."""
         text = "".join(self.values([word]))

@@ -289,6 +289,26 @@ def test_a_widget_may_be_wrong_too(tmp_path: Path) -> None:
     assert "but std_msgs/msg/Int32 for this widget (site.yaml:14)" in found[4]
 
 
+def test_packages_that_are_absent(tmp_path: Path) -> None:
+    names = ("nav2_util", "cv_bridge", "angles", "std_msgs", "tf2_ros", "py")
+    depends = "".join(f"<depend>{name}</depend>" for name in names)
+    write(tmp_path)
+    (tmp_path / "src/cpp/package.xml").write_text(f"<package><name>cpp</name>{depends}</package>")
+    required = "".join(f"find_package({name} REQUIRED)\n" for name in (*names, "Threads"))
+    # What is not always required may be found, or not needed.
+    optional = "find_package(absent QUIET)\nif(WIN32)\nfind_package(other REQUIRED)\nendif()\n"
+    (tmp_path / "src/cpp/CMakeLists.txt").write_text(
+        f"{required}{optional}add_executable(talker talker.cpp)"
+    )
+    assert warnings(tmp_path) == [
+        "src/cpp/CMakeLists.txt: 'cpp' needs 'nav2_util', which is not in the workspace; "
+        "clone its sources there",
+        "src/cpp/CMakeLists.txt: 'cpp' needs 'cv_bridge', which has no build for the page",
+        "src/cpp/CMakeLists.txt: 'cpp' needs 'angles', which is not in the workspace; "
+        "clone its sources there",
+    ]
+
+
 def test_images_without_a_text(tmp_path: Path) -> None:
     folder = write(tmp_path, site="site: {title: A}\npages: [{path: /, file: index.md}]\n")
     (folder / "index.md").write_text(

@@ -12,7 +12,7 @@ from sitegen.nodes.cpp.diagnosis import Diagnosis
 
 @pytest.fixture
 def diagnosis(tmp_path: Path) -> Diagnosis:
-    package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", (), (), ())
+    package = Package("arm", tmp_path / "src" / "arm", "ament_cmake", ("nav2_util",), (), ())
     return Diagnosis(tmp_path, package)
 
 
@@ -21,6 +21,14 @@ def test_headers_that_authors_install_are_told_with_how(diagnosis: Diagnosis) ->
     assert diagnosis.of_cmake(said) == [
         "src/arm/CMakeLists.txt: 'arm' needs 'Eigen3', which is not installed "
         "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
+    ]
+
+
+def test_packages_of_ros_are_added_to_the_workspace(diagnosis: Diagnosis) -> None:
+    said = 'Could not find a package configuration file provided by "nav2_util" with any of'
+    assert diagnosis.of_cmake(said) == [
+        "src/arm/CMakeLists.txt: 'arm' needs 'nav2_util', which is not in the workspace; "
+        "clone its sources there"
     ]
 
 

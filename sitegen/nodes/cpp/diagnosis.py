@@ -12,6 +12,7 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
+from sitegen.workspace.absent import NO_BUILD, advice
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -28,7 +29,6 @@ MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not 
 # Packages that CMake finds although they are empty (clients/cpp/share), by the folder of their
 # headers.
 HOLLOW = {"opencv2": "OpenCV"}
-NO_BUILD = "has no build for the page"
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
 
@@ -55,8 +55,10 @@ class Diagnosis:
             return [line.replace(f"{self.root}/", "") for line in own]
         missing = self.missing(output)
         if missing:
+            if missing in self.package.depends:
+                return [self._needs(missing, advice(missing))]
             how = INSTALLED.get(missing)
-            return [self._needs(missing, f"is not installed ({how})" if how else NO_BUILD)]
+            return [self._needs(missing, f"which is not installed ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_builds(
@@ -109,7 +111,7 @@ class Diagnosis:
         return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
 
     def _needs(self, missing: str, why: str) -> str:
-        return f"{self._cmake}: '{self.package.name}' needs '{missing}', which {why}"
+        return f"{self._cmake}: '{self.package.name}' needs '{missing}', {why}"
 
     @property
     def _cmake(self) -> str:

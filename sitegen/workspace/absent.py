@@ -1,0 +1,41 @@
+"""Find the ROS packages that a package requires and that neither workspace nor sitegen has."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import cache
+
+from sitegen.model import Package
+from sitegen.shipped import CLIENTS, INTERFACES, PACKAGES, ROS
+from sitegen.workspace import cmakelists
+from sitegen.workspace.unsupported import UNSUPPORTED
+
+NO_BUILD = "which has no build for the page"
+CLONE = "which is not in the workspace; clone its sources there"
+
+
+def absent(package: Package, workspace: Collection[str]) -> list[str]:
+    """Return the names of packages without which CMake cannot configure `package`.
+
+    `workspace` are the names of the packages of the workspace. Only dependencies that package.xml
+    names are considered: CMake may find other ones on the computer of the author.
+    """
+    file = package.path / "CMakeLists.txt"
+    if not file.is_file():
+        return []
+    known = {*workspace, *_available(), package.name}
+    required = cmakelists.read(file, package.name).requires
+    return [
+        each for each in dict.fromkeys(required) if each in package.depends and each not in known
+    ]
+
+
+def advice(name: str) -> str:
+    """Return the end of a message about the ROS package `name`, which is absent."""
+    return NO_BUILD if name in UNSUPPORTED.values() else CLONE
+
+
+@cache
+def _available() -> frozenset[str]:
+    folders = (CLIENTS / "cpp" / "share", INTERFACES, PACKAGES, ROS / "include")
+    return frozenset(path.name for folder in folders for path in folder.iterdir())
