@@ -2,7 +2,8 @@
 // The ROS graph of the page: all endpoints, which of them match, and which workers are linked. Messages do not pass
 // through here; they travel through the ports that the graph gives to workers.
 
-import { incompatibility, KINDS, sends } from "../protocol.js";
+import { incompatibility, sends } from "../protocol.js";
+import { isEndpoint } from "./reports.js";
 
 /** @import { Endpoint, FromWorker, Mismatch, ToWorker } from "../protocol.js" */
 
@@ -11,11 +12,15 @@ import { incompatibility, KINDS, sends } from "../protocol.js";
  * @typedef {(text: string) => void} Complain
  * @typedef {{id: number, program: string, post: Post, complain: Complain,
  *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>,
- *   looking: boolean}} Participant a worker, or the page; `looking` if it is told of the others' endpoints
+ *   accused: Set<number>, looking: boolean}} Participant a worker, or the page; `looking` if it is told of the others'
+ *   endpoints, and `accused` are the workers that it has complained about
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
  * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel a topic with its publishers and
  *   subscriptions, or a service with its clients and servers
  */
+
+// The longest complaint of one worker about another, in characters.
+const COMPLAINT = 200;
 
 /** Emits `change` after changes. */
 export class Graph extends EventTarget {
@@ -36,7 +41,8 @@ export class Graph extends EventTarget {
   join(post, program, complain) {
     const id = this.#nextId++;
     this.#participants.set(id, {
-      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(), looking: false,
+      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(), accused: new Set(),
+      looking: false,
     });
     return id;
   }
@@ -57,8 +63,7 @@ export class Graph extends EventTarget {
         this.#miss(id, message.id, message.count);
         break;
       case "complain":
-        // A worker complains about another one, which sent invalid data.
-        this.#participants.get(message.peer)?.complain(message.text);
+        this.#complain(id, message.peer, message.text);
         break;
       case "look":
         this.#look(id);
@@ -131,6 +136,18 @@ export class Graph extends EventTarget {
     if (!owner?.endpoints.has(endpoint)) return;
     owner.missed.set(endpoint, count);
     this.#changed();
+  }
+
+  /**
+   * Show in the console of a worker what another one, linked to it, says about it, once.
+   * @param {number} id of the other one @param {number} peer @param {string} text
+   */
+  #complain(id, peer, text) {
+    const [owner, accused] = [this.#participants.get(id), this.#participants.get(peer)];
+    if (!owner?.links.has(peer) || owner.accused.has(peer)) return;
+    owner.accused.add(peer);
+    const said = text.slice(0, COMPLAINT).replace(/\s+/g, " ");
+    accused?.complain(`${owner.program || "the page"} says that it ${said}`);
   }
 
   /** Tell a worker all endpoints of the others, and from now on their changes. @param {number} id */
@@ -298,13 +315,4 @@ function missed({ owner, endpoint }) {
 /** @param {number[]} numbers */
 function sum(numbers) {
   return numbers.reduce((total, number) => total + number, 0);
-}
-
-/** Whether `endpoint` is valid, which is checked because a worker may run any program. @param {any} endpoint */
-function isEndpoint(endpoint) {
-  const { id, kind, node, name, type, qos } = endpoint ?? {};
-  return Number.isSafeInteger(id) && id > 0 && id < 2 ** 32 && KINDS.includes(kind) &&
-    [node, name, type].every((text) => typeof text === "string") &&
-    typeof qos === "object" && qos !== null &&
-    [qos.depth, qos.deadline, qos.lifespan, qos.lease].every((number) => number >= 0);
 }

@@ -4,6 +4,7 @@
 import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
 import { obstacle } from "./isolation.js";
 import { place } from "../place.js";
+import { faultOf } from "./reports.js";
 import { startWorker } from "./workerGroup.js";
 
 /** @import { Engine, FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
@@ -33,8 +34,8 @@ export class NodeProcess extends EventTarget {
   #module;
   #groups;
   /**
-   * The present worker, and its id in the graph.
-   * @type {{worker: Worker | Member, id: number, byte?: Uint8Array} | undefined}
+   * The present worker, its id in the graph, and the invalid reports that its console has told.
+   * @type {{worker: Worker | Member, id: number, byte?: Uint8Array, faults: Set<string>} | undefined}
    */
   #run;
   #startAgain = false;
@@ -227,7 +228,7 @@ export class NodeProcess extends EventTarget {
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
     const id = this.#graph.join(post, this.name, complain);
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
-    const run = { worker, id, byte };
+    const run = { worker, id, byte, faults: new Set() };
     this.#run = run;
     worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
     worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
@@ -247,6 +248,12 @@ export class NodeProcess extends EventTarget {
   /** @param {number} id @param {FromWorker} message */
   #receive(id, message) {
     if (this.#run?.id !== id) return; // sent before it was terminated
+    const fault = faultOf(message);
+    if (fault) {
+      if (!this.#run.faults.has(fault)) this.#print("warn", `${this.name}: sent an invalid report: ${fault}`);
+      this.#run.faults.add(fault);
+      return;
+    }
     switch (message.op) {
       case "running":
         this.#setState("running");

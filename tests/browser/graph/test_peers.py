@@ -145,7 +145,7 @@ def test_foreign_nonsense_is_dropped_and_told(play: Any) -> None:
       await until(async () => (await b.ask("heard", { id: s })).count === 3);
       graph.leave(foreign);
       return [refused, complaints.slice(refused), await b.ask("faults"), graph.endpoints().length];
-    """) == [8, ["sent an invalid frame to other nodes; it was dropped"], [], 2]
+    """) == [8, ["peer says that it sent an invalid frame to other nodes; it was dropped"], [], 2]
 
 
 # What publisher and subscription have, and how many messages are taken at each look, every 5 ms.
