@@ -70,12 +70,12 @@ def _build(arguments: argparse.Namespace) -> None:
         page, with_python = arguments.single_file, arguments.with_python
         build_single(folder, page, output=output, report=report, with_python=with_python)
         return
+    options = Options(debug=debug, keep_going=arguments.keep_going)
     if arguments.version:
         from sitegen.commands.versions.build import build_version
         from sitegen.commands.versions.names import Version
 
         version, verbose = Version(arguments.version, arguments.alias), arguments.verbose
-        options = Options(debug=debug, keep_going=arguments.keep_going)
         build_version(
             folder, version, output=output, report=report, options=options, verbose=verbose
         )
@@ -92,7 +92,6 @@ def _build(arguments: argparse.Namespace) -> None:
     # Importing the rest takes longer than detecting that nothing has changed.
     from sitegen.commands.build import build
 
-    options = Options(debug=debug, keep_going=arguments.keep_going)
     build(folder, output=output, report=report, options=options, verbose=arguments.verbose)
 
 

@@ -148,6 +148,10 @@ class Program(Protocol):
         """What it was written in, for people: "C++", "Python" or "ROS2WASM"."""
 
     @property
+    def fault(self) -> str:
+        """Why it cannot start, in one line; "" if it can."""
+
+    @property
     def sizes(self) -> Mapping[str, Mapping[str, int]]:
         """The sizes of its large files in bytes, by engine and path; "" stands for all engines."""
 

@@ -10,7 +10,6 @@ from sitegen.cache import unchanged
 from sitegen.cache.folder import cache_folder
 from sitegen.commands.summary import summary
 from sitegen.model import Site
-from sitegen.nodes.cpp.program import FailedProgram
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report, count, shown
 
@@ -43,7 +42,7 @@ def build(
         f" → {shown(output)} (python -m http.server --directory {shown(output)})",
         "good",
     )
-    if any(isinstance(program, FailedProgram) for program in made.programs.values()):
+    if any(program.fault for program in made.programs.values()):
         return  # the next build tries again
     roots = read_folders(made.site)
     said = {each: [*before, *lines] for each, lines in sums.items()}

@@ -36,15 +36,15 @@ def _absent(site: Site) -> list[str]:
 
     They are warnings, because CMake may find them where the site is built.
     """
-    problems = []
-    for job in jobs_of(site, nodes_of(site), cache=cache_folder()):
-        for package in (*job.needs, job.package):
-            file = relative(package.path / "CMakeLists.txt", site.root)
-            problems += [
-                f"{file}: '{package.name}' needs '{name}', {advice(name)}"
-                for name in absent(package, site.packages)
-            ]
-    return problems
+    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
+    # Jobs share most of what they need.
+    packages = {each.path: each for job in jobs for each in (*job.needs, job.package)}
+    return [
+        f"{relative(path / 'CMakeLists.txt', site.root)}: '{package.name}' needs '{name}', "
+        f"{advice(name)}"
+        for path, package in packages.items()
+        for name in absent(package, site.packages)
+    ]
 
 
 def _definitions(site: Site) -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sitegen.model import BROWSERS, Page, Program, Programs, Site
-from sitegen.nodes.cpp.program import FailedProgram
 from sitegen.report import count, size
 
 # At most this many lines of each kind; together, they fit on a screen of 24 lines.
@@ -66,13 +65,12 @@ def _row(group: Sequence[Page]) -> tuple[str, str, str]:
 def _nodes(programs: Sequence[Program], everything: bool = False) -> Iterator[str]:
     if everything or len(programs) <= NODES:
         for one in programs:
-            built = not isinstance(one, FailedProgram)
-            yield f"  {one.name}: {one.kind + _sizes([one]) if built else 'did not build'}"
+            what = "did not build" if one.fault else f"{one.kind}{_sizes([one])}"
+            yield f"  {one.name}: {what}"
         return
-    failed = [one for one in programs if isinstance(one, FailedProgram)]
-    if failed:
-        yield f"  {count(len(failed), 'node')} did not build"
-    programs = [one for one in programs if one not in failed]
+    if failed := sum(bool(one.fault) for one in programs):
+        yield f"  {count(failed, 'node')} did not build"
+    programs = [one for one in programs if not one.fault]
     kinds = {one.kind for one in programs}
     for kind in sorted(kinds):
         group = [one for one in programs if one.kind == kind]

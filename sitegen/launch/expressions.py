@@ -138,11 +138,14 @@ def _combined(sign: ast.operator, left: Any, right: Any) -> Any:
         if bits.get(type(sign), 0) > MOST_BITS:
             raise ExpressionError("the value is too large")
     elif isinstance(sign, ast.Mult):
-        times = left if isinstance(left, int) else right
-        many = right if isinstance(left, int) else left
-        if isinstance(many, str | list | tuple) and len(many) * max(times, 0) > LONGEST:
+        times, many = (left, right) if isinstance(left, int) else (right, left)
+        if isinstance(times, int) and _size(many) * times > LONGEST:
             raise ExpressionError("the value is too large")
-    elif isinstance(sign, ast.Mod) and isinstance(left, str) and WIDE.search(left):
+    elif (
+        isinstance(sign, ast.Mod)
+        and isinstance(left, str)
+        and (WIDE.search(left) or left.count("%") * _size(right) > LONGEST)
+    ):
         raise ExpressionError("the value is too large")
     return BINARY[type(sign)](left, right)
 
@@ -174,24 +177,38 @@ def _called(function: ast.expr, arguments: list[Any], value: Callable[[ast.expr]
     if not callable(called):
         raise TypeError(f"'{ast.unparse(function)}' is not a function")
     if getattr(called, "__name__", "") in GROWING:
-        flat = [each for one in arguments for each in (one if isinstance(one, list) else [one])]
+        several = (one if isinstance(one, list | tuple) else [one] for one in arguments)
+        flat = [each for one in several for each in one]
         if any(isinstance(each, int) and each > LARGEST_ARGUMENT for each in flat):
             raise ExpressionError("the value is too large")
     return called(*arguments)
 
 
 def _of_text(text: str, method: str, arguments: Sequence[Any]) -> Any:
-    if method in ("replace", "join"):
-        new = arguments[-1] if arguments else ""
-        if (len(text) + 1) * (len(new) + 1) > 10 * LONGEST:
-            raise ExpressionError("the value is too large")
+    # The largest results: each letter is replaced, or `text` stands between all items.
+    largest = (len(text) + 1) * max(map(_size, arguments), default=0)
+    if method in ("replace", "join") and largest > 10 * LONGEST:
+        raise ExpressionError("the value is too large")
     return getattr(text, method)(*arguments)
 
 
 def _limited(value: Any) -> Any:
     """Return `value` if its size is reasonable."""
-    if isinstance(value, int) and value.bit_length() > 4 * MOST_BITS:
-        raise ExpressionError("the value is too large")
-    if isinstance(value, str | list | tuple | dict) and len(value) > LONGEST:
+    if _size(value) > LONGEST:
         raise ExpressionError("the value is too large")
     return value
+
+
+def _size(value: Any) -> int:
+    """Return about how many letters a value has as text, with all that it contains."""
+    match value:
+        case str():
+            return len(value)
+        case int():
+            return 1 + value.bit_length() // 3
+        case list() | tuple():
+            return sum(map(_size, value)) + len(value)
+        case dict():
+            return _size([*value.keys(), *value.values()])
+        case _:
+            return 1

@@ -12,9 +12,10 @@ from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
 from sitegen.workspace.manifest import ENVIRONMENT
 
+# Longer expressions are cut in messages.
+LONGEST_SHOWN = 200
 # A page shows the values of its launch file to everyone, so the environment of the author's
 # computer is not read, except for what ROS is configured with.
-LONGEST_SHOWN = 200
 PUBLIC = ("ROS_", "RMW_", "RCUTILS_")
 
 

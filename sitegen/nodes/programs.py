@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from sitegen import workspace
-from sitegen.model import Container, Cpp, Node, Prebuilt, Program, Programs, Site
+from sitegen.model import Container, Cpp, Node, Prebuilt, Programs, Site
 from sitegen.nodes.cpp import compiler
-from sitegen.nodes.cpp.program import CppProgram, FailedProgram
+from sitegen.nodes.cpp.program import CppProgram
 from sitegen.nodes.prebuilt.ros2wasm import ros2wasm_programs
 from sitegen.nodes.python.archives import python_programs
 from sitegen.options import Options
@@ -44,13 +44,17 @@ def programs_of(
         options=options,
     )
     builds = {**own.builds, **prebuilt}
-    cpp: dict[tuple[str, ...], Program] = {}
-    for node in nodes:
-        name = node.package, node.executable
-        if name in own.faults:
-            cpp[node.program] = FailedProgram(*name, own.faults[name])
-        elif isinstance(node.kind, Cpp | Container | Prebuilt):
-            cpp[node.program] = CppProgram(*name, engines, builds.get(name, ()))
+    cpp = {
+        node.program: CppProgram(
+            node.package,
+            node.executable,
+            engines,
+            builds.get((node.package, node.executable), ()),
+            own.faults.get((node.package, node.executable), ""),
+        )
+        for node in nodes
+        if isinstance(node.kind, Cpp | Container | Prebuilt)
+    }
     return {**ros2wasm, **python, **cpp}
 
 

@@ -25,6 +25,7 @@ class Made:
     sizes: dict[str, dict[str, int]] = field(default_factory=dict)
     worker: str = ""
     files: tuple[Artifact, ...] = ()
+    fault: str = ""
 
     def types(self, *_: object) -> dict[str, object]:
         return {}

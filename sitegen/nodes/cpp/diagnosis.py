@@ -91,10 +91,10 @@ class Diagnosis:
         problem = f"{places[0]}: '{self.package.name}' includes '{header}', which was not found"
         if folder in failed:
             return [f"{problem}, because package '{folder}' failed{others}", *failed[folder]]
-        advice = f"; is package '{folder}' in the workspace?" if rest else ""
+        hint = f"; is package '{folder}' in the workspace?" if rest else ""
         if any(need.name == folder for need in self.needs):
-            advice = f"; package '{folder}' has no such header"
-        return [f"{problem}{others}{advice}"]
+            hint = f"; package '{folder}' has no such header"
+        return [f"{problem}{others}{hint}"]
 
     def of_build(self, executable: str, output: str, tree: Path) -> list[str]:
         """Return why `executable` could not be compiled in the build folder `tree`."""

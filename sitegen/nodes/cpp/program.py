@@ -16,12 +16,14 @@ class CppProgram:
     """A C++ program, compiled here or elsewhere.
 
     `builds` has one build for each of `engines`, or is empty if the programs were only checked.
+    With a `fault`, which says why it did not compile, it is on its page and cannot start.
     """
 
     package: str
     executable: str
     engines: Sequence[str]
     builds: Sequence[Build] = ()
+    fault: str = ""
 
     worker = "cpp/cppNode"
     kind = "C++"
@@ -59,12 +61,13 @@ class CppProgram:
         return found
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the URLs of each build."""
+        """Return the NodeEntry of `node`, with the URLs of each build or the fault."""
+        builds = {engine: self._addresses(engine, link) for engine in self.engines}
         return {
             "package": self.package,
             "executable": self.executable,
             "arguments": node.command_line(),
-            "builds": {engine: self._addresses(engine, link) for engine in self.engines},
+            **({"fault": self.fault} if self.fault else {"builds": builds}),
         }
 
     def _addresses(self, engine: str, link: Callable[[str], str]) -> dict[str, str]:
@@ -84,39 +87,3 @@ class CppProgram:
 
     def _stem(self, engine: str) -> str:
         return f"nodes/{self.package}/{self.executable}.{engine}"
-
-
-@dataclass(frozen=True)
-class FailedProgram:
-    """A program that did not compile: its node is on its page, which says why it cannot start."""
-
-    package: str
-    executable: str
-    fault: str
-
-    worker = "cpp/cppNode"
-    kind = "C++"
-    files: Sequence[Artifact] = ()
-
-    @property
-    def name(self) -> str:
-        """Return its name as `ros2 run` takes it."""
-        return f"{self.package}/{self.executable}"
-
-    @property
-    def sizes(self) -> Mapping[str, Mapping[str, int]]:
-        """Return nothing, because there are no files."""
-        return {}
-
-    def types(self, node: Node) -> Mapping[str, object]:
-        """Return nothing, because no program names types."""
-        return {}
-
-    def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the fault."""
-        return {
-            "package": self.package,
-            "executable": self.executable,
-            "arguments": node.command_line(),
-            "fault": self.fault,
-        }

@@ -24,6 +24,7 @@ class Ros2wasmProgram:
 
     worker = "ros2wasm/ros2wasmNode"
     kind = "ROS2WASM"
+    fault = ""
 
     @property
     def name(self) -> str:

@@ -42,6 +42,7 @@ class PythonProgram:
 
     worker = "python/pythonNode"
     kind = "Python"
+    fault = ""
 
     @property
     def name(self) -> str:
