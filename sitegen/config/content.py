@@ -10,8 +10,8 @@ from sitegen.config.blocks import Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
-from sitegen.config.schema import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
 from sitegen.config.section import Section, check, conforms
+from sitegen.config.widgetkeys import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
 from sitegen.errors import Location, Problems, nearest
 from sitegen.model import Markdown, Node, Part, Source, Widget
 

@@ -6,22 +6,18 @@ from collections.abc import Iterable
 
 from sitegen.config.layout import CONSOLES
 from sitegen.config.schema import (
-    COLUMN,
     COMPILED,
     DEPLOY,
     FILE,
     FORMS,
-    MARKDOWN,
     NODE,
     PAGE,
     PYODIDE,
-    ROBOTS,
     ROS2WASM,
     SITE,
-    STAGE,
-    WIDGETS,
     Key,
 )
+from sitegen.config.widgetkeys import COLUMN, MARKDOWN, ROBOTS, STAGE, WIDGETS
 
 Json = dict[str, object]
 

@@ -6,19 +6,21 @@ from collections.abc import Iterable
 
 from sitegen.model import Widget
 
+# Widgets with which visitors control everything that a program can do.
+FULL = ("prompt", "editor", "parameters", "3d")
 LEVELS = {
     "I1": "consoles only",
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
     "I4": "panels for the whole graph",
-    "I5": "a Python prompt or an editor",
+    "I5": "a prompt, an editor, parameters or a 3D view",
 }
 
 
 def offered(widgets: Iterable[Widget]) -> str:
     """Return the level that these widgets offer."""
     kinds = [(widget.kind, widget.target) for widget in widgets]
-    if any(kind in ("prompt", "editor") for kind, _ in kinds):
+    if any(kind in FULL for kind, _ in kinds):
         return "I5"
     if any(not target for _, target in kinds):
         return "I4"
@@ -36,10 +38,10 @@ def fault(declared: str, offers: str) -> str:
         "I1": "remove the buttons",
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
         "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
-        "I4": "remove the prompt and the editors"
+        "I4": f"remove {', '.join(FULL)}"
         if offers == "I5"
         else "add a panel, like 'topics:'",
-        "I5": "add a prompt or an editor",
+        "I5": "add a prompt, an editor, parameters or a 3D view",
     }
     way = "remove the panels" if offers == "I4" and declared in ways else ways.get(declared)
     offer = f"the page offers {offers} ({LEVELS[offers]})"

@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 from paths import ROOT
 
 from sitegen.config.schema import (
-    COLUMN,
     COMPILED,
     DEPLOY,
     FILE,
@@ -20,10 +19,9 @@ from sitegen.config.schema import (
     PYODIDE,
     ROS2WASM,
     SITE,
-    STAGE,
-    WIDGETS,
     Key,
 )
+from sitegen.config.widgetkeys import COLUMN, STAGE, WIDGETS
 
 # The widgets of one node; all others are panels.
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")

@@ -18,6 +18,8 @@ def set_up(folder: Path) -> None:
     """Put into an empty folder what a server needs for such a page, which a test may change."""
     shutil.copytree(ROOT / "tests/support/panels", folder, dirs_exist_ok=True)
     shutil.copytree(ROOT / "themes/default", folder / "theme")
+    own = sorted((folder / "theme/widgets").glob("*.css"))
+    (folder / "theme/own.css").write_text("".join(sheet.read_text() for sheet in own))
     # Large, and nobody's to change.
     (folder / "runtime").symlink_to(ROOT / "sitegen/runtime")
 

@@ -248,6 +248,7 @@ class Renderer:
         return {
             "theme": address(page, theme.path),
             "style": address(page, f"{theme.path}site.css") if theme.style else "",
+            "widget_sheets": theme.own_sheets(widget.kind for widget, _ in slots_of(page)),
             "logo": address(page, lasting_name(look.logo)) if look.logo else "",
             "footer": Markup(prose.html(look.footer) if look.footer else ""),
         }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
@@ -80,6 +81,12 @@ class Theme:
         if self.style:
             found.append(Artifact(f"{self.path}site.css", self.style.encode()))
         return found
+
+    def own_sheets(self, kinds: Iterable[str]) -> list[str]:
+        """Return the style sheets of those widgets that have one of their own."""
+        files = self._files()
+        names = (f"widgets/{kind}.css" for kind in sorted(set(kinds)))
+        return [name for name in names if name in files]
 
     def joined(self, sheet: Sheet) -> Artifact:
         """Return several style sheets joined to one, which a page loads with one request."""

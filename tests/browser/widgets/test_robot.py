@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 from robot import color, command, expect_power, pose, reading, show_robot
 from stage import add, hide_tab, show, stop_clock
 
-from sitegen.config.schema import ROBOTS, WIDGETS
+from sitegen.config.widgetkeys import ROBOTS, WIDGETS
 
 ROBOT_FILES = ROOT / "sitegen/runtime/widgets/robots"
 
