@@ -20,6 +20,7 @@ const BUNDLES = {
     export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
     export { tags } from "@lezer/highlight";`,
   idiomorph: 'export { Idiomorph } from "idiomorph";',
+  uplot: 'export { default as uPlot } from "uplot";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };
 
