@@ -1,13 +1,12 @@
 // @ts-check
 // Points with colours, and those of the last seconds as well: what laser scans and point clouds have in common.
 
-import {
-  BufferAttribute, BufferGeometry, Color, Group, Points as ThreePoints, PointsMaterial, SRGBColorSpace,
-} from "../../vendor/three.js";
+import { Color, Group, SRGBColorSpace } from "../../vendor/three.js";
 import { MOST_POINTS } from "./cloudFields.js";
-import { dispose } from "./shapes.js";
+import { createPoints } from "./points.js";
 
 /** @import { Context } from "./shown.js" */
+/** @typedef {ReturnType<typeof createPoints>} Cloud */
 
 const AXES = ["x", "y", "z"];
 // The hues of the least and of the greatest value: from red over green to blue and violet, as in RViz.
@@ -23,26 +22,27 @@ export function pointsOf({ root, world, redraw }, options) {
   // Former messages stay where they were, so each has a place of its own in the fixed frame.
   const former = new Group();
   world.floor.add(former);
-  /** @type {{object: any, until: number, count: number}[]} */
-  let kept = [];
-  /** @type {any} */
+  /** @type {{cloud: Cloud, until: number}[]} */
+  const kept = [];
+  /** @type {Cloud | undefined} */
   let current;
 
   const forget = (/** @type {number} */ count) => {
-    for (const { object } of kept.splice(0, count)) free(object);
+    for (const { cloud } of kept.splice(0, count)) cloud.close();
   };
   return {
     /** @param {Float32Array} positions @param {{rgb?: Float32Array, intensity?: Float32Array}} values */
     show(positions, values) {
       if (current && options.decay > 0) {
-        former.attach(current);
-        kept.push({ object: current, until: performance.now() + options.decay * 1000, count: current.userData.count });
-        while (kept.reduce((sum, { count }) => sum + count, 0) > MOST_POINTS) forget(1);
-      } else if (current) {
-        free(current);
+        former.attach(current.points);
+        kept.push({ cloud: current, until: performance.now() + options.decay * 1000 });
+        while (kept.reduce((sum, { cloud }) => sum + countOf(cloud), 0) > MOST_POINTS) forget(1);
+      } else {
+        current?.close();
       }
-      current = createPoints(positions, colorsOf(positions, values, options), options);
-      root.add(current);
+      current = createPoints(positions, colorsOf(positions, values, options));
+      current.style(look(options));
+      root.add(current.points);
       redraw();
     },
     update(/** @type {number} */ now) {
@@ -52,47 +52,29 @@ export function pointsOf({ root, world, redraw }, options) {
       if (kept.length) redraw();
     },
     set() {
-      if (current) style(current.material, options);
+      for (const cloud of [...kept.map(({ cloud }) => cloud), ...(current ? [current] : [])]) cloud.style(look(options));
     },
     clear() {
       forget(kept.length);
-      if (current) free(current);
+      current?.close();
       current = undefined;
     },
     close() {
-      dispose(former);
+      forget(kept.length);
       former.removeFromParent();
-      dispose(root);
+      current?.close();
     },
   };
 }
 
-/** @param {Float32Array} positions @param {Float32Array | undefined} colors @param {Record<string, any>} options */
-function createPoints(positions, colors, options) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3));
-  const material = new PointsMaterial({ vertexColors: Boolean(colors) });
-  style(material, options);
-  const points = new ThreePoints(geometry, material);
-  points.frustumCulled = false;
-  points.userData.count = positions.length / 3;
-  return points;
+/** @param {Cloud} cloud */
+function countOf({ points }) {
+  return points.geometry.getAttribute("position").count;
 }
 
-/** @param {any} material @param {Record<string, any>} options */
-function style(material, { size, color, alpha }) {
-  material.size = size;
-  material.color = material.vertexColors ? new Color(0xffffff) : new Color(color);
-  material.opacity = alpha;
-  material.transparent = alpha < 1;
-}
-
-/** @param {any} points */
-function free(points) {
-  points.removeFromParent();
-  points.geometry.dispose();
-  points.material.dispose();
+/** @param {Record<string, any>} options */
+function look({ size, color, alpha }) {
+  return { size, color: new Color(color), opacity: alpha };
 }
 
 /**

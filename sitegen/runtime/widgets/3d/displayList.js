@@ -1,7 +1,7 @@
 // @ts-check
 // The displays of a 3D view: switched on and off, with their options and what is wrong with them.
 
-import { arrange, create, setNote, setText } from "../../ui/elements.js";
+import { arrange, button, create, setNote, setText } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 import { createSettings } from "./settings.js";
 
@@ -73,14 +73,20 @@ export class DisplayList {
       changed[key] = value;
       shown.set({ [key]: value });
     });
-    const more = create("details", "", create("summary", "", say("Options")), settings.element);
+    const more = button(say("Options"), "ros-more", () => {
+      settings.element.hidden = !settings.element.hidden;
+      more.setAttribute("aria-expanded", String(!settings.element.hidden));
+    });
+    more.setAttribute("aria-expanded", "false");
+    more.setAttribute("aria-label", say("Options of {}", `${shown.title} ${shown.topic}`.trim()));
+    settings.element.hidden = true;
     box.addEventListener("change", () => {
       changed["enabled"] = box.checked;
       shown.enable(box.checked);
       this.look();
     });
     const row = {
-      element: create("li", "", label, note, more),
+      element: create("li", "", label, more, note, settings.element),
       box,
       changed,
       look() {

@@ -3,12 +3,13 @@
 
 import {
   BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, InstancedMesh, Matrix4, Mesh,
-  MeshLambertMaterial, Points, PointsMaterial, SphereGeometry, SRGBColorSpace, Vector3,
+  MeshLambertMaterial, SphereGeometry, SRGBColorSpace, Vector3,
 } from "../../vendor/three.js";
 import { say } from "../../ui/words.js";
 import { createLabel } from "./label.js";
 import { Lines, finite, segments } from "./lines.js";
 import { loadMesh } from "./meshes.js";
+import { createPoints } from "./points.js";
 import { Arrows } from "./shapes.js";
 
 /** @typedef {{resource(url: string): string, redraw(): void, say(text: string): void}} Help */
@@ -118,17 +119,9 @@ function drawLines(group, marker, ends, point) {
 function drawPoints(group, marker) {
   const points = pointsOf(marker);
   const colors = colorsOf(marker, points.length);
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points.flat()), 3));
-  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3));
-  const opacity = opacityOf(marker);
-  group.add(new Points(geometry, new PointsMaterial({
-    size: marker.scale.x,
-    color: colors ? 0xffffff : color(marker.color),
-    vertexColors: Boolean(colors),
-    opacity,
-    transparent: opacity < 1,
-  })));
+  const cloud = createPoints(new Float32Array(points.flat()), colors);
+  cloud.style({ size: marker.scale.x, color: color(marker.color), opacity: opacityOf(marker) });
+  group.add(cloud.points);
 }
 
 /** @param {any} group @param {any} marker */
@@ -209,5 +202,8 @@ function drawMesh(group, marker, help) {
     mesh.scale.set(marker.scale.x, marker.scale.y, marker.scale.z);
     group.add(mesh);
     help.redraw();
-  }, (error) => help.say(error.message));
+  }, (error) => {
+    help.say(error.message);
+    help.redraw();
+  });
 }

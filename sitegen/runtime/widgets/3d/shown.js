@@ -103,6 +103,8 @@ export class Shown {
     if (found && !known && found.publishers.length) {
       const wanted = this.#kind.types.join(", ");
       this.tell(say("{} is of type {}, not {}", this.topic, other ?? "", wanted));
+      this.end();
+      return;
     }
     const type = known ?? this.#kind.types.find((each) => this.#world.ros.types[each]) ?? "";
     const offers = this.#world.ros.graph.endpoints().filter(

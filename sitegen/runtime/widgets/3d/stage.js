@@ -12,6 +12,8 @@ import { say } from "../../ui/words.js";
 
 // The field of view of RViz's orbit camera, in degrees.
 const ANGLE = 45;
+// Most content does not fill the sphere around it, so a part of that may be out of view.
+const FILLED = 0.8;
 const START = new Vector3(-4, -4, 4);
 // Radians, parts of the distance, and zoom for each press of a key.
 const TURN = Math.PI / 24;
@@ -48,19 +50,21 @@ export class Stage {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", label);
-    this.#renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+    const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
+    if (!context) throw new Error("no WebGL");
+    this.#renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.element.append(this.canvas);
     this.#perspective.up.set(0, 0, 1);
     this.#perspective.position.copy(START);
     this.#top.up.set(0, 1, 0);
     this.#top.position.set(0, 0, 10);
-    const sun = new DirectionalLight(0xffffff, 1.8);
+    const sun = new DirectionalLight(0xffffff, 1.5);
     sun.position.set(-0.5, 0.6, 1);
     this.#perspective.add(sun);
     const above = new DirectionalLight(0xffffff, 1.8);
     above.position.set(0.3, 0.2, 1);
     this.#top.add(above);
-    this.scene.add(this.content, this.#perspective, this.#top, new HemisphereLight(0xffffff, 0x8890a0, 1.6));
+    this.scene.add(this.content, this.#perspective, this.#top, new HemisphereLight(0xffffff, 0x707888, 1.1));
     this.#orbit = this.#control(this.#perspective);
     this.#pan = this.#control(this.#top);
     this.#pan.enableRotate = false;
@@ -173,7 +177,7 @@ export class Stage {
       this.#top.zoom = narrow / radius;
     } else {
       const towards = this.#perspective.position.clone().sub(this.#orbit.target).normalize();
-      const away = radius / Math.sin((ANGLE * Math.PI) / 360) / narrow;
+      const away = (FILLED * radius) / Math.sin((ANGLE * Math.PI) / 360) / narrow;
       this.#perspective.position.copy(middle).addScaledVector(towards, away);
       this.#perspective.far = Math.max(1000, away * 100);
       this.#perspective.near = this.#perspective.far / 1e5;

@@ -38,10 +38,12 @@ public:
 private:
   void draw()
   {
-    if (!buffer_.canTransform("world", "tool", tf2::TimePointZero)) {
-      return;
+    geometry_msgs::msg::TransformStamped tool;
+    try {
+      tool = buffer_.lookupTransform("world", "tool", tf2::TimePointZero);
+    } catch (const tf2::TransformException &) {
+      return;  // until the state of the joints is known
     }
-    const auto tool = buffer_.lookupTransform("world", "tool", tf2::TimePointZero);
     geometry_msgs::msg::Point point;
     point.x = tool.transform.translation.x;
     point.y = tool.transform.translation.y;

@@ -30,12 +30,15 @@ export const kind = {
     const { root, world, place, redraw } = context;
     /** @type {Map<string, Entry>} */
     const entries = new Map();
+    /** What could not be drawn, by marker. @type {Map<string, string>} */
+    const faults = new Map();
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     let timer;
 
     const remove = (/** @type {string} */ key) => {
       const entry = entries.get(key);
       if (!entry) return;
+      faults.delete(key);
       dispose(entry.place);
       entry.place.removeFromParent();
       entries.delete(key);
@@ -61,7 +64,7 @@ export const kind = {
       const outer = new Group();
       outer.add(inner);
       outer.visible = false;
-      drawMarker(inner, marker, { resource: context.resource, redraw, say: (text) => context.say(`${key}: ${text}`) });
+      drawMarker(inner, marker, { resource: context.resource, redraw, say: (text) => faults.set(key, text) });
       root.add(outer);
       const life = seconds(marker.lifetime) * 1000;
       entries.set(key, {
@@ -103,7 +106,7 @@ export const kind = {
           }
           entry.place.visible = entry.placedIn === world.fixed && !hidden(entry.namespace);
         }
-        if (entries.size && !said) context.say("");
+        if (entries.size && !said) context.say([...new Set(faults.values())].slice(0, 3).join("; "));
         clearTimeout(timer);
         if (next < Infinity) timer = setTimeout(redraw, Math.max(0, next - now) + 1);
       },
