@@ -53,8 +53,8 @@ class Program(Protocol):
         """The files that it needs in `dist/`; programs may share files."""
 
     @property
-    def kind(self) -> str:
-        """What it was written in, for people: "C++", "Python" or "ROS2WASM"."""
+    def written_in(self) -> str:
+        """For people: "C++", "Python" or "ROS2WASM"."""
 
     @property
     def fault(self) -> str:

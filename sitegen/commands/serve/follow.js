@@ -36,9 +36,8 @@ let work = Promise.resolve();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let soon;
 
-// As nodeProcess.js chooses; only this build of C++ nodes is made.
-const engine = "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
-const news = new EventSource(`/_sitegen/news?${engine}`);
+// A page with nodes names the engine of this browser; only this build of C++ nodes is made.
+const news = new EventSource(`/_sitegen/news?${document.documentElement.dataset.engine ?? ""}`);
 let lost = false;
 news.onerror = () => {
   lost = true;
