@@ -38,6 +38,7 @@ class Page:
     language: str = ""
     original: str | None = None
     base: str = ""
+    start_from_links: bool = False
 
     @property
     def leaves(self) -> Iterator[Leaf]:

@@ -192,16 +192,15 @@ def test_and_so_it_is_without_jspi(hidden: Path, tab: Page, serve: Serve) -> Non
 
 
 def _interrupt_busy(tab: Page) -> None:
-    # The one computes in its own code, the other one in that of rclpy, which must not be suspended.
-    for name, first in (("busy", ["ready"]), ("serializing", [])):
+    # The last one computes in the layer below rclpy, which must not be suspended.
+    for name, first in (("busy", ["ready"]), ("busy", ["ready"]), ("serializing", [])):
         panel = Panel(tab, name)
-        for _ in range(2):
-            panel.start()
-            panel.wait_for("computing")
-            panel.stop()
-            panel.wait_for("finally")
-            assert panel.lines() == [*first, "computing", "interrupted, ok: False", "finally"]
-            panel.button("Clear").click()
+        panel.start()
+        panel.wait_for("computing")
+        panel.stop()
+        panel.wait_for("finally")
+        assert panel.lines() == [*first, "computing", "interrupted, ok: False", "finally"]
+        panel.button("Clear").click()
 
 
 def test_it_works_without_a_network_too(
