@@ -12,7 +12,7 @@ import pytest
 from browser import Built, Serve
 from panel import Panel
 from paths import ROOT
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, FrameLocator, Locator, Page, expect
 
 from sitegen.commands.build import build
 from sitegen.report import Report
@@ -46,11 +46,11 @@ def read(link: str) -> Any:
     return json.loads(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)))
 
 
-def word(tab: Page) -> Locator:
+def word(tab: Page | FrameLocator) -> Locator:
     return tab.locator(".ros-word")
 
 
-def agree(tab: Page, who: str) -> None:
+def agree(tab: Page | FrameLocator, who: str) -> None:
     """Let the link start its nodes."""
     expect(word(tab)).to_contain_text(f"This link starts {who}.")
     word(tab).get_by_role("button", name="Start").click()
@@ -276,6 +276,7 @@ def test_a_frame_runs_in_a_page_of_another_site(
     assert other.split("/")[2] != url.split("/")[2]
     tab.goto(other)
     frame = tab.frame_locator("iframe")
+    agree(frame, "talker")
     expect(frame.get_by_role("log")).to_contain_text("Hello, world! 1")
     expect(frame.get_by_role("heading", level=1)).to_be_visible()
     for around in ("header.site", "nav", "footer"):
