@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen import pagepath, workspace
-from sitegen.config import level
+from sitegen.config import level, windows
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
@@ -20,7 +20,7 @@ from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems
-from sitegen.launch import launched
+from sitegen.launch import Window, launched
 from sitegen.model import Markdown, Node, Package, Page, Part, Widget, leaves
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
@@ -144,16 +144,18 @@ class PageReader:
     ) -> Page:
         front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
-        started = self._launch(_giver("launch", page, front), known)
+        opened: list[Window] = []
+        started = self._launch(_giver("launch", page, front), known, opened)
         known |= started
         folder = file.parent if file else self.problems.root
         nodes = {name: node for name, (node, _) in known.items()}
-        reader = Reader(nodes, self.problems, folder)
+        reader = Reader(nodes, self.problems, self.notes, folder)
         content = page.get("content")
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.location, body.folder)
-        if started and not any(isinstance(part, Widget) for part in leaves(parts)):
+        if (started or opened) and not any(isinstance(part, Widget) for part in leaves(parts)):
+            parts += windows.shown(opened, self.problems, self.notes)
             parts += _panels(started)
         if len(self.problems.found) == before:
             # Content that could not be read completely has no reliable level.
@@ -206,8 +208,10 @@ class PageReader:
         self.declared += declared.values()
         return {**taken, **declared}
 
-    def _launch(self, section: Section, taken: Mapping[str, Declared]) -> dict[str, Declared]:
-        """Return the nodes that the launch file of a page starts."""
+    def _launch(
+        self, section: Section, taken: Mapping[str, Declared], opened: list[Window]
+    ) -> dict[str, Declared]:
+        """Return the nodes that a launch file starts, and add the windows to `opened`."""
         given = section.get("launch")
         file = locate(given, self.problems) if given else None
         if not given or not file:
@@ -216,7 +220,7 @@ class PageReader:
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
         packages = {**workspace.shipped_packages(), **self.packages()}
-        found = launched(file, arguments, packages, self.problems, self.notes)
+        found = launched(file, arguments, packages, self.problems, self.notes, opened)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"

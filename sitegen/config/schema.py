@@ -42,6 +42,8 @@ TYPES = {
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+    "displays": ("list", "a list of displays"),
+    "name by name": ("mapping", "names with a name of the graph each"),
     "items": ("mapping or list", "a list of text and widgets, or one of them"),
     "deploy": ("mapping", "keys and values"),
     "pyodide": ("mapping", "keys and values"),

@@ -70,6 +70,29 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "graph": (),
     "log": (_LINES,),
+    "3d": (
+        Key(
+            "frame",
+            "text",
+            "fixed frame; by default `map`, `world`, `odom` or the root",
+            "frame: map",
+        ),
+        Key(
+            "displays",
+            "displays",
+            "what is shown; by default, all that can be",
+            "displays: [grid, tf]",
+        ),
+        Key("rviz", "path", "configuration file of RViz", "rviz: rviz/view.rviz"),
+        Key("top", "flag", "look straight down", "top: true", default=False),
+        Key("background", "colour", "colour of the background", 'background: "#303030"'),
+        Key(
+            "tools",
+            "name by name",
+            "topics of the tools `goal`, `estimate` and `point`",
+            "tools: {goal: /goal_pose}",
+        ),
+    ),
     "robot": (
         Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),
         Key("twist", "name", "topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
