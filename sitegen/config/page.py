@@ -26,6 +26,9 @@ from sitegen.model import Markdown, Node, Package, Page, Part, Widget, leaves
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
 
+# Keys of a page that its translations keep.
+KEPT = ("level", "nodes", "theme", "start_from_links")
+
 
 @dataclass(frozen=True)
 class Written:
@@ -97,9 +100,8 @@ class PageReader:
                 )
                 self.problems.add(given.location, given.key, message)
             self.paths[path + below] = given
-            bare = Section(
-                page.value, PAGE, {k: v for k, v in page.entries.items() if k == "theme"}
-            )
+            kept = {k: v for k, v in page.entries.items() if k in ("theme", "start_from_links")}
+            bare = Section(page.value, PAGE, kept)
             yield from self._translated(bare, path + below, file, len(self.problems.found))
 
     def _translated(
@@ -124,7 +126,7 @@ class PageReader:
                     if key not in ("title", "description")
                 }
                 both = Section(own.front.value, FRONT_MATTER, {**said, **own.front.entries})
-                kept = {k: v for k, v in page.entries.items() if k in ("level", "nodes", "theme")}
+                kept = {k: v for k, v in page.entries.items() if k in KEPT}
                 bare = Section(page.value, PAGE, kept)
                 at = f"{language.lower()}/{path}"
                 its_own = replace(own, front=both)
@@ -162,6 +164,7 @@ class PageReader:
         widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
+        links = _giver("start_from_links", page, front)
         return Page(
             path=path,
             title=_title(page, front, parts),
@@ -177,6 +180,7 @@ class PageReader:
             date=_giver("date", page, front).text("date"),
             language=language,
             original=path if original is None else original,
+            start_from_links=bool(links.option("start_from_links")),
         )
 
     def _page_file(self, file: Path, empty: Section) -> Written:

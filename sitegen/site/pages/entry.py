@@ -64,6 +64,8 @@ def page_entry(
         nodes = page.nodes.values()
         types = (programs[node.program].types(node) for node in nodes)
         entry["types"] = {name: one for each in types for name, one in each.items()}
+    if page.start_from_links:
+        entry["startFromLinks"] = True
     if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
         entry["isolate"] = address(page, "sw.js")
     return entry

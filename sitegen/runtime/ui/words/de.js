@@ -235,5 +235,7 @@ export const words = {
 
   // The link that led here.
   "Close": "Schließen",
+  "This link starts {}.": "Dieser Link startet {}.",
+  "{} nodes": "{} Nodes",
   "Parts of this link no longer match this page and were ignored.": "Nicht alles in diesem Link passt zur jetzigen Seite; der Rest wurde weggelassen.",
 };
