@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from sitegen.config.document import Value
-from sitegen.config.widgetkeys import COLUMN, LAYOUTS, STAGE
 from sitegen.config.section import check
+from sitegen.config.widgetkeys import COLUMN, LAYOUTS, STAGE
 from sitegen.errors import Problems
 from sitegen.model import Cell, Layout, Part, Widget
 

@@ -38,9 +38,7 @@ def fault(declared: str, offers: str) -> str:
         "I1": "remove the buttons",
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
         "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
-        "I4": f"remove {', '.join(FULL)}"
-        if offers == "I5"
-        else "add a panel, like 'topics:'",
+        "I4": f"remove {', '.join(FULL)}" if offers == "I5" else "add a panel, like 'topics:'",
         "I5": "add a prompt, an editor, parameters or a 3D view",
     }
     way = "remove the panels" if offers == "I4" and declared in ways else ways.get(declared)

@@ -14,8 +14,8 @@ from sitegen.config import load
 from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import FRONT_MATTER, Key
-from sitegen.config.widgetkeys import WIDGETS
 from sitegen.config.section import conforms
+from sitegen.config.widgetkeys import WIDGETS
 from sitegen.errors import Location, Problems
 from sitegen.model import Widget
 

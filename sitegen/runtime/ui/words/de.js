@@ -233,6 +233,41 @@ export const words = {
   "{} reads each key pressed here": "{} liest jede Taste, die hier gedrückt wird",
   "Press Start to run Python": "Für Python auf Start drücken",
 
+  // Message paths and plots.
+  "'{}' is not a message path; write it like {}": "„{}“ ist kein Nachrichtenpfad; zum Beispiel {}",
+  "unknown '.@{}' in {}; there is only .@derivative": "„.@{}“ in {} ist unbekannt; es gibt nur .@derivative",
+  "'{}' in {} must stand behind [:], whose elements it names":
+    "„{}“ in {} muss hinter [:] stehen, dessen Elemente es benennt",
+  "{} has two slices; keep one": "{} hat zwei Bereiche; nur einer ist möglich",
+  "{}: '{}' is an array; write {}[0] or {}[:]": "{}: „{}“ ist ein Array; zum Beispiel {}[0] oder {}[:]",
+  "{}: '{}' is not an array": "{}: „{}“ ist kein Array",
+  "{}: '{}' is not an array of texts, so it cannot name elements":
+    "{}: „{}“ ist kein Array von Texten und kann keine Elemente benennen",
+  "{}: {} has no field '{}'; its fields are {}": "{}: {} hat kein Feld „{}“, nur {}",
+  "{}: {} has no fields, so no '{}'": "{}: {} hat keine Felder, also auch kein „{}“",
+  "{} is a whole {}; add one of its fields: {}": "{} ist eine ganze {}; ein Feld fehlt noch: {}",
+  "{} is text, not a number": "{} ist Text und keine Zahl",
+  "Plot": "Diagramm",
+  "Points": "Punkte",
+  "seconds": "Sekunden",
+  "Save what is shown as a table": "Das Gezeigte als Tabelle speichern",
+  "curves and their values": "Kurven und ihre Werte",
+  "Hide or show {}": "{} verbergen oder zeigen",
+  "Remove {}": "{} entfernen",
+  "Add": "Hinzufügen",
+  "message path of a new curve": "Nachrichtenpfad einer neuen Kurve",
+  "Enter a message path, such as {}": "Einen Nachrichtenpfad eingeben, zum Beispiel {}",
+  "Add a message path to plot it": "Einen Nachrichtenpfad hinzufügen, um ihn zu zeichnen",
+  "Nothing received yet": "Noch nichts empfangen",
+  "{} is plotted already": "{} wird schon gezeichnet",
+  "A plot has at most {} paths; remove one first": "Ein Diagramm hat höchstens {} Pfade; zuerst einen entfernen",
+  "Only {} curves are drawn; choose fewer elements with a slice such as [0:5]":
+    "Nur {} Kurven werden gezeichnet; ein Bereich wie [0:5] wählt weniger Elemente",
+  "x must be one value: {}": "x muss ein einzelner Wert sein: {}",
+  "Plot against time": "Diagramm über die Zeit",
+  "Plot against {}": "Diagramm über {}",
+  "{}. Latest values: {}": "{}. Letzte Werte: {}",
+
   // The link that led here.
   "Close": "Schließen",
   "Parts of this link no longer match this page and were ignored.": "Nicht alles in diesem Link passt zur jetzigen Seite; der Rest wurde weggelassen.",
