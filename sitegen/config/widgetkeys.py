@@ -86,7 +86,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("title", "text", "title; defaults to the path", "title: Battery"),
         Key("unit", "text", "unit behind the number", 'unit: "%"'),
         Key("scale", "decimal", "the number is multiplied by this", "scale: 100"),
-        Key("decimals", "number", "number of decimals", "decimals: 2"),
+        Key("decimals", "decimal", "number of decimals", "decimals: 2"),
         Key("min", "decimal", "begin of a gauge", "min: -10", default=0),
         Key("max", "decimal", "end of a gauge", "max: 250.5", default=100),
         Key(

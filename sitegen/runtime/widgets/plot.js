@@ -5,11 +5,12 @@ import { parsePath } from "../messages/path.js";
 import { button, create, setText, toggle } from "../ui/elements.js";
 import { download } from "../ui/download.js";
 import { whileSeen } from "../ui/looking.js";
+import { numberText } from "../ui/numbers.js";
 import { say } from "../ui/words.js";
 import { Chart } from "./plot/chart.js";
 import { Chooser } from "./plot/chooser.js";
 import { toCsv } from "./plot/csv.js";
-import { Legend, numberText } from "./plot/legend.js";
+import { Legend } from "./plot/legend.js";
 import { MOST_SERIES, Samples } from "./plot/samples.js";
 
 /** @import { Ros, Shared } from "../protocol.js" */

@@ -268,6 +268,17 @@ export const words = {
   "Plot against {}": "Diagramm über {}",
   "{}. Latest values: {}": "{}. Letzte Werte: {}",
 
+  // Single values.
+  "(empty text)": "(leerer Text)",
+  "good": "gut",
+  "caution": "Vorsicht",
+  "danger": "Gefahr",
+  "on": "an",
+  "off": "aus",
+  "gauge": "Anzeige",
+  "{} is a whole {}; name one of its fields": "{} ist eine ganze {}; ein Feld fehlt noch",
+  "{} names several values; name one, such as [0]": "{} meint mehrere Werte; einer ist nötig, zum Beispiel [0]",
+
   // The link that led here.
   "Close": "Schließen",
   "Parts of this link no longer match this page and were ignored.": "Nicht alles in diesem Link passt zur jetzigen Seite; der Rest wurde weggelassen.",

@@ -1,6 +1,7 @@
 // @ts-check
 // The series of a plot, each a message path, and their curves: one, or one for each element of a slice.
 
+import { Derivative } from "../../messages/derivative.js";
 import { checkNumeric, nameOf, parsePath, readPath, toNumber } from "../../messages/path.js";
 import { say } from "../../ui/words.js";
 import { Trace } from "./trace.js";
@@ -19,39 +20,32 @@ export class Curve {
   /** The last value, also if it cannot be drawn. @type {number | undefined} */
   latest;
   #derivative;
-  #before = { time: NaN, value: NaN };
 
   /** @param {string} name @param {number} number @param {boolean} derivative @param {boolean} against */
   constructor(name, number, derivative, against) {
     this.name = name;
     this.number = number;
-    this.#derivative = derivative;
+    this.#derivative = derivative ? new Derivative() : undefined;
     this.trace = new Trace(against);
   }
 
   /** @param {number} time (s) @param {number} value @param {number} x */
   push(time, value, x) {
-    if (this.#derivative) {
-      const { time: since, value: old } = this.#before;
-      // Messages that arrive together have the same time: there is no change to measure between them.
-      if (time === since) return;
-      this.#before = { time, value };
-      value = (value - old) / (time - since);
-      if (Number.isNaN(since)) return;
-    }
-    this.latest = value;
-    this.trace.push(time, value, x);
+    const found = this.#derivative ? this.#derivative.of(time, value) : value;
+    if (found === undefined) return;
+    this.latest = found;
+    this.trace.push(time, found, x);
   }
 
   /** End the line: what follows is not connected with it. */
   interrupt() {
-    this.#before = { time: NaN, value: NaN };
+    this.#derivative?.clear();
     const last = this.trace.size - 1;
     if (last >= 0 && !Number.isNaN(this.trace.value(last))) this.trace.push(this.trace.time(last), NaN, NaN);
   }
 
   clear() {
-    this.#before = { time: NaN, value: NaN };
+    this.#derivative?.clear();
     this.trace.clear();
     this.latest = undefined;
   }

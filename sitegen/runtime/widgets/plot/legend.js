@@ -2,6 +2,7 @@
 // The legend of a plot: each curve with its colour, its value, and buttons to hide or remove it.
 
 import { arrange, button, create, setText } from "../../ui/elements.js";
+import { numberText } from "../../ui/numbers.js";
 import { say } from "../../ui/words.js";
 import { COLOURS } from "./chart.js";
 
@@ -85,19 +86,4 @@ export class Legend {
     remove.setAttribute("aria-label", say("Remove {}", series.text));
     return remove;
   }
-}
-
-/** A number in at most nine characters or so. @param {number} value */
-export function numberText(value) {
-  if (Number.isNaN(value)) return "NaN";
-  if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
-  const size = Math.abs(value);
-  const text = size !== 0 && (size >= 1e7 || size < 1e-4) ? value.toExponential(3) : decimals(value, size);
-  return text.replace("-", "−");
-}
-
-/** @param {number} value @param {number} size */
-function decimals(value, size) {
-  if (Number.isInteger(value)) return String(value);
-  return value.toFixed(size >= 1000 ? 1 : size >= 10 ? 2 : size >= 0.1 ? 4 : 6);
 }
