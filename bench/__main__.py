@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from bench import building, crowd, messages, pages, prose, python
+from bench import building, crowd, messages, pages, plots, prose, python
 from bench.counts import FULL, SMALLEST, Counts
 from bench.figure import Figure, table
 
@@ -26,6 +26,7 @@ PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "flood": crowd.flood,
     "idle": crowd.idle,
     "many": crowd.many,
+    "plots": plots.plots,
     "start": pages.start,
     "python": python.python,
     "size": pages.size,

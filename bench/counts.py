@@ -16,9 +16,10 @@ class Counts:
     bursts: int = 5
     starts: int = 9
     repeats: int = 5
-    # Seconds that a flood and an idle page are watched.
+    # Seconds that a flood is watched, and an idle page or one of plots, after some to warm up.
     flood: int = 60
     idle: int = 10
+    warm_up: int = 30
     # Nodes of a large page, and topics that each publishes.
     nodes: int = 50
     topics: int = 10
@@ -41,6 +42,7 @@ SMALLEST = Counts(
     repeats=1,
     flood=1,
     idle=1,
+    warm_up=1,
     nodes=5,
     topics=2,
     # A console, and a prompt without one.

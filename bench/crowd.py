@@ -75,9 +75,9 @@ def idle(counts: Counts) -> list[Figure]:
         page = _open(browser, url)
         _start(page, TICKS)
         time.sleep(3)
-        before = _processor(browser)
+        before = processor(browser)
         time.sleep(counts.idle)
-        used = _processor(browser) - before
+        used = processor(browser) - before
     share = used / counts.idle * 100
     return [Figure("idle page, ten nodes at 1 Hz", "%", share, target=Target("figure", "≤", 2))]
 
@@ -142,7 +142,7 @@ def _memory(browser: Browser) -> float:
     return _sum(browser, "statm", lambda fields: int(fields[1]) * os.sysconf("SC_PAGE_SIZE"))
 
 
-def _processor(browser: Browser) -> float:
+def processor(browser: Browser) -> float:
     """Return the seconds of processor time that the renderers have used."""
     ticks = os.sysconf("SC_CLK_TCK")
     return _sum(browser, "stat", lambda fields: (int(fields[13]) + int(fields[14])) / ticks)

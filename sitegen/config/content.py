@@ -11,6 +11,7 @@ from sitegen.config.blocks import Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
+from sitegen.config.panel import panel
 from sitegen.config.section import Section, check, conforms
 from sitegen.config.widgetkeys import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
 from sitegen.errors import Location, Problems, nearest
@@ -184,20 +185,10 @@ class Reader:
         )
 
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
-        """Yield a widget that is about the whole page; it may be written without options."""
-        keys = WIDGETS[kind]
-        options: dict[str, object]
-        if value.kind == "nothing":
-            options = {key.name: key.default for key in keys}
-        elif value.kind == "mapping" and keys:
-            section = check(value, keys, self.problems)
-            options = {key.name: section.option(key.name) for key in keys}
-        else:
-            names = f"its options ({', '.join(key.name for key in keys)}) or " if keys else ""
-            message = f"expected {names}nothing, found {value.found}; write it like '{kind}:'"
-            self.problems.add(value.location, value.key, message)
-            return
-        yield Widget(kind, "", options, value.location)
+        """Yield a widget that is about the whole page."""
+        options = panel(kind, value, self.problems)
+        if options is not None:
+            yield Widget(kind, "", options, value.location)
 
     def _robot(self, value: Value) -> Iterator[Widget]:
         """Yield a robot; its kind decides which options it has."""

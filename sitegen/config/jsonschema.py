@@ -17,7 +17,16 @@ from sitegen.config.schema import (
     SITE,
     Key,
 )
-from sitegen.config.widgetkeys import COLUMN, MARKDOWN, ROBOTS, STAGE, WIDGETS
+from sitegen.config.widgetkeys import (
+    CHOICES,
+    COLUMN,
+    MARKDOWN,
+    ROBOTS,
+    SHORT,
+    STAGE,
+    THRESHOLD,
+    WIDGETS,
+)
 
 Json = dict[str, object]
 
@@ -51,6 +60,11 @@ TYPES |= {
     "list of names": {"type": "array", "items": TYPES["name"]},
     "name by name": {"type": "object", "additionalProperties": TYPES["name"]},
     "parameters": {"type": ["object", "array"]},
+    "decimal": {"type": "number"},
+    "message paths": {
+        "anyOf": [TYPES["message path"], {"type": "array", "items": TYPES["message path"]}]
+    },
+    "thresholds": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/threshold"}},
     "interface by name": {"type": "object", "additionalProperties": TYPES["interface"]},
 }
 NAV: Json = {
@@ -79,6 +93,7 @@ def json_schema() -> Json:
             "nav": NAV,
             "deploy": _mapping(DEPLOY),
             "pyodide": _mapping(PYODIDE),
+            "threshold": _mapping(THRESHOLD),
             "item": _item(),
         },
     }
@@ -99,6 +114,9 @@ def _key(key: Key) -> Json:
     schema = {**TYPES[key.type], "description": key.help}
     if key in WIDGETS["robot"] and key.name == "kind":
         schema["enum"] = sorted(ROBOTS)
+    choices = next((words for keys, words in CHOICES.items() if key in keys), None)
+    if key.name in (choices or ()):
+        schema["enum"] = list((choices or {})[key.name])
     return schema if key.default is None else schema | {"default": key.default}
 
 
@@ -138,4 +156,6 @@ def _widget(kind: str, keys: tuple[Key, ...]) -> Json:
         forms.append(TEXT)
     if not any(key.required for key in keys):
         forms.append({"type": "null"})
+    if kind in SHORT:
+        forms.append(next(TYPES[key.type] for key in keys if key.name == SHORT[kind]))
     return {"anyOf": forms}

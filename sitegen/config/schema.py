@@ -35,6 +35,10 @@ TYPES = {
     "nav": ("list", "a list of pages and groups"),
     "text by name": ("mapping", "names with a text each"),
     "parameters": ("mapping or list", "names with a value each, or a list of these and of files"),
+    "message path": ("text", "a message path"),
+    "message paths": ("text or list", "a message path or a list of these"),
+    "decimal": ("number or other", "a number"),
+    "thresholds": ("list", "a list of thresholds"),
     "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
@@ -56,6 +60,12 @@ FORMS = {
     "date": re.compile(r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])"),
     "colour": re.compile(r"#[0-9a-fA-F]{6}"),
     "range": re.compile(r"[1-9]\d*-[1-9]\d*"),
+    "message path": re.compile(
+        r"(/[A-Za-z_]\w*)+(\.[A-Za-z]\w*(\[-?\d+\]|\[(-?\d+)?:(-?\d+)?\](\{\w+\})?)?)*"
+        r"(\.@derivative)?",
+        re.ASCII,
+    ),
+    "decimal": re.compile(r"[-+]?(\d+\.?\d*|\.\d+)"),
     "digest": re.compile(r"[0-9a-f]{64}"),
     "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
 }

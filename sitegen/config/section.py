@@ -86,13 +86,15 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
 
 def _fits(value: Value, form: str) -> bool:
     pattern = FORMS.get(form)
-    sound = value.kind == TYPES[form][0]
+    sound = value.kind in TYPES[form][0].split(" or ")
     return sound and (pattern is None or bool(pattern.fullmatch(value.text)))
 
 
 def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
-    if key.type.startswith("list of "):
+    if key.type.startswith("list of ") or (key.type == "message paths" and value.kind == "list"):
         return value.items()
+    if key.type == "message paths":
+        return [value]
     if key.type in FORMS:
         return [value]
     return list(value.entries(problems).values()) if key.type.endswith(" by name") else []

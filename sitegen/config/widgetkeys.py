@@ -71,18 +71,8 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "graph": (),
     "log": (_LINES,),
     "3d": (
-        Key(
-            "frame",
-            "text",
-            "fixed frame; by default `map`, `world`, `odom` or the root",
-            "frame: map",
-        ),
-        Key(
-            "displays",
-            "displays",
-            "what is shown; by default, all that can be",
-            "displays: [grid, tf]",
-        ),
+        Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),
+        Key("displays", "displays", "what is shown; defaults to all topics", "displays: [tf]"),
         Key("rviz", "path", "configuration file of RViz", "rviz: rviz/view.rviz"),
         Key("top", "flag", "look straight down", "top: true", default=False),
         Key("background", "colour", "colour of the background", 'background: "#303030"'),
@@ -91,6 +81,71 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "name by name",
             "topics of the tools `goal`, `estimate` and `point`",
             "tools: {goal: /goal_pose}",
+        ),
+    ),
+    "plot": (
+        Key("series", "message paths", "what is plotted", "series: [/odom.pose.pose.position.x]"),
+        Key("x", "message path", "plot against this, not time", "x: /odom.pose.pose.position.x"),
+        Key("window", "number", "how many seconds are shown", "window: 10", default=30),
+        Key("title", "text", "title of the panel", "title: Position"),
+        Key("points", "flag", "mark each sample", "points: true", default=False),
+        Key("min", "decimal", "lower end of the vertical axis", "min: -1.5"),
+        Key("max", "decimal", "upper end of the vertical axis", "max: 1.5"),
+        Key("time", "text", "`received` or `header`", "time: header", default="received"),
+    ),
+    "value": (
+        Key("path", "message path", "the value", "path: /battery.percentage", True),
+        Key("show", "text", "`number`, `gauge`, `light` or `text`", "show: gauge"),
+        Key("title", "text", "title; defaults to the path", "title: Battery"),
+        Key("unit", "text", "unit behind the number", 'unit: "%"'),
+        Key("scale", "decimal", "the number is multiplied by this", "scale: 100"),
+        Key("decimals", "decimal", "number of decimals", "decimals: 2"),
+        Key("min", "decimal", "begin of a gauge", "min: -10", default=0),
+        Key("max", "decimal", "end of a gauge", "max: 250.5", default=100),
+        Key(
+            "thresholds",
+            "thresholds",
+            "which values are good or bad",
+            "thresholds: [{from: 0, is: danger}, {from: 20, is: good}]",
+        ),
+    ),
+    "image": (
+        Key("topic", "name", "topic; without it, visitors choose one", "topic: /image_raw"),
+        Key("min", "decimal", "value of depth that is black", "min: 0.5"),
+        Key("max", "decimal", "value of depth that is white", "max: 5"),
+    ),
+    "camera": (
+        Key("topic", "name", "topic of the images", "topic: /image_raw", default="/image_raw"),
+        Key("info", "name", "topic of the `CameraInfo`", "info: /camera_info"),
+        Key("compressed", "flag", "publish JPEG", "compressed: true", default=False),
+        Key("width", "number", "width of an image in pixels", "width: 640", default=320),
+        Key("rate", "number", "images per second, at most", "rate: 15", default=10),
+        Key("frame", "text", "`frame_id` of the images", "frame: base", default="camera"),
+    ),
+    "joints": (
+        Key(
+            "topic", "name", "topic of the positions", "topic: /joint_states", default="/joint_states"
+        ),
+        Key(
+            "description",
+            "name",
+            "topic of the robot's description",
+            "description: /arm/robot_description",
+            default="/robot_description",
+        ),
+    ),
+    "teleop": (
+        Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
+        Key("stamped", "flag", "send `TwistStamped`", "stamped: true", default=False),
+        Key("linear", "decimal", "largest speed in m/s", "linear: 0.22", default="0.5"),
+        Key("angular", "decimal", "largest turn in rad/s", "angular: 2.84", default="1.0"),
+        Key("joy", "name", "topic of the gamepad itself, as `Joy`", "joy: /joy"),
+        Key(
+            "deadman",
+            "flag",
+            "drive only while Shift or a shoulder button is held",
+            "deadman: true",
+            default=False,
         ),
     ),
     "robot": (
@@ -116,4 +171,21 @@ ROBOTS: Mapping[str, tuple[str, ...]] = {
     "vernie": ("twist", "color", "sensors"),
     "diffdrive": ("twist", "odometry"),
     "turtlesim": ("window",),
+}
+
+# Widgets that may be given one of their options in place of a mapping: `plot: /odom.twist.x`.
+SHORT: Mapping[str, str] = {"plot": "series", "value": "path", "image": "topic", "camera": "topic"}
+
+# An item of `thresholds`.
+THRESHOLD = (
+    Key("from", "decimal", "smallest value of this state", "from: 20", True),
+    Key("is", "text", "`good`, `caution`, `danger` or `plain`", "is: caution", True),
+    Key("text", "text", "what is written beside the value", "text: low"),
+)
+
+# The words that options with a fixed choice can have.
+CHOICES: Mapping[tuple[Key, ...], Mapping[str, tuple[str, ...]]] = {
+    WIDGETS["plot"]: {"time": ("received", "header")},
+    WIDGETS["value"]: {"show": ("number", "gauge", "light", "text")},
+    THRESHOLD: {"is": ("good", "caution", "danger", "plain")},
 }

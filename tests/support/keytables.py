@@ -21,7 +21,7 @@ from sitegen.config.schema import (
     SITE,
     Key,
 )
-from sitegen.config.widgetkeys import COLUMN, STAGE, WIDGETS
+from sitegen.config.widgetkeys import COLUMN, STAGE, THRESHOLD, WIDGETS
 
 # The widgets of one node; all others are panels.
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")
@@ -44,7 +44,10 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "columns": COLUMN,
         **{kind: WIDGETS[kind] for kind in OF_NODES},
     },
-    "panels.md": {kind: keys for kind, keys in WIDGETS.items() if keys and kind not in OF_NODES},
+    "panels.md": {
+        **{kind: keys for kind, keys in WIDGETS.items() if keys and kind not in OF_NODES},
+        "A threshold": THRESHOLD,
+    },
 }
 LINKS = {
     "site": "site-yaml.md#site",

@@ -12,6 +12,8 @@ ANY = "*"
 # These widgets start nodes or show the graph, and have no endpoints to check.
 _LOOK_ON = {"buttons", "console", "graph", "log", "nodes"}
 _TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
+_IMAGE, _COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
+_INFO = "sensor_msgs/msg/CameraInfo"
 _WINDOW = "turtlesim_window/msg/Window"
 _SENSORS = {
     "distance": "std_msgs/msg/Float32",
@@ -53,6 +55,36 @@ def _publish(widget: Widget) -> Iterator[Endpoint]:
         yield Endpoint(PUBLISHER, ANY, "", widget.location, sure=False)
 
 
+def _plot(widget: Widget) -> Iterator[Endpoint]:
+    series = widget.options.get("series")
+    paths = [*(series if isinstance(series, list) else []), widget.options.get("x")]
+    for topic in dict.fromkeys(_topic_of(path) for path in paths if path):
+        yield Endpoint(SUBSCRIPTION, topic, "", widget.location)
+    # Visitors add others.
+    yield Endpoint(SUBSCRIPTION, ANY, "", widget.location, sure=False)
+
+
+def _value(widget: Widget) -> Iterator[Endpoint]:
+    yield Endpoint(SUBSCRIPTION, _topic_of(widget.options["path"]), "", widget.location)
+
+
+def _topic_of(path: object) -> str:
+    return str(path).partition(".")[0]
+
+
+def _image(widget: Widget) -> Iterator[Endpoint]:
+    topic = widget.options.get("topic")
+    yield Endpoint(SUBSCRIPTION, str(topic or ANY), "", widget.location, sure=bool(topic))
+
+
+def _camera(widget: Widget) -> Iterator[Endpoint]:
+    topic = str(widget.options["topic"])
+    type = _COMPRESSED if widget.options["compressed"] else _IMAGE
+    yield Endpoint(PUBLISHER, topic, type, widget.location)
+    info = widget.options.get("info") or f"{topic.rpartition('/')[0]}/camera_info"
+    yield Endpoint(PUBLISHER, str(info), _INFO, widget.location, sure=False)
+
+
 def _robot(widget: Widget) -> Iterator[Endpoint]:
     given: Mapping[str, object] = widget.options
     if given["kind"] == "turtlesim":
@@ -73,4 +105,13 @@ def _robot(widget: Widget) -> Iterator[Endpoint]:
             yield Endpoint(PUBLISHER, sensor, type, widget.location, sure=False)
 
 
-_READ = {"topics": _topics, "services": _services, "publish": _publish, "robot": _robot}
+_READ = {
+    "topics": _topics,
+    "services": _services,
+    "publish": _publish,
+    "plot": _plot,
+    "value": _value,
+    "image": _image,
+    "camera": _camera,
+    "robot": _robot,
+}

@@ -122,18 +122,20 @@ export class Drawing {
 
 /**
  * Move with one pointer, zoom with two.
- * @param {SVGElement} svg
+ * @param {SVGElement | HTMLElement} area
  * @param {(x: number, y: number) => void} move
  * @param {(factor: number, x: number, y: number) => void} zoom
  */
-function followPointers(svg, move, zoom) {
+export function followPointers(area, move, zoom) {
   /** Positions by pointer id. @type {Map<number, {x: number, y: number}>} */
   const pointers = new Map();
-  svg.addEventListener("pointerdown", (event) => {
-    svg.setPointerCapture(event.pointerId);
+  area.addEventListener("pointerdown", (down) => {
+    const event = /** @type {PointerEvent} */ (down);
+    area.setPointerCapture(event.pointerId);
     pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
   });
-  svg.addEventListener("pointermove", (event) => {
+  area.addEventListener("pointermove", (moved) => {
+    const event = /** @type {PointerEvent} */ (moved);
     const before = pointers.get(event.pointerId);
     if (!before) return;
     const after = { x: event.offsetX, y: event.offsetY };
@@ -147,6 +149,6 @@ function followPointers(svg, move, zoom) {
     zoom(apart(after) / Math.max(apart(before), 1), (after.x + other.x) / 2, (after.y + other.y) / 2);
   });
   for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
-    svg.addEventListener(end, (event) => pointers.delete(event.pointerId));
+    area.addEventListener(end, (event) => pointers.delete(/** @type {PointerEvent} */ (event).pointerId));
   }
 }

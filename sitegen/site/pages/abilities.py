@@ -11,9 +11,9 @@ ABILITIES = {
     "type": {"prompt"},
     "robot": {"robot"},
     "start": {"buttons"},
-    "publish": {"publish"},
+    "publish": {"publish", "camera"},
     "call": {"services"},
-    "look": {"topics", "nodes", "graph", "log"},
+    "look": {"topics", "nodes", "graph", "log", "plot", "value", "image"},
 }
 # A longer list would not be read.
 MOST = 3

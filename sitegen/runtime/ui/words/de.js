@@ -233,6 +233,97 @@ export const words = {
   "{} reads each key pressed here": "{} liest jede Taste, die hier gedrückt wird",
   "Press Start to run Python": "Für Python auf Start drücken",
 
+  // Message paths and plots.
+  "'{}' is not a message path; write it like {}": "„{}“ ist kein Nachrichtenpfad; zum Beispiel {}",
+  "unknown '.@{}' in {}; there is only .@derivative": "„.@{}“ in {} ist unbekannt; es gibt nur .@derivative",
+  "'{}' in {} must stand behind [:], whose elements it names":
+    "„{}“ in {} muss hinter [:] stehen, dessen Elemente es benennt",
+  "{} has two slices; keep one": "{} hat zwei Bereiche; nur einer ist möglich",
+  "{}: '{}' is an array; write {}[0] or {}[:]": "{}: „{}“ ist ein Array; zum Beispiel {}[0] oder {}[:]",
+  "{}: '{}' is not an array": "{}: „{}“ ist kein Array",
+  "{}: '{}' is not an array of texts, so it cannot name elements":
+    "{}: „{}“ ist kein Array von Texten und kann keine Elemente benennen",
+  "{}: {} has no field '{}'; its fields are {}": "{}: {} hat kein Feld „{}“, nur {}",
+  "{}: {} has no fields, so no '{}'": "{}: {} hat keine Felder, also auch kein „{}“",
+  "{} is a whole {}; add one of its fields: {}": "{} ist eine ganze {}; ein Feld fehlt noch: {}",
+  "{} is text, not a number": "{} ist Text und keine Zahl",
+  "Plot": "Diagramm",
+  "Points": "Punkte",
+  "seconds": "Sekunden",
+  "Save what is shown as a table": "Das Gezeigte als Tabelle speichern",
+  "curves and their values": "Kurven und ihre Werte",
+  "Hide or show {}": "{} verbergen oder zeigen",
+  "Remove {}": "{} entfernen",
+  "Add": "Hinzufügen",
+  "message path of a new curve": "Nachrichtenpfad einer neuen Kurve",
+  "Enter a message path, such as {}": "Einen Nachrichtenpfad eingeben, zum Beispiel {}",
+  "Add a message path to plot it": "Einen Nachrichtenpfad hinzufügen, um ihn zu zeichnen",
+  "Nothing received yet": "Noch nichts empfangen",
+  "{} is plotted already": "{} wird schon gezeichnet",
+  "A plot has at most {} paths; remove one first": "Ein Diagramm hat höchstens {} Pfade; zuerst einen entfernen",
+  "Only {} curves are drawn; choose fewer elements with a slice such as [0:5]":
+    "Nur {} Kurven werden gezeichnet; ein Bereich wie [0:5] wählt weniger Elemente",
+  "x must be one value: {}": "x muss ein einzelner Wert sein: {}",
+  "Plot against time": "Diagramm über die Zeit",
+  "Plot against {}": "Diagramm über {}",
+  "{}. Latest values: {}": "{}. Letzte Werte: {}",
+
+  // Single values.
+  "(empty text)": "(leerer Text)",
+  "good": "gut",
+  "caution": "Vorsicht",
+  "danger": "Gefahr",
+  "on": "an",
+  "off": "aus",
+  "gauge": "Anzeige",
+  "{} is a whole {}; name one of its fields": "{} ist eine ganze {}; ein Feld fehlt noch",
+  "{} names several values; name one, such as [0]": "{} meint mehrere Werte; einer ist nötig, zum Beispiel [0]",
+
+  // Images and cameras.
+  "Save": "Speichern",
+  "Save the image as PNG": "Das Bild als PNG speichern",
+  "Image of {}: {}": "Bild von {}: {}",
+  "No image of {} yet": "Noch kein Bild von {}",
+  "No topics with images now. They appear when nodes start.":
+    "Gerade kein Topic mit Bildern. Sie kommen, wenn Nodes starten.",
+  "depth that is black": "Tiefe, die schwarz ist",
+  "depth that is white": "Tiefe, die weiß ist",
+  "{} has the type {}; images are {} or {}": "{} hat den Typ {}; Bilder sind {} oder {}",
+  "The encoding '{}' is not supported; use one of {}": "Die Kodierung „{}“ geht hier nicht; möglich sind {}",
+  "The image is empty: {} × {} pixels": "Das Bild ist leer: {} × {} Pixel",
+  "The image is too large: {} × {} pixels": "Das Bild ist zu groß: {} × {} Pixel",
+  "The image has {} bytes of data; {} × {} pixels in {} need {}":
+    "Das Bild hat {} Bytes Daten; {} × {} Pixel in {} brauchen {}",
+  "step is {}, but a row of {} pixels in {} has {} bytes":
+    "step ist {}, aber eine Zeile von {} Pixeln in {} hat {} Bytes",
+  "{} needs an even width, not {}": "{} braucht eine gerade Breite und nicht {}",
+  "Compressed depth images are not supported; publish them as {}":
+    "Komprimierte Tiefenbilder gehen hier nicht; veröffentlichen Sie sie als {}",
+  "The browser cannot decode this image; its format is '{}'":
+    "Der Browser kann dieses Bild nicht lesen; sein Format ist „{}“",
+  "Start camera": "Kamera starten",
+  "Your camera": "Ihre Kamera",
+  "Your camera is off. Its images stay on this page.": "Ihre Kamera ist aus. Ihre Bilder bleiben auf dieser Seite.",
+  "No node of this page uses {}, so the page cannot publish it. Add a node that subscribes to it.":
+    "Kein Node dieser Seite verwendet {}, also kann die Seite es nicht veröffentlichen. Es fehlt ein Node, der es abonniert.",
+  "Waiting for the camera…": "Wartet auf die Kamera …",
+  "1 image published": "1 Bild veröffentlicht",
+  "{} images published": "{} Bilder veröffentlicht",
+  "Stopped because the page was hidden.": "Angehalten, weil die Seite nicht zu sehen war.",
+  "Stopped because the panel was hidden.": "Angehalten, weil das Feld verborgen war.",
+  "Access to the camera was refused. Allow it in the settings of your browser for this page, then start again.":
+    "Der Zugriff auf die Kamera wurde verweigert. Erlauben Sie ihn in den Einstellungen Ihres Browsers für diese Seite, und starten Sie noch einmal.",
+  "The browser does not allow cameras here. Open this page in its own tab, not embedded in another page.":
+    "Der Browser erlaubt Kameras hier nicht. Öffnen Sie diese Seite für sich, nicht in einer anderen.",
+  "No camera was found. Connect one, then start again.":
+    "Es wurde keine Kamera gefunden. Schließen Sie eine an, und starten Sie noch einmal.",
+  "The camera does not respond. Another program may be using it.":
+    "Die Kamera antwortet nicht. Vielleicht verwendet sie ein anderes Programm.",
+  "Browsers allow cameras only on https:// pages and on this computer. Open this page at such an address.":
+    "Browser erlauben Kameras nur auf Seiten von https:// und vom eigenen Computer. Öffnen Sie diese Seite von einer solchen Adresse.",
+  "The camera was disconnected.": "Die Kamera wurde abgezogen.",
+  "The camera cannot be used: {}": "Die Kamera geht nicht: {}",
+
   // The link that led here.
   "Close": "Schließen",
   "This link starts {}.": "Dieser Link startet {}.",
