@@ -124,7 +124,11 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "joints": (
         Key(
-            "topic", "name", "topic of the positions", "topic: /joint_states", default="/joint_states"
+            "topic",
+            "name",
+            "topic of the positions",
+            "topic: /joint_states",
+            default="/joint_states",
         ),
         Key(
             "description",

@@ -2,7 +2,6 @@
 // Sliders for the joints of a robot, which publish their positions as joint_state_publisher_gui does.
 
 import { button, create, setNote } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { positionsOf, readJoints } from "./joints/description.js";
 
@@ -30,9 +29,10 @@ export function mount(element, ros, { topic = "/joint_states", description = "/r
   const joints = new Joints(ros, topic, description);
   element.replaceChildren(...joints.elements);
   ros.keep(element, { positions: "object" }, () => joints.kept(), ({ positions }) => joints.restore(positions ?? {}));
-  const unlook = whileSeen(element, () => joints.begin());
+  // Other nodes wait for the positions, so they are published wherever the visitor looks.
+  const end = joints.begin();
   return () => {
-    unlook();
+    end();
     element.replaceChildren();
   };
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 from playwright.sync_api import Page as Tab
@@ -11,7 +12,7 @@ from scenes import at, emit, pixels, view
 from stage import add, hide_tab, show, subscribed
 
 # By display and its options: the message, and which colours are where.
-SCENES = [
+SCENES: list[tuple[dict[str, Any], str, str, list[tuple[float, float, str]]]] = [
     (
         {"kind": "laser_scan", "topic": "/t", "size": 0.2, "color": "#00ff00"},
         "sensor_msgs/msg/LaserScan",
@@ -84,7 +85,8 @@ SCENES = [
     (
         {"kind": "wrench", "topic": "/t", "force_scale": 1, "width": 0.2, "force_color": "#ff0000"},
         "geometry_msgs/msg/WrenchStamped",
-        "{ header: header(), wrench: { force: { x: 1.5, y: 0, z: 0 }, torque: { x: 0, y: 0, z: 0 } } }",
+        "{ header: header(), wrench: { force: { x: 1.5, y: 0, z: 0 },"
+        " torque: { x: 0, y: 0, z: 0 } } }",
         [(0.5, 0, "red"), (-0.5, 0, "black")],
     ),
     (
@@ -147,7 +149,8 @@ MARKERS = {
         (-0.8, 0.8),
     ),
     "arrow strip": (
-        "{ type: 12, points: points([-1, 0], [0, 0], [1.5, 0]), scale: { x: 0.3, y: 0.4, z: 0.2 } }",
+        "{ type: 12, points: points([-1, 0], [0, 0], [1.5, 0]),"
+        " scale: { x: 0.3, y: 0.4, z: 0.2 } }",
         (0.5, 0),
         (0, 0.6),
     ),
@@ -311,7 +314,9 @@ def test_tools_publish_a_goal_a_pose_and_a_point(stage: Tab) -> None:
     drag(0, 0, -1, 0)
     estimate = stage.evaluate("ros.published[1]")
     assert estimate["topic"] == "/initialpose"
-    assert abs(estimate["message"]["pose"]["pose"]["orientation"]["z"]) == pytest.approx(1, abs=0.01)
+    assert abs(estimate["message"]["pose"]["pose"]["orientation"]["z"]) == pytest.approx(
+        1, abs=0.01
+    )
     panel.get_by_role("button", name="Point", exact=True).click()
     drag(-1, -1, -1, -1)
     point = stage.evaluate("ros.published[2].message.point")

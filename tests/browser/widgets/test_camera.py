@@ -125,7 +125,9 @@ def test_a_camera_stops_when_it_is_hidden(filmed: Tab) -> None:
     assert tracks == 6
     panel = show(filmed, "camera", {"topic": "/image"})
     filmed.evaluate("() => { document.querySelector('.ros-start').click(); unmount(); }")
-    filmed.wait_for_function("() => window.late?.getTracks().every((t) => t.readyState === 'ended')")
+    filmed.wait_for_function(
+        "() => window.late?.getTracks().every((t) => t.readyState === 'ended')"
+    )
     assert filmed.evaluate("ros.closed") == 6
 
 

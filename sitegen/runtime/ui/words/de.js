@@ -1,8 +1,12 @@
 // @ts-check
 // What widgets say, in German: by the English text that stands in the code.
 
+import { views } from "./de/views.js";
+
 /** @type {Record<string, string>} */
 export const words = {
+  ...views,
+
   // How nodes are, and what is done with them.
   "stopped": "gestoppt",
   "starting": "startet",

@@ -2,7 +2,6 @@
 // The options of a display, as controls made from their defaults.
 
 import { create } from "../../ui/elements.js";
-import { say } from "../../ui/words.js";
 
 /** @import { Setting, Shown } from "./shown.js" */
 
@@ -23,7 +22,7 @@ export function createSettings(shown, change) {
     const control = createControl(standard, choices[key]);
     control.id = `ros-setting-${++lastId}`;
     controls.set(key, control);
-    const label = create("label", "", say(key.replaceAll("_", " ")));
+    const label = create("label", "", key.replaceAll("_", " "));
     label.htmlFor = control.id;
     control.addEventListener("change", () => {
       const value = read(control, standard);

@@ -2,13 +2,14 @@
 // The axes of one frame: x red, y green, z blue.
 
 import { Quaternion, Vector3 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { Axes } from "../shapes.js";
 
 /** @import { Kind } from "../shown.js" */
 
 /** @type {Kind} */
 export const kind = {
-  title: "Axes",
+  title: say("Axes"),
   types: [],
   defaults: { length: 1, radius: 0.1, frame: "", alpha: 1 },
 

@@ -2,6 +2,7 @@
 // The floor of the scene: a grid.
 
 import { Color } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { Lines } from "../lines.js";
 
 /** @import { Kind } from "../shown.js" */
@@ -10,7 +11,7 @@ const MOST = 1000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Grid",
+  title: say("Grid"),
   types: [],
   defaults: { cells: 10, size: 1, color: "#a0a0a4", alpha: 0.5, plane: "XY", frame: "", width: 0 },
   choices: { plane: ["XY", "XZ", "YZ"] },

@@ -4,6 +4,7 @@
 import {
   BoxGeometry, Color, Group, Mesh, MeshLambertMaterial, Vector3,
 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { isFinitePose, normalized } from "../../tf/pose.js";
 import { finite } from "../lines.js";
 import { Arrows, Axes, dispose } from "../shapes.js";
@@ -13,7 +14,7 @@ import { put } from "../shown.js";
 
 /** @type {Kind} */
 export const kind = {
-  title: "IMU",
+  title: say("IMU"),
   types: ["sensor_msgs/msg/Imu"],
   defaults: {
     topic: "/imu", box: true, axes: true, acceleration: true, size: 0.3, acceleration_scale: 0.05, color: "#ff0000", alpha: 1,

@@ -1,13 +1,14 @@
 // @ts-check
 // The points of a laser scanner.
 
+import { say } from "../../../ui/words.js";
 import { pointsOf } from "../cloud.js";
 
 /** @import { Kind } from "../shown.js" */
 
 /** @type {Kind} */
 export const kind = {
-  title: "Laser scan",
+  title: say("Laser scan"),
   types: ["sensor_msgs/msg/LaserScan"],
   defaults: {
     topic: "/scan", size: 0.03, color_by: "color", color: "#ff4b4b", alpha: 1, decay: 0, min: 0, max: 0,

@@ -18,7 +18,7 @@ const LARGEST = 8192;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Map",
+  title: say("Map"),
   types: [GRID],
   defaults: { topic: "/map", alpha: 0.7, scheme: "map" },
   choices: { scheme: ["map", "costmap", "raw"] },

@@ -22,7 +22,7 @@ const MOST = 20_000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Markers",
+  title: say("Markers"),
   types: ["visualization_msgs/msg/Marker", ARRAY],
   defaults: { topic: "/visualization_marker", hidden: "" },
 

@@ -2,6 +2,7 @@
 // Where odometry says that a robot is and was: arrows at its last poses.
 
 import { Color, Quaternion, Vector3 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { isFinitePose, poseOf } from "../../tf/pose.js";
 import { Arrows, dispose } from "../shapes.js";
 
@@ -11,7 +12,7 @@ const MOST = 1000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Odometry",
+  title: say("Odometry"),
   types: ["nav_msgs/msg/Odometry"],
   defaults: {
     topic: "/odom", keep: 100, color: "#ff1900", alpha: 1, length: 0.4, distance: 0.1, angle: 0.1,

@@ -2,13 +2,14 @@
 // A path: a line through its poses.
 
 import { Color } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { Lines, finite, segments } from "../lines.js";
 
 /** @import { Kind } from "../shown.js" */
 
 /** @type {Kind} */
 export const kind = {
-  title: "Path",
+  title: say("Path"),
   types: ["nav_msgs/msg/Path"],
   defaults: { topic: "/plan", color: "#19ff00", alpha: 1, width: 0.03 },
 

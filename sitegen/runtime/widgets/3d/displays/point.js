@@ -2,6 +2,7 @@
 // A point, and those before it: a sphere each.
 
 import { Color, InstancedMesh, Matrix4, MeshLambertMaterial, SphereGeometry } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { finite } from "../lines.js";
 import { dispose } from "../shapes.js";
 
@@ -11,7 +12,7 @@ const MOST = 1000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Point",
+  title: say("Point"),
   types: ["geometry_msgs/msg/PointStamped"],
   defaults: { topic: "/clicked_point", radius: 0.2, keep: 1, color: "#cc29cc", alpha: 1 },
 

@@ -1,6 +1,7 @@
 // @ts-check
 // A point cloud, with any layout of its fields.
 
+import { say } from "../../../ui/words.js";
 import { pointsOf } from "../cloud.js";
 import { readCloud } from "../cloudFields.js";
 
@@ -8,7 +9,7 @@ import { readCloud } from "../cloudFields.js";
 
 /** @type {Kind} */
 export const kind = {
-  title: "Point cloud",
+  title: say("Point cloud"),
   types: ["sensor_msgs/msg/PointCloud2"],
   defaults: {
     topic: "/points", size: 0.02, color_by: "auto", color: "#ffffff", alpha: 1, decay: 0, min: 0, max: 0,

@@ -2,13 +2,14 @@
 // A polygon, such as the outline of a robot.
 
 import { Color } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { Lines, finite, segments } from "../lines.js";
 
 /** @import { Kind } from "../shown.js" */
 
 /** @type {Kind} */
 export const kind = {
-  title: "Polygon",
+  title: say("Polygon"),
   types: ["geometry_msgs/msg/PolygonStamped"],
   defaults: { topic: "/footprint", color: "#19ff00", alpha: 1, width: 0 },
 

@@ -15,7 +15,7 @@ const POINTS = 48;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Pose",
+  title: say("Pose"),
   types: ["geometry_msgs/msg/PoseStamped", WITH_COVARIANCE],
   defaults: { topic: "/goal_pose", shape: "arrow", color: "#ff1900", alpha: 1, length: 1, covariance: true },
   choices: { shape: ["arrow", "axes"] },

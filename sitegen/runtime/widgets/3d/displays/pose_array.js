@@ -2,6 +2,7 @@
 // Many poses, such as the particles of a localization: an arrow each.
 
 import { Color, Quaternion, Vector3 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { isFinitePose, poseOf } from "../../tf/pose.js";
 import { Arrows, dispose } from "../shapes.js";
 
@@ -11,7 +12,7 @@ const MOST = 20_000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Poses",
+  title: say("Poses"),
   types: ["geometry_msgs/msg/PoseArray"],
   defaults: { topic: "/particle_cloud", color: "#ff1900", alpha: 1, length: 0.3 },
 

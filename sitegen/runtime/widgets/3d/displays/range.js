@@ -2,13 +2,14 @@
 // What a range sensor sees: a cone along x, as long as the distance.
 
 import { Color, ConeGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { dispose } from "../shapes.js";
 
 /** @import { Kind } from "../shown.js" */
 
 /** @type {Kind} */
 export const kind = {
-  title: "Range",
+  title: say("Range"),
   types: ["sensor_msgs/msg/Range"],
   defaults: { topic: "/range", color: "#ffffff", alpha: 0.5 },
 

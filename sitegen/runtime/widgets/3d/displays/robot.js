@@ -13,7 +13,7 @@ const MOST_LINKS = 2000;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Robot model",
+  title: say("Robot model"),
   types: ["std_msgs/msg/String"],
   defaults: { topic: "/robot_description", file: "", visual: true, collision: false, axes: false, alpha: 1, prefix: "" },
 

@@ -2,6 +2,7 @@
 // All frames: their axes, their names, and lines to their parents.
 
 import { Color, Group, Quaternion, Vector3 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { createLabel } from "../label.js";
 import { Lines } from "../lines.js";
 import { Axes, dispose } from "../shapes.js";
@@ -16,7 +17,7 @@ const NAME = 0.035;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Frames",
+  title: say("Frames"),
   types: [],
   defaults: { names: true, axes: true, arrows: true, scale: 1, alpha: 1 },
 

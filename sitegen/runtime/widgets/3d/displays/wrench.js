@@ -2,6 +2,7 @@
 // A force and a torque: an arrow, and an arrow around the axis of the torque.
 
 import { Color, Quaternion, Vector3 } from "../../../vendor/three.js";
+import { say } from "../../../ui/words.js";
 import { Lines, finite } from "../lines.js";
 import { Arrows, dispose } from "../shapes.js";
 
@@ -11,7 +12,7 @@ const STEPS = 32;
 
 /** @type {Kind} */
 export const kind = {
-  title: "Wrench",
+  title: say("Wrench"),
   types: ["geometry_msgs/msg/WrenchStamped"],
   defaults: {
     topic: "/wrench", force_color: "#cc3333", torque_color: "#cccc33", force_scale: 0.1, torque_scale: 0.1, width: 0.03,
