@@ -120,7 +120,7 @@ class Reader:
 
     def _widget(self, kind: str, value: Value) -> Iterator[Widget | Source]:
         if kind == scene.KIND:
-            found = scene.scene(value, self.problems, self.notes)
+            found = scene.scene(value, self.problems, self.notes, self.folder)
             if found:
                 yield found
             return

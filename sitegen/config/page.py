@@ -145,9 +145,9 @@ class PageReader:
         front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
         opened: list[Window] = []
-        started = self._launch(_giver("launch", page, front), known, opened)
-        known |= started
         folder = file.parent if file else self.problems.root
+        started = self._launch(_giver("launch", page, front), known, opened, folder)
+        known |= started
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, self.notes, folder)
         content = page.get("content")
@@ -209,11 +209,18 @@ class PageReader:
         return {**taken, **declared}
 
     def _launch(
-        self, section: Section, taken: Mapping[str, Declared], opened: list[Window]
+        self,
+        section: Section,
+        taken: Mapping[str, Declared],
+        opened: list[Window],
+        folder: Path,
     ) -> dict[str, Declared]:
-        """Return the nodes that a launch file starts, and add the windows to `opened`."""
+        """Return the nodes that a launch file starts, and add the windows to `opened`.
+
+        `folder` is that of the page.
+        """
         given = section.get("launch")
-        file = locate(given, self.problems) if given else None
+        file = locate(given, self.problems, page=folder) if given else None
         if not given or not file:
             return {}
         values = section.get("launch_arguments")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from sitegen.config import displays
@@ -17,8 +18,11 @@ KIND = "3d"
 TOOLS = ("goal", "estimate", "point")
 
 
-def scene(value: Value, problems: Problems, notes: Problems) -> Widget | None:
-    """Return the 3D view that `value` describes; `notes` get what its `.rviz` file has in vain."""
+def scene(value: Value, problems: Problems, notes: Problems, page: Path) -> Widget | None:
+    """Return the 3D view that `value` describes.
+
+    `notes` get what its `.rviz` file has in vain; `page` is the folder of the page.
+    """
     if value.kind == "nothing":
         return Widget(KIND, "", {}, value.location)
     if value.kind == "text":
@@ -29,14 +33,14 @@ def scene(value: Value, problems: Problems, notes: Problems) -> Widget | None:
     section = check(value, WIDGETS[KIND], problems)
     options: dict[str, Any] = {}
     if given := section.get("rviz"):
-        options |= configured(given, problems, notes)
+        options |= _configured(given, problems, notes, page)
     for name in ("frame", "background"):
         if text := section.text(name):
             options[name] = text
     if given := section.get("displays"):
         shown = displays.displays(given, problems)
         for one, item in zip(shown, given.items(), strict=False):
-            _locate(one, item, problems)
+            _locate(one, item, problems, page)
         options["displays"] = [*options.get("displays", ()), *shown]
     if given := section.get("tools"):
         topics = given.entries(problems)
@@ -50,9 +54,9 @@ def scene(value: Value, problems: Problems, notes: Problems) -> Widget | None:
     return Widget(KIND, "", options, value.location)
 
 
-def configured(given: Value, problems: Problems, notes: Problems) -> dict[str, Any]:
+def _configured(given: Value, problems: Problems, notes: Problems, page: Path) -> dict[str, Any]:
     """Return the options that the `.rviz` file named by `given` stands for."""
-    file = locate(given, problems)
+    file = locate(given, problems, page=page)
     if not file:
         return {}
     try:
@@ -66,11 +70,11 @@ def configured(given: Value, problems: Problems, notes: Problems) -> dict[str, A
     return dict(found.options)
 
 
-def _locate(display: dict[str, Any], item: Value, problems: Problems) -> None:
+def _locate(display: dict[str, Any], item: Value, problems: Problems, page: Path) -> None:
     """Replace the file of a robot by its path below the folder of the site."""
     if not display.get("file"):
         return
     [options] = item.entries(problems).values()
-    file = locate(options.entries(problems)["file"], problems)
+    file = locate(options.entries(problems)["file"], problems, page=page)
     if file:
         display["file"] = file.relative_to(problems.root.resolve()).as_posix()

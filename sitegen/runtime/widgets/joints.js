@@ -51,7 +51,7 @@ class Joints {
   /** What a link says, until the description is here. @type {Record<string, unknown>} */
   #given = {};
   #rows = create("div", "ros-joint-list");
-  #note = create("p", "ros-hint");
+  #note = create("p", "ros-joints-note");
   /** @type {Publisher | undefined} */
   #publisher;
   #frame = 0;

@@ -78,7 +78,7 @@ class Teleop {
     this.#keys = new Keys(base, () => this.#send());
     base.addEventListener("pointerdown", () => base.focus({ preventScroll: true }));
     const heading = create("div", "ros-node", create("span", "ros-title", say("Drive")), create("span", "ros-type", topic));
-    const hint = create("p", "ros-hint", deadman
+    const hint = create("p", "ros-teleop-help", deadman
       ? say("Drag the stick. Or click it and hold Shift with the arrow keys or W, A, S, D; a gamepad needs a shoulder button.")
       : say("Drag the stick. Or click it and hold the arrow keys or W, A, S, D. A gamepad works, too."));
     const side = create("div", "ros-teleop-side", this.#linear.element, this.#angular.element, this.#readout, hint, this.#note);
