@@ -59,7 +59,15 @@ const bundles = Object.fromEntries(metafiles.flatMap(({ outputs }) => Object.ent
     modules: Object.keys(inputs).filter((input) => !input.startsWith("part:")),
   }]));
 await writeFile(join(TARGET, "modules.json"), `${JSON.stringify({ bundles, modules }, null, 1)}\n`);
+await writeFile(join(TARGET, "displays.json"), `${JSON.stringify(await displays(), null, 1)}\n`);
 await removeOthers(Object.keys(bundles).flatMap((name) => [name, `${name}.map`]));
+
+/** What site.yaml can say of each display of a 3D view: its modules are the only ones that know. */
+async function displays() {
+  const { KINDS } = await import(join(RUNTIME, "widgets/3d/kinds.js"));
+  return Object.fromEntries(Object.entries(KINDS).map(([name, { title, types, defaults, choices = {} }]) =>
+    [name, { title, types, defaults, choices }]));
+}
 
 /** Write the bundles, and return what esbuild says about them. */
 async function bundled() {

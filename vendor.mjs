@@ -20,6 +20,25 @@ const BUNDLES = {
     export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
     export { tags } from "@lezer/highlight";`,
   idiomorph: 'export { Idiomorph } from "idiomorph";',
+  three: `
+    export {
+      AmbientLight, ArrowHelper, AxesHelper, Box3, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color,
+      ConeGeometry, CylinderGeometry, DataTexture, DirectionalLight, DoubleSide, DynamicDrawUsage, Euler,
+      Float32BufferAttribute, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineSegments,
+      LoadingManager, Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MOUSE, NearestFilter, Object3D,
+      OrthographicCamera, PerspectiveCamera, Plane, PlaneGeometry, Points, PointsMaterial, Quaternion, Raycaster,
+      RedFormat, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
+    } from "three";
+    export { OrbitControls } from "three/addons/controls/OrbitControls.js";
+    export { LineMaterial } from "three/addons/lines/LineMaterial.js";
+    export { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+    export { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+    export { ColladaLoader } from "three/addons/loaders/ColladaLoader.js";
+    export { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+    export { MTLLoader } from "three/addons/loaders/MTLLoader.js";
+    export { OBJLoader } from "three/addons/loaders/OBJLoader.js";
+    export { STLLoader } from "three/addons/loaders/STLLoader.js";
+    export { default as URDFLoader } from "urdf-loader";`,
   uplot: 'export { default as uPlot } from "uplot";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
 };

@@ -46,6 +46,9 @@ def make(
 
     Raises: SiteError if anything is wrong with the site, or if `output` must not be replaced.
     """
+    # In a checkout, the bundles may be older than the modules of the runtime.
+    bundles.refresh(report)
+
     # Load site.yaml into a Site and scan the workspace that it names.
     site = config.load(folder / "site.yaml")
     if options.live:
@@ -57,9 +60,6 @@ def make(
         check_output(output)
         if (output / VERSIONS).exists():
             raise SiteError([f"{output} contains versions of a site; {ONE_OF_MANY}"])
-
-    # In a checkout, the bundles may be older than the modules of the runtime.
-    bundles.refresh(report)
 
     # Compile C++ nodes to WebAssembly, pack Python nodes into archives, fetch prebuilt nodes.
     site, prebuilt = resolve(site, cache=cache_folder(), report=report)

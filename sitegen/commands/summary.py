@@ -65,16 +65,15 @@ def _row(group: Sequence[Page]) -> tuple[str, str, str]:
 def _nodes(programs: Sequence[Program], everything: bool = False) -> Iterator[str]:
     if everything or len(programs) <= NODES:
         for one in programs:
-            what = "did not build" if one.fault else f"{one.kind}{_sizes([one])}"
+            what = "did not build" if one.fault else f"{one.written_in}{_sizes([one])}"
             yield f"  {one.name}: {what}"
         return
     if failed := sum(bool(one.fault) for one in programs):
         yield f"  {count(failed, 'node')} did not build"
     programs = [one for one in programs if not one.fault]
-    kinds = {one.kind for one in programs}
-    for kind in sorted(kinds):
-        group = [one for one in programs if one.kind == kind]
-        yield f"  {count(len(group), 'node')} in {kind}{_sizes(group)}"
+    for what in sorted({one.written_in for one in programs}):
+        group = [one for one in programs if one.written_in == what]
+        yield f"  {count(len(group), 'node')} in {what}{_sizes(group)}"
 
 
 def _sizes(programs: Sequence[Program]) -> str:

@@ -28,7 +28,7 @@ def read_again(page: Page, root: Path) -> Page | None:
     front, body = front_matter(text or "")
     if not front.closed or front.text != page.front:
         return None
-    reader = Reader(page.nodes, problems, page.file.parent)
+    reader = Reader(page.nodes, problems, Problems(root), page.file.parent)
     start = Location(page.file, 1 + body.line)
     content = tuple(reader.markdown(body.text, start, page.file.parent))
     if problems.found or _frame(content) != _frame(page.content):

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from sitegen.config import scene
 from sitegen.config.blocks import Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
@@ -23,6 +24,7 @@ class Reader:
 
     nodes: Mapping[str, Node]
     problems: Problems
+    notes: Problems
     folder: Path
 
     def items(self, value: Value) -> Iterator[Part]:
@@ -117,6 +119,11 @@ class Reader:
         return name, value
 
     def _widget(self, kind: str, value: Value) -> Iterator[Widget | Source]:
+        if kind == scene.KIND:
+            found = scene.scene(value, self.problems, self.notes, self.folder)
+            if found:
+                yield found
+            return
         if kind == "robot":
             yield from self._robot(value)
             return

@@ -8,11 +8,18 @@ from sitegen.config.document import Value
 from sitegen.errors import Problems, nearest
 
 
-def locate(value: Value, problems: Problems, *, folder: bool = False) -> Path | None:
-    """Return the file or folder of the site that `value` names, and report one that is missing."""
+def locate(
+    value: Value, problems: Problems, *, folder: bool = False, page: Path | None = None
+) -> Path | None:
+    """Return the file or folder of the site that `value` names, and report one that is missing.
+
+    It is looked for in the folder of site.yaml, then in that of the `page`.
+    """
     root, text = problems.root, value.text
     try:
         path = (root / text).resolve()
+        if page and not path.exists() and (page / text).exists():
+            path = (page / text).resolve()
         fault = _fault(text, path, root, folder)
     except (OSError, RuntimeError, ValueError):
         path, fault = root, f"'{text}' cannot be opened; check the path"

@@ -47,6 +47,10 @@ TYPES: dict[str, Json] = {
     "items": {
         "anyOf": [{"type": "array", "items": {"$ref": "#/$defs/item"}}, {"$ref": "#/$defs/item"}]
     },
+    "displays": {
+        "type": "array",
+        "items": {"anyOf": [TEXT, {"type": "object", "minProperties": 1, "maxProperties": 1}]},
+    },
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
     "deploy": {"$ref": "#/$defs/deploy"},
     "pyodide": {"$ref": "#/$defs/pyodide"},
@@ -54,6 +58,7 @@ TYPES: dict[str, Json] = {
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
     "list of names": {"type": "array", "items": TYPES["name"]},
+    "name by name": {"type": "object", "additionalProperties": TYPES["name"]},
     "parameters": {"type": ["object", "array"]},
     "decimal": {"type": "number"},
     "message paths": {

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen import pagepath, workspace
-from sitegen.config import level
+from sitegen.config import level, windows
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
@@ -20,11 +20,14 @@ from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems
-from sitegen.launch import launched
+from sitegen.launch import Window, launched
 from sitegen.model import Markdown, Node, Package, Page, Part, Widget, leaves
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
+
+# Keys of a page that its translations keep.
+KEPT = ("level", "nodes", "theme", "start_from_links")
 
 
 @dataclass(frozen=True)
@@ -97,9 +100,8 @@ class PageReader:
                 )
                 self.problems.add(given.location, given.key, message)
             self.paths[path + below] = given
-            bare = Section(
-                page.value, PAGE, {k: v for k, v in page.entries.items() if k == "theme"}
-            )
+            kept = {k: v for k, v in page.entries.items() if k in ("theme", "start_from_links")}
+            bare = Section(page.value, PAGE, kept)
             yield from self._translated(bare, path + below, file, len(self.problems.found))
 
     def _translated(
@@ -124,7 +126,7 @@ class PageReader:
                     if key not in ("title", "description")
                 }
                 both = Section(own.front.value, FRONT_MATTER, {**said, **own.front.entries})
-                kept = {k: v for k, v in page.entries.items() if k in ("level", "nodes", "theme")}
+                kept = {k: v for k, v in page.entries.items() if k in KEPT}
                 bare = Section(page.value, PAGE, kept)
                 at = f"{language.lower()}/{path}"
                 its_own = replace(own, front=both)
@@ -142,16 +144,18 @@ class PageReader:
     ) -> Page:
         front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
-        started = self._launch(_giver("launch", page, front), known)
-        known |= started
+        opened: list[Window] = []
         folder = file.parent if file else self.problems.root
+        started = self._launch(_giver("launch", page, front), known, opened, folder)
+        known |= started
         nodes = {name: node for name, (node, _) in known.items()}
-        reader = Reader(nodes, self.problems, folder)
+        reader = Reader(nodes, self.problems, self.notes, folder)
         content = page.get("content")
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.location, body.folder)
-        if started and not any(isinstance(part, Widget) for part in leaves(parts)):
+        if (started or opened) and not any(isinstance(part, Widget) for part in leaves(parts)):
+            parts += windows.shown(opened, self.problems, self.notes)
             parts += _panels(started)
         if len(self.problems.found) == before:
             # Content that could not be read completely has no reliable level.
@@ -160,6 +164,7 @@ class PageReader:
         widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
+        links = _giver("start_from_links", page, front)
         return Page(
             path=path,
             title=_title(page, front, parts),
@@ -175,6 +180,7 @@ class PageReader:
             date=_giver("date", page, front).text("date"),
             language=language,
             original=path if original is None else original,
+            start_from_links=bool(links.option("start_from_links")),
         )
 
     def _page_file(self, file: Path, empty: Section) -> Written:
@@ -202,17 +208,26 @@ class PageReader:
         self.declared += declared.values()
         return {**taken, **declared}
 
-    def _launch(self, section: Section, taken: Mapping[str, Declared]) -> dict[str, Declared]:
-        """Return the nodes that the launch file of a page starts."""
+    def _launch(
+        self,
+        section: Section,
+        taken: Mapping[str, Declared],
+        opened: list[Window],
+        folder: Path,
+    ) -> dict[str, Declared]:
+        """Return the nodes that a launch file starts, and add the windows to `opened`.
+
+        `folder` is that of the page.
+        """
         given = section.get("launch")
-        file = locate(given, self.problems) if given else None
+        file = locate(given, self.problems, page=folder) if given else None
         if not given or not file:
             return {}
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
         packages = {**workspace.shipped_packages(), **self.packages()}
-        found = launched(file, arguments, packages, self.problems, self.notes)
+        found = launched(file, arguments, packages, self.problems, self.notes, opened)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"

@@ -46,6 +46,8 @@ TYPES = {
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
+    "displays": ("list", "a list of displays"),
+    "name by name": ("mapping", "names with a name of the graph each"),
     "items": ("mapping or list", "a list of text and widgets, or one of them"),
     "deploy": ("mapping", "keys and values"),
     "pyodide": ("mapping", "keys and values"),
@@ -282,11 +284,18 @@ PAGE = (
     Key("tags", "list of text", "tags; each gets a page of its pages", "tags: [topics, C++]"),
     Key("date", "date", "date of the page, for the feed", "date: 2026-11-21"),
     Key("theme", "text", "theme of this page; defaults to the site's", "theme: slides"),
+    Key(
+        "start_from_links",
+        "flag",
+        "whether a [shared link](sharing.md) starts nodes without asking",
+        "start_from_links: true",
+        default=False,
+    ),
 )
 
 IN_FILE = (
     *("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date"),
-    "theme",
+    *("theme", "start_from_links"),
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 

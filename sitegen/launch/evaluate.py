@@ -9,10 +9,12 @@ from functools import partial
 from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
-from sitegen.launch import commandline, processes, python, without, xacro, xml, yaml
+from sitegen.launch import commandline, processes, python, windows, without, xacro, xml, yaml
+from sitegen.launch.names import joined, numbered
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
+from sitegen.launch.windows import Window
 from sitegen.model import Component, Container, Node, Package
 from sitegen.workspace import containers, parameterfiles
 
@@ -50,14 +52,17 @@ def launched(
     packages: Mapping[str, Package],
     problems: Problems,
     notes: Problems | None = None,
+    opened: list[Window] | None = None,
 ) -> list[Node]:
     """Return the nodes that a launch file starts, and report what does not work on a page.
 
-    Programs that open windows are skipped, with a note in `notes`.
+    Windows that have a counterpart among the widgets are added to `opened`; other programs that
+    open windows are skipped, with a note in `notes`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
         launch.file(Scope(file, dict(arguments)), Location(file, 1))
+        (opened if opened is not None else []).extend(launch.windows)
         return launch.finished()
 
 
@@ -76,6 +81,7 @@ class _Launch:
         self._roots = (problems.root, *(each.path for each in packages.values()))
         self._read = 0
         self.nodes: list[Node] = []
+        self.windows: list[Window] = []
         # By the full name of a container: its node, and the components loaded into it.
         self._components: dict[str, tuple[str, list[Component]]] = {}
         self._actions: dict[str, Callable[[Action, Scope], object]] = {
@@ -185,7 +191,7 @@ class _Launch:
         self.file(inner, action.location)
 
     def _push(self, action: Action, scope: Scope) -> None:
-        scope.namespace = _joined(scope.namespace, self._needed(action, "namespace", scope))
+        scope.namespace = joined(scope.namespace, self._needed(action, "namespace", scope))
 
     def _set_parameter(self, action: Action, scope: Scope) -> None:
         name = self._needed(action, "name", scope)
@@ -218,6 +224,10 @@ class _Launch:
     def _node(self, action: Action, scope: Scope) -> None:
         package = self._needed(action, "pkg", scope)
         executable = self._needed(action, "exec", scope)
+        if windows.known(package, executable) and package not in self._packages:
+            own = self._words(action, "args", scope), self._remaps(action, scope)
+            self.windows.append(Window(executable, *own, scope.namespace, action.location))
+            return
         if why := without.program(package, executable, self._packages):
             self._notes.add(action.location, action.kind, why)
             return
@@ -254,13 +264,13 @@ class _Launch:
         words += ["--ros-args", *ros, "--"] if ros else []
         name = own or executable
         taken = {node.name for node in self.nodes}
-        number = next(n for n in range(1, len(taken) + 2) if _numbered(name, n) not in taken)
+        number = next(n for n in range(1, len(taken) + 2) if numbered(name, n) not in taken)
         node = Node(
-            name=_numbered(name, number),
+            name=numbered(name, number),
             package=self._needed(action, "pkg", scope),
             executable=executable,
             location=action.location,
-            namespace=_joined(scope.namespace, self._text(action, "namespace", scope)),
+            namespace=joined(scope.namespace, self._text(action, "namespace", scope)),
             remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
             parameters=self._values(action, scope),
             arguments=tuple(on_page(word, self._folders) for word in words),
@@ -292,7 +302,7 @@ class _Launch:
             if not self._holds(each, scope):
                 continue
             own = self._text(each, "name", scope)
-            namespace = _joined(scope.namespace, self._text(each, "namespace", scope))
+            namespace = joined(scope.namespace, self._text(each, "namespace", scope))
             rules = {"__node": own, "__ns": namespace, **self._remaps(each, scope)}
             words = [w for old, new in rules.items() if new for w in ("-r", f"{old}:={new}")]
             for parameter, value in self._values(each, scope).items():
@@ -387,14 +397,3 @@ class _Launch:
 
     def _note(self, location: Location, key: str, message: str) -> None:
         self._problems.add(location, key, by_package(message))
-
-
-def _joined(above: str, name: str) -> str:
-    """Return `namespace` below another one; an absolute namespace stays as it is."""
-    if not name:
-        return above
-    return (name if name.startswith("/") else f"{above}/{name}").rstrip("/")
-
-
-def _numbered(name: str, number: int) -> str:
-    return name if number == 1 else f"{name}_{number}"

@@ -38,6 +38,19 @@ def printed(line: str, folders: Mapping[str, Path], roots: Collection[Path]) -> 
     return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
 
 
+def description(file: Path, folders: Mapping[str, Path]) -> str:
+    """Return the description of a robot: a file of URDF, or what xacro makes of one.
+
+    Raises: ValueError if it cannot be read.
+    """
+    try:
+        if file.name.endswith(".xacro"):
+            return _expanded([str(file)], folders)
+        return file.read_text(encoding="utf-8")
+    except (OSError, SubstitutionError, UnicodeDecodeError) as error:
+        raise ValueError(str(error)) from error
+
+
 def _expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
     """Return the URDF that `xacro` makes."""
     given = json.dumps({name: str(path) for name, path in folders.items()})

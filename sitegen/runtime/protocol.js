@@ -3,7 +3,8 @@
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>, isolate?: string}} PageEntry `types` if a widget takes part in the graph;
+ *   types?: Record<string, MessageType>, startFromLinks?: boolean, isolate?: string}} PageEntry `types` if a widget
+ *   takes part in the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean, needs?: string[],

@@ -81,6 +81,7 @@ export const editing = {
 
 await parsed;
 sharing.restore();
+sharing.ask(nodes);
 await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
 
 showTime();

@@ -21,7 +21,7 @@ class Made:
     """A program that was built."""
 
     name: str
-    kind: str = "C++"
+    written_in: str = "C++"
     sizes: dict[str, dict[str, int]] = field(default_factory=dict)
     worker: str = ""
     files: tuple[Artifact, ...] = ()

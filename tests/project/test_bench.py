@@ -18,6 +18,7 @@ from bench.figure import Figure
 pytestmark = pytest.mark.chromium
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("part", bench.PARTS)
 def test_a_part_runs(part: str) -> None:
     # A process of its own, as `make bench` is: the browser of other tests may run in this one.
@@ -29,6 +30,7 @@ def test_a_part_runs(part: str) -> None:
     assert all(figure.bare for figure in ratios)
 
 
+@pytest.mark.exhaustive
 def test_a_node_that_runs_already_is_not_waited_for(tab: Page) -> None:
     with serving_site(crowd.SITE, isolated=True) as url:
         tab.goto(url)

@@ -14,17 +14,21 @@ from paths import ROOT, SITES
 
 from sitegen import config
 from sitegen.cache.folder import cache_folder
+from sitegen.errors import SiteError
 from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
 from sitegen.report import Report
 
 # Sites whose tests run in browsers without JSPI, too.
 ASYNCIFY = {ROOT, *(SITES / name for name in ("engines", "faults", "services"))}
+# Its tests run with `--all` only.
+BENCH = ROOT / "bench" / "site"
 # That of ROS2WASM is complete only when a fixture has compiled its program as that project does.
 EVERY = [
     ROOT,
-    ROOT / "bench" / "site",
+    BENCH,
     *sorted(file.parent for file in SITES.glob("*/site.yaml") if file.parent.name != "ros2wasm"),
 ]
 
@@ -41,22 +45,27 @@ def options_of(folder: Path, *, everything: bool) -> Options:
 
 def compile_all(*, everything: bool) -> None:
     """Compile the programs of all sites, those that are built alike at once."""
-    groups: dict[Options, list[compiler.Job]] = {}
-    for folder in EVERY:
+    cache = cache_folder()
+    wanted: dict[bool, list[tuple[compiler.Job, str]]] = {}
+    for folder in EVERY if everything else [one for one in EVERY if one != BENCH]:
         site = config.load(folder / "site.yaml")
         options = options_of(folder, everything=everything)
-        jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
-        groups.setdefault(options, []).extend(jobs)
-    for options, jobs in groups.items():
-        compiler.compile_nodes(
-            jobs,
-            options.engines or ("jspi", "asyncify"),
-            root=ROOT,
-            workspace=ROOT,
-            cache=cache_folder(),
-            report=Report(),
-            options=options,
-        )
+        engines = options.engines or ("jspi", "asyncify")
+        jobs = jobs_of(site, nodes_of(site), cache=cache)
+        wanted.setdefault(options.draft, []).extend((job, one) for one in engines for job in jobs)
+    for draft, pairs in wanted.items():
+        options, tools = Options(draft=draft), Toolchain.find()
+        making = compiler.Compiler(tools, {ROOT}, ROOT, cache, Report(), options)
+        missing = [
+            (job, engine)
+            for job, engine in pairs
+            if not all(build.wasm.exists() for build in making.builds(job, [engine]))
+        ]
+        # Packages with many programs first: the last ones leave a processor idle.
+        missing.sort(key=lambda pair: len(pair[0].executables), reverse=True)
+        told = making.compile(missing) if missing else []
+        if wrong := [line for lines in told for line in lines]:
+            raise SiteError(wrong)
 
 
 if __name__ == "__main__":

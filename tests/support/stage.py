@@ -41,6 +41,11 @@ def chatter(page: Tab) -> None:
     add(page, "subscription", "/listener", "/chatter", "std_msgs/msg/String", program="listener")
 
 
+def serve_sums(page: Tab) -> None:
+    add(page, "service", "/adder", "/add", "tutorial_interfaces/srv/AddTwoInts")
+    page.evaluate("void (ros.answer = async ({ a, b }) => ({ sum: a + b }))")
+
+
 def subscribed(page: Tab) -> list[str]:
     found: list[str] = page.evaluate(
         "ros.subscriptions.map(({topic, bytes}) => bytes ? `${topic} bytes` : topic).sort()"

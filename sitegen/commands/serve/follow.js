@@ -9,6 +9,8 @@ import { entryOf, rosMain, served, updateNodes, updateText } from "./update.js";
 // A build that takes longer than this (ms) is announced.
 const SOON = 400;
 const KEPT = "sitegen:kept";
+// A link whose nodes start without asking the visitor. As in sharing.js.
+const OWN = "sitegen:own";
 
 const folder = decodeURI(location.pathname).replace(/^\//, "").replace(/[^/]*$/, "");
 const file = /\/$/.test(location.pathname) ? `${folder}index.html` : decodeURI(location.pathname.slice(1));
@@ -36,9 +38,8 @@ let work = Promise.resolve();
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let soon;
 
-// As nodeProcess.js chooses; only this build of C++ nodes is made.
-const engine = "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
-const news = new EventSource(`/_sitegen/news?${engine}`);
+// A page with nodes names the engine of this browser; only this build of C++ nodes is made.
+const news = new EventSource(`/_sitegen/news?${document.documentElement.dataset.engine ?? ""}`);
 let lost = false;
 news.onerror = () => {
   lost = true;
@@ -93,7 +94,9 @@ async function reload() {
   const main = await rosMain();
   if (main) {
     sessionStorage.setItem(KEPT, location.hash);
-    history.replaceState(null, "", main.ros.link());
+    const link = main.ros.link();
+    sessionStorage.setItem(OWN, link);
+    history.replaceState(null, "", link);
   }
   location.reload();
 }

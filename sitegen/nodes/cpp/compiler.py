@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -280,12 +280,26 @@ class Compiler:
         """
         failed: dict[str, list[str]] = {}
         needs = {need.name: need for job in jobs for need in job.needs}
-        for need in needs.values():
-            if (need.path / "CMakeLists.txt").exists():
-                try:
-                    self._prepare_package(engine, need, closure(need, needs), failed)
-                except SiteError as error:
-                    failed[need.name] = error.lines
+
+        def prepare(
+            package: Package, its_own: Sequence[Package], before: Sequence[Future[None]]
+        ) -> None:
+            wait(before)
+            try:
+                self._prepare_package(engine, package, its_own, failed)
+            except SiteError as error:
+                failed[package.name] = error.lines
+
+        # In build order, so that each waits only for those that began before it.
+        prepared: dict[str, Future[None]] = {}
+        with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+            for need in needs.values():
+                if (need.path / "CMakeLists.txt").exists():
+                    its_own = closure(need, needs)
+                    before = [prepared[one.name] for one in its_own if one.name in prepared]
+                    prepared[need.name] = pool.submit(prepare, need, its_own, before)
+        for each in prepared.values():
+            each.result()
         return failed
 
     def _prepare_package(

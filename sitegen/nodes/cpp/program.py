@@ -26,7 +26,7 @@ class CppProgram:
     fault: str = ""
 
     worker = "cpp/cppNode"
-    kind = "C++"
+    written_in = "C++"
 
     @property
     def name(self) -> str:

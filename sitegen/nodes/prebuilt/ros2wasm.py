@@ -23,7 +23,7 @@ class Ros2wasmProgram:
     messages: Mapping[str, object]
 
     worker = "ros2wasm/ros2wasmNode"
-    kind = "ROS2WASM"
+    written_in = "ROS2WASM"
     fault = ""
 
     @property

@@ -41,7 +41,7 @@ class PythonProgram:
     messages: Mapping[str, object]
 
     worker = "python/pythonNode"
-    kind = "Python"
+    written_in = "Python"
     fault = ""
 
     @property

@@ -1,13 +1,14 @@
 // @ts-check
 // A node of the page, and the worker that runs it between Start and Stop.
 
+import { engine } from "../engine.js";
 import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
 import { obstacle } from "./isolation.js";
 import { place } from "../place.js";
 import { faultOf } from "./reports.js";
 import { startWorker } from "./workerGroup.js";
 
-/** @import { Engine, FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
+/** @import { FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
 /** @import { Graph } from "./graph.js" */
 /** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
@@ -16,11 +17,6 @@ const GRACE = 1000;
 // The worker of a program that has ended is terminated after this time (ms), because in Firefox the last messages of a
 // terminated worker are lost.
 const LINGER = 250;
-
-/** Return the engine that this browser supports. @returns {Engine} */
-function engineOfBrowser() {
-  return "Suspending" in WebAssembly && "promising" in WebAssembly ? "jspi" : "asyncify";
-}
 
 export class NodeProcess extends EventTarget {
   #entry;
@@ -105,13 +101,12 @@ export class NodeProcess extends EventTarget {
       this.#launch("ros2wasm/ros2wasmNode", async (id) => ({ op: "adopt", id, name: this.name, program }));
       return;
     }
-    const wanted = engineOfBrowser();
     if (python) {
-      this.#interpret(python, wanted);
+      this.#interpret(python);
       return;
     }
-    const engine = builds[wanted] ? wanted : "asyncify";
-    const build = builds[engine];
+    const built = builds[engine] ? engine : "asyncify";
+    const build = builds[built];
     if (!build) {
       this.#lack("the node needs");
       return;
@@ -123,12 +118,12 @@ export class NodeProcess extends EventTarget {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
       const { executable: name, arguments: args } = this.#entry;
-      return { op: "start", id, engine, module, name, arguments: args, lines };
+      return { op: "start", id, engine: built, module, name, arguments: args, lines };
     });
   }
 
-  /** Start a Python node. @param {PythonEntry} entry @param {Engine} engine of this browser */
-  #interpret(entry, engine) {
+  /** Start a Python node. @param {PythonEntry} entry */
+  #interpret(entry) {
     if (engine !== "jspi" && !sharesMemory) {
       this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer support it${obstacle()}`);
       return;

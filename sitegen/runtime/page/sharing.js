@@ -2,8 +2,8 @@
 // Shared links restore the state of a page: running nodes, panels, tabs and the reading position. The state is the
 // fragment of the address, which is not sent to the server; docs/formats.md describes its format.
 
-import { button, create } from "../ui/elements.js";
-import { say } from "../ui/words.js";
+import { say, together } from "../ui/words.js";
+import { notify } from "./notice.js";
 
 /** @import { NodeHandle, PageEntry, Shared } from "../protocol.js" */
 
@@ -13,6 +13,10 @@ const STARTING = ["buttons", "editor"];
 const SIGN = "#share=";
 // The length of the longest link. Longer ones are ignored, because anyone can write a link.
 const LONGEST = 32_768;
+// A page that `sitegen serve` loads anew notes its own link here, where no other site can write. As in follow.js.
+const OWN = "sitegen:own";
+// A notice names up to this many nodes.
+const NAMED = 5;
 
 export class Sharing {
   #page;
@@ -23,10 +27,15 @@ export class Sharing {
   /** @type {{run?: string[], show: Record<string, Shared>, tabs: string[], at: string}} */
   #given = { show: {}, tabs: [], at: "" };
   #odd = false;
+  #told = false;
+  /** The nodes that start if the visitor agrees. @type {Set<string>} */
+  #asked = new Set();
+  #trusted;
 
   /** @param {PageEntry} page @param {string} fragment of the page's address */
   constructor(page, fragment) {
     this.#page = page;
+    this.#trusted = page.startFromLinks || fragment === own();
     this.rename(page);
     if (fragment.startsWith(SIGN)) this.#read(fragment.slice(SIGN.length));
   }
@@ -60,12 +69,28 @@ export class Sharing {
     }
   }
 
-  /** Whether a node starts with the page. Only a node with buttons or an editor obeys the link. @param {string} name */
+  /**
+   * Whether a node starts with the page. Only a node with buttons or an editor obeys the link; if it would not start
+   * without the link, the visitor is asked, because anyone can write a link.
+   * @param {string} name
+   */
   starts(name) {
     const entry = this.#page.nodes[name];
     const chosen = this.#page.widgets.some(({ kind, target }) => STARTING.includes(kind) && target === name);
     if (!this.#given.run || !chosen) return Boolean(entry?.autostart);
-    return this.#given.run.includes(name);
+    if (!this.#given.run.includes(name)) return false;
+    if (this.#trusted || entry?.autostart) return true;
+    this.#asked.add(name);
+    return false;
+  }
+
+  /** Ask the visitor whether to start the nodes of the link that wait. @param {Map<string, NodeHandle>} nodes */
+  ask(nodes) {
+    const names = [...this.#asked];
+    if (!names.length) return;
+    const what = names.length > NAMED ? say("{} nodes", names.length) : together(names);
+    const press = () => names.forEach((name) => nodes.get(name)?.start());
+    notify(say("This link starts {}.", what), { label: say("Start"), press });
   }
 
   /**
@@ -115,13 +140,9 @@ export class Sharing {
   /** Tell the visitor, once, that parts of the link were ignored. */
   tell() {
     if (!this.#odd && !Object.keys(this.#given.show).length) return;
-    if (document.querySelector(".ros-word")) return;
-    const close = button("×", "", () => word.remove());
-    close.setAttribute("aria-label", say("Close"));
-    const text = say("Parts of this link no longer match this page and were ignored.");
-    const word = create("div", "ros-word", create("span", "", text), close);
-    word.setAttribute("role", "status");
-    document.body.append(word);
+    if (this.#told) return;
+    this.#told = true;
+    notify(say("Parts of this link no longer match this page and were ignored."));
   }
 
   /** @param {string} text what follows SIGN */
@@ -148,6 +169,15 @@ export class Sharing {
     } catch {
       this.#odd = true;
     }
+  }
+}
+
+/** Return the link that this tab has noted as its own, if any. */
+function own() {
+  try {
+    return sessionStorage.getItem(OWN);
+  } catch {
+    return null; // a frame without storage
   }
 }
 

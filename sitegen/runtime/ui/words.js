@@ -19,6 +19,11 @@ export function say(text, ...values) {
   return (words[text] ?? text).replaceAll("{}", () => String(values[next++]));
 }
 
+/** Join names as a sentence does. @param {string[]} names */
+export function together(names) {
+  return new Intl.ListFormat(language).format(names);
+}
+
 /** The states of a node. */
 export const states = {
   stopped: say("stopped"),

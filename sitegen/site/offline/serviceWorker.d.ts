@@ -9,6 +9,9 @@ declare const BUILD: {
   isolate: boolean;
 };
 
+/** As in runtime/engine.js. */
+declare const engine: "jspi" | "asyncify";
+
 interface WorkerGlobalScope {
   readonly clients: Clients;
   readonly registration: ServiceWorkerRegistration;

@@ -1,5 +1,5 @@
 // The service worker of a site that works without a network. Above this stand BUILD, what the site of one
-// build consists of, and headers.js.
+// build consists of, the engine of this browser, and headers.js.
 //
 // A cache holds files of one build only: each is checked against its hash before it is kept, so old and new
 // never meet. A new build waits until no page of the old one is open, or until a visitor asks for it.
@@ -11,7 +11,7 @@ const CACHE = OURS + BUILD.version;
 const HASH = "x-sitegen-hash";
 const AT_ONCE = 6;
 // Nodes are there twice, and a browser runs one of the two.
-const OTHER = "Suspending" in WebAssembly && "promising" in WebAssembly ? ".asyncify." : ".jspi.";
+const OTHER = engine === "jspi" ? ".asyncify." : ".jspi.";
 
 self.addEventListener("install", (event) => event.waitUntil(install()));
 self.addEventListener("activate", (event) => event.waitUntil(forgetOthers()));

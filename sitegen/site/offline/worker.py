@@ -11,6 +11,7 @@ from urllib.parse import unquote, urljoin, urlsplit
 
 from sitegen import pagepath
 from sitegen.model import Artifact, Site
+from sitegen.site.engine import ENGINE
 
 PATH = "sw.js"
 HERE = Path(__file__).parent
@@ -58,7 +59,7 @@ def _worker(site: Site, contents: Mapping[str, bytes]) -> bytes:
 def _written(build: Mapping[str, object], *names: str) -> bytes:
     about = json.dumps(build, separators=(",", ":"), ensure_ascii=False)
     scripts = ((HERE / name).read_text(encoding="utf-8") for name in ("headers.js", *names))
-    return "\n".join([f"const BUILD = {about};", *scripts]).encode()
+    return "\n".join([f"const BUILD = {about};", ENGINE, *scripts]).encode()
 
 
 def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequence[str]:

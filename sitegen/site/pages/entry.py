@@ -14,13 +14,24 @@ from sitegen.site.prose import address
 
 # Widgets that let visitors start a node, so that it need not start with the page.
 STARTING = {"buttons", "editor", "prompt"}
+# The widget that loads meshes.
+VIEW = "3d"
 
 
 def page_entry(
-    site: Site, page: Page, programs: Programs, edited: Mapping[str, Mapping[str, str]]
+    site: Site,
+    page: Page,
+    programs: Programs,
+    edited: Mapping[str, Mapping[str, str]],
+    resources: Mapping[str, str],
 ) -> dict[str, Any]:
-    """Return the page's PageEntry; `edited` has the files of its editors by slot id."""
+    """Return the page's PageEntry.
+
+    `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
+    3D views load, by URL.
+    """
     link = partial(address, page)
+    found = {url: link(path) for url, path in resources.items()}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
     # What is on the page only because other nodes need it has a button beside these.
@@ -40,7 +51,11 @@ def page_entry(
                 "kind": widget.kind,
                 "element": slot.id,
                 "target": widget.target,
-                "options": {**widget.options, **edited.get(slot.id, {})},
+                "options": {
+                    **widget.options,
+                    **edited.get(slot.id, {}),
+                    **({"resources": found} if found and widget.kind == VIEW else {}),
+                },
             }
             for widget, slot in slots_of(page)
         ],
@@ -49,6 +64,8 @@ def page_entry(
         nodes = page.nodes.values()
         types = (programs[node.program].types(node) for node in nodes)
         entry["types"] = {name: one for each in types for name, one in each.items()}
+    if page.start_from_links:
+        entry["startFromLinks"] = True
     if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
         entry["isolate"] = address(page, "sw.js")
     return entry

@@ -5,16 +5,17 @@ from __future__ import annotations
 import base64
 import hashlib
 
+from sitegen.site.engine import ENGINE
+
 # Browsers start no worker in a page opened as a file, so the page says how to open it.
 FILE_NOTE = (
     'if (location.protocol === "file:") document.getElementById("file-note").hidden = false;'
 )
 # Browsers differ in the build of a program that they run, and only a script can tell which. This
-# script requests the right one before anything else is loaded. nodeProcess.js makes the same
-# choice.
+# script requests the right one before anything else is loaded, and names its choice for scripts
+# that are not modules of the runtime.
 CHOICE = (
-    '{ const suspends = "Suspending" in WebAssembly && "promising" in WebAssembly; '
-    'const engine = suspends ? "jspi" : "asyncify"; '
+    f"{{ {ENGINE} document.documentElement.dataset.engine = engine; "
     'for (const each of document.querySelectorAll("template[data-engine]")) '
     "if (each.dataset.engine === engine) each.before(each.content); }"
 )

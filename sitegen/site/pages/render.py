@@ -26,6 +26,7 @@ from sitegen.site.pages.nav import Link, Navigation
 from sitegen.site.pages.policy import CHOICE, FILE_NOTE, policy
 from sitegen.site.pages.theme import Sheet, Theme, look_files
 from sitegen.site.prose import Anchor, Heading, Library, Prose, address, lasting_name
+from sitegen.site.resources import resources
 
 # With fewer pages, starting processes takes longer than they save.
 MANY = 150
@@ -115,11 +116,13 @@ class Renderer:
             files = edited(self.site, page, problems)
             # A page opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
-            entry = page_entry(site, page, self._programs, files)
+            loaded = resources(site, page)
+            entry = page_entry(site, page, self._programs, files, loaded.paths)
         html, sheets = self._html(page, parts, prose, entry, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
+            artifacts += loaded.artifacts
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))

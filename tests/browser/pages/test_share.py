@@ -12,7 +12,7 @@ import pytest
 from browser import Built, Serve
 from panel import Panel
 from paths import ROOT
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, FrameLocator, Locator, Page, expect
 
 from sitegen.commands.build import build
 from sitegen.report import Report
@@ -46,8 +46,15 @@ def read(link: str) -> Any:
     return json.loads(base64.urlsafe_b64decode(text + "=" * (-len(text) % 4)))
 
 
-def word(tab: Page) -> Locator:
+def word(tab: Page | FrameLocator) -> Locator:
     return tab.locator(".ros-word")
+
+
+def agree(tab: Page | FrameLocator, who: str) -> None:
+    """Let the link start its nodes."""
+    expect(word(tab)).to_contain_text(f"This link starts {who}.")
+    word(tab).get_by_role("button", name="Start").click()
+    expect(word(tab)).to_have_count(0)
 
 
 def panel(tab: Page, kind: str) -> Locator:
@@ -87,6 +94,7 @@ def test_a_link_carries_what_runs_and_what_panels_show(tab: Page, fresh: Page, u
     assert read(link)["run"] == ["server", "talker"]
 
     fresh.goto(link)
+    agree(fresh, "server and talker")
     Panel(fresh, "talker").wait_for("Hello")
     Panel(fresh, "server").expect_state("running")
     Panel(fresh, "listener").expect_state("stopped")
@@ -159,7 +167,59 @@ def test_a_link_that_is_pasted_into_the_page_itself_counts(tab: Page, url: str) 
     tab.goto(f"{url}demo02/")
     Panel(tab, "talker").expect_state("stopped")
     tab.goto(f"{url}demo02/{fragment({'run': ['talker']})}")
+    agree(tab, "talker")
     Panel(tab, "talker").wait_for("Hello")
+
+
+def test_a_link_starts_nothing_against_the_will_of_the_visitor(tab: Page, url: str) -> None:
+    tab.goto(f"{url}demo05/{fragment({'run': ['talker', 'gone']})}")
+    expect(word(tab)).to_contain_text(f"This link starts talker. {LEFT_OUT}")
+    assert word(tab).get_attribute("role") == "status"
+    word(tab).get_by_role("button", name="Close").click()
+    expect(word(tab)).to_have_count(0)
+    Panel(tab, "talker").expect_state("stopped")
+    # Others can be started as ever.
+    Panel(tab, "server").start()
+    Panel(tab, "server").expect_state("running")
+
+
+def test_the_author_decides_whether_links_start_nodes(
+    tmp_path: Path, tab: Page, serve: Serve
+) -> None:
+    program = "ros2wasm: node.js, types: {}"
+    names = [f"node{number}" for number in range(6)]
+    nodes = ", ".join(f"{name}: {{{program}}}" for name in ["itself", *names])
+    content = ", ".join(f"{{buttons: {name}}}" for name in names)
+    itself = "{buttons: {node: itself, autostart: true}}"
+    page = f"title: T, nodes: {{{nodes}}}, content: [{itself}, {content}]"
+    (tmp_path / "node.js").write_text("setInterval(() => {}, 1000);\n")
+    (tmp_path / "site.yaml").write_text(
+        f"site: {{title: T}}\npages:\n  - {{path: /, {page}}}\n"
+        f"  - {{path: at-once/, start_from_links: true, {page}}}\n"
+    )
+    build(tmp_path, output=tmp_path / "dist", report=Report())
+    home = serve(tmp_path / "dist")
+
+    def shown(name: str) -> Locator:
+        return tab.get_by_role("group", name=name).get_by_role("button", name="Start")
+
+    everything = fragment({"run": names})
+    tab.goto(f"{home}at-once/{everything}")
+    for name in names:
+        expect(shown(name)).to_be_disabled()
+    # What starts with the page stays stopped if the link says so, and nobody is asked.
+    expect(shown("itself")).to_be_enabled()
+    expect(word(tab)).to_have_count(0)
+    tab.goto(f"{home}{everything}")
+    expect(shown("node0")).to_be_enabled()
+    expect(shown("itself")).to_be_enabled()
+    agree(tab, "6 nodes")
+    for name in names:
+        expect(shown(name)).to_be_disabled()
+    tab.goto("about:blank")
+    tab.goto(f"{home}{fragment({'run': ['itself']})}")
+    expect(shown("itself")).to_be_disabled()
+    expect(word(tab)).to_have_count(0)
 
 
 def test_tabs_of_the_text_are_carried(tmp_path: Path, tab: Page, serve: Serve) -> None:
@@ -216,6 +276,7 @@ def test_a_frame_runs_in_a_page_of_another_site(
     assert other.split("/")[2] != url.split("/")[2]
     tab.goto(other)
     frame = tab.frame_locator("iframe")
+    agree(frame, "talker")
     expect(frame.get_by_role("log")).to_contain_text("Hello, world! 1")
     expect(frame.get_by_role("heading", level=1)).to_be_visible()
     for around in ("header.site", "nav", "footer"):
@@ -250,6 +311,7 @@ def test_a_link_leads_to_the_slide_that_was_shown(
 
     fresh.goto(link)
     expect(fresh.locator(".deck .number")).to_have_text("3 / 4")
+    agree(fresh, "talker")
     Panel(fresh, "talker").wait_for("Hello")
     expect(word(fresh)).to_have_count(0)
 

@@ -17,6 +17,7 @@ PAGE = """<!DOCTYPE html>
 <link rel="icon" href="theme/favicon.svg">
 <link rel="stylesheet" href="theme/style.css">
 <link rel="stylesheet" href="theme/widgets.css">
+<link rel="stylesheet" href="theme/consoles.css">
 <div class="ros-panel"><div class="ros-widget ros-console" id="alone"></div></div>
 <div class="ros-panel">
 <div class="ros-widget ros-buttons" id="buttons" data-ros-widget="buttons"></div>

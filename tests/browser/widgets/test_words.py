@@ -39,9 +39,9 @@ def said() -> set[str]:
 
 
 def words(file: Path) -> dict[str, str]:
-    pairs = re.findall(
-        r"^  (\"(?:[^\"\\]|\\.)*\"):\s+(\"(?:[^\"\\]|\\.)*\"),$", file.read_text(), re.M
-    )
+    parts = [file, *file.with_suffix("").glob("*.js")]
+    text = "".join(part.read_text() for part in parts)
+    pairs = re.findall(r"^  (\"(?:[^\"\\]|\\.)*\"):\s+(\"(?:[^\"\\]|\\.)*\"),$", text, re.M)
     return {json.loads(english): json.loads(text) for english, text in pairs}
 
 

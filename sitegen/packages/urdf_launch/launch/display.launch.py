@@ -31,5 +31,10 @@ def generate_launch_description():
                 executable="joint_state_publisher_gui",
                 condition=IfCondition(gui),
             ),
+            Node(
+                package="rviz2",
+                executable="rviz2",
+                arguments=["-d", LaunchConfiguration("rviz_config")],
+            ),
         ]
     )

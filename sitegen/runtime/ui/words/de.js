@@ -1,8 +1,12 @@
 // @ts-check
 // What widgets say, in German: by the English text that stands in the code.
 
+import { views } from "./de/views.js";
+
 /** @type {Record<string, string>} */
 export const words = {
+  ...views,
+
   // How nodes are, and what is done with them.
   "stopped": "gestoppt",
   "starting": "startet",
@@ -326,5 +330,7 @@ export const words = {
 
   // The link that led here.
   "Close": "Schließen",
+  "This link starts {}.": "Dieser Link startet {}.",
+  "{} nodes": "{} Nodes",
   "Parts of this link no longer match this page and were ignored.": "Nicht alles in diesem Link passt zur jetzigen Seite; der Rest wurde weggelassen.",
 };

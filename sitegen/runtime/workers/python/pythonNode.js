@@ -2,6 +2,7 @@
 // The worker of Python nodes: load Python and the packages, call the entry points, report the end of each node. A node
 // with a worker of its own communicates through it; nodes of a group have a port each.
 
+import { engine } from "../../engine.js";
 import { heard } from "../../interrupt.js";
 import { Participant } from "../../participant/participant.js";
 import { Answers } from "./calls.js";
@@ -14,7 +15,7 @@ import { answersOf } from "./remoteParticipant.js";
 /** @typedef {{postMessage(message: FromWorker): void, onmessage: ((event: MessageEvent) => any) | null}} Way */
 
 // Without JSPI, Python blocks while it waits, in a worker of its own.
-const stacks = "Suspending" in WebAssembly && "promising" in WebAssembly;
+const stacks = engine === "jspi";
 // Load Python while the page is still mounting its widgets.
 const python = stacks ? new Python() : undefined;
 const still = stacks ? undefined : new Worker(new URL("pythonSync.js", import.meta.url), { type: "module" });

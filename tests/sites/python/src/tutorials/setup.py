@@ -41,6 +41,7 @@ setup(
             "outlived = tutorials.outlived:main",
             "ending = tutorials.ending:main",
             "spinning = tutorials.spinning:main",
+            "serializing = tutorials.serializing:main",
             "entries = tutorials.entries:main",
         ],
     },

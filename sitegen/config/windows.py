@@ -1,0 +1,82 @@
+"""Turn the windows that a launch file opens into widgets."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from sitegen.config.rviz import Configuration, read_configuration
+from sitegen.config.widgetkeys import WIDGETS
+from sitegen.errors import Location, Problems
+from sitegen.launch import Window
+from sitegen.model import Cell, Layout, Part, Widget
+
+# The share of the width that a 3D view has beside other windows.
+LARGE = 3
+SMALL = 2
+
+
+def shown(windows: Sequence[Window], problems: Problems, notes: Problems) -> list[Part]:
+    """Return the widgets that take the places of windows, those in 3D beside the others."""
+    widgets = [_widget(one, problems, notes) for one in windows if one.kind in WIDGETS]
+    large = tuple(widget for widget in widgets if widget.kind == "3d")
+    small = tuple(widget for widget in widgets if widget.kind != "3d")
+    if not large or not small:
+        return [*large, *small]
+    cells = (Cell(large, size=LARGE), Cell(small, size=SMALL))
+    return [Layout("columns", cells, large[0].location)]
+
+
+def _widget(window: Window, problems: Problems, notes: Problems) -> Widget:
+    defaults = {key.name: key.default for key in WIDGETS[window.kind] if not key.required}
+    options: dict[str, Any] = defaults
+    if window.kind == "3d":
+        options = _rviz(window, problems, notes)
+    elif window.kind == "image" and (topics := _plain(window)):
+        options = {**defaults, "topic": _absolute(topics[0], window)}
+    elif window.kind == "plot" and (paths := _plain(window)):
+        options = {**defaults, "series": [path for one in paths for path in _paths(one, window)]}
+    return Widget(window.kind, "", options, window.location)
+
+
+def _rviz(window: Window, problems: Problems, notes: Problems) -> dict[str, Any]:
+    """Return the options of the view that `rviz2` would open with its arguments."""
+    options: dict[str, Any] = {}
+    found = dict(zip(window.arguments, [*window.arguments[1:], ""], strict=True))
+    name = found.get("-d") or found.get("--display-config") or ""
+    if name:
+        options |= _configured(Path(name), window.location, problems, notes)
+    if frame := found.get("-f") or found.get("--fixed-frame"):
+        options["frame"] = frame
+    return options
+
+
+def _configured(
+    file: Path, location: Location, problems: Problems, notes: Problems
+) -> dict[str, Any]:
+    try:
+        configuration: Configuration = read_configuration(file)
+    except ValueError as error:
+        problems.add(location, "rviz2", str(error))
+        return {}
+    if configuration.unsupported:
+        names = ", ".join(configuration.unsupported)
+        notes.add(location, "rviz2", f"{names}: not supported in the 3D view and left out")
+    return dict(configuration.options)
+
+
+def _plain(window: Window) -> list[str]:
+    """Return the arguments that are no options."""
+    return [word for word in window.arguments if not word.startswith("-")]
+
+
+def _paths(path: str, window: Window) -> list[str]:
+    """Return the message paths that an argument of rqt_plot names: `/a/x:y` is two of them."""
+    first, *others = path.split(":")
+    above = first.rpartition("/")[0]
+    return [_absolute(one, window) for one in (first, *(f"{above}/{name}" for name in others))]
+
+
+def _absolute(name: str, window: Window) -> str:
+    return name if name.startswith("/") else f"{window.namespace}/{name}"

@@ -1,0 +1,44 @@
+"""The programs of ROS that open windows, and the widgets that take their places on a page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from sitegen.errors import Location
+
+# By package and executable, the kind of widget.
+WIDGETS = {
+    ("joint_state_publisher_gui", "joint_state_publisher_gui"): "joints",
+    ("rqt_console", "rqt_console"): "log",
+    ("rqt_graph", "rqt_graph"): "graph",
+    ("rqt_image_view", "rqt_image_view"): "image",
+    ("rqt_plot", "rqt_plot"): "plot",
+    ("rqt_publisher", "rqt_publisher"): "publish",
+    ("rqt_reconfigure", "rqt_reconfigure"): "parameters",
+    ("rqt_robot_steering", "rqt_robot_steering"): "teleop",
+    ("rqt_service_caller", "rqt_service_caller"): "services",
+    ("rqt_topic", "rqt_topic"): "topics",
+    ("rviz2", "rviz2"): "3d",
+}
+
+
+@dataclass(frozen=True)
+class Window:
+    """A window that a launch file opens: its program, its arguments and its remapping rules."""
+
+    executable: str
+    arguments: Sequence[str]
+    remap: Mapping[str, str]
+    namespace: str
+    location: Location
+
+    @property
+    def kind(self) -> str:
+        """The kind of widget that takes its place."""
+        return next(kind for (_, name), kind in WIDGETS.items() if name == self.executable)
+
+
+def known(package: str, executable: str) -> bool:
+    """Return whether a widget takes the place of a program."""
+    return (package, executable) in WIDGETS

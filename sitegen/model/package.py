@@ -1,0 +1,45 @@
+"""The packages of a workspace."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sitegen.errors import Location
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What a Python package installs.
+
+    `scripts` maps the names of executables to entry points ("module:function") or to paths of
+    programs. `files` maps paths below the prefix to files; modules are in `python/`. `fault` says
+    where and why its setup files cannot be read.
+    """
+
+    scripts: Mapping[str, str]
+    files: Mapping[str, Path]
+    fault: tuple[Location, str] | None = None
+
+
+@dataclass(frozen=True)
+class Package:
+    """A ROS package of the workspace, as described by its `package.xml` and its build files.
+
+    `executables` is None if only CMake can tell their names; `sources` maps executables to their
+    source files, where these are known. `plugins` names the packages that it provides plugins for,
+    and `linked` the packages whose plugins are linked into its programs.
+    """
+
+    name: str
+    path: Path
+    build_type: str
+    depends: tuple[str, ...]
+    executables: tuple[str, ...] | None
+    interfaces: tuple[str, ...]
+    version: str = ""
+    sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    setup: Setup | None = None
+    plugins: tuple[str, ...] = ()
+    linked: tuple[str, ...] = ()

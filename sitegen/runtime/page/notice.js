@@ -1,0 +1,30 @@
+// @ts-check
+// A notice in the corner of the page, about the link that led there. A page has one at a time.
+
+import { button, create } from "../ui/elements.js";
+import { say } from "../ui/words.js";
+
+/**
+ * Show a sentence until the visitor closes it. If there is a notice already, add the sentence to it.
+ * @param {string} sentence
+ * @param {{label: string, press: () => void}} [action] a button that also closes the notice
+ */
+export function notify(sentence, action) {
+  const shown = document.querySelector(".ros-word");
+  if (shown) {
+    shown.firstElementChild?.append(` ${sentence}`);
+    return;
+  }
+  const close = button("×", "", () => notice.remove());
+  close.setAttribute("aria-label", say("Close"));
+  const notice = create("div", "ros-word", create("span", "", sentence));
+  if (action) {
+    notice.append(button(action.label, "ros-act", () => {
+      notice.remove();
+      action.press();
+    }));
+  }
+  notice.append(close);
+  notice.setAttribute("role", "status");
+  document.body.append(notice);
+}

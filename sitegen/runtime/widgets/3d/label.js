@@ -1,0 +1,37 @@
+// @ts-check
+// A text that faces the camera.
+
+import { CanvasTexture, Color, Sprite, SpriteMaterial, SRGBColorSpace } from "../../vendor/three.js";
+
+const PIXELS = 48;
+const FONT = `${PIXELS * 0.75}px system-ui, sans-serif`;
+// Longer texts are cut: nodes may send anything.
+const LONGEST = 200;
+const MOST_LINES = 20;
+
+/**
+ * Return a sprite that shows a text.
+ * @param {string} text @param {number} height of a line, in metres; in parts of the view's height if `fixed`
+ * @param {{color?: any, opacity?: number, fixed?: boolean}} [look]
+ */
+export function createLabel(text, height, { color = new Color(0xffffff), opacity = 1, fixed = false } = {}) {
+  const lines = text.split("\n").slice(0, MOST_LINES).map((line) => line.slice(0, LONGEST));
+  const canvas = document.createElement("canvas");
+  const measure = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  measure.font = FONT;
+  canvas.width = Math.min(4096, Math.max(1, ...lines.map((line) => Math.ceil(measure.measureText(line).width))) + 8);
+  canvas.height = lines.length * PIXELS;
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  context.font = FONT;
+  context.textBaseline = "middle";
+  context.textAlign = "center";
+  context.fillStyle = `#${color.getHexString()}`;
+  lines.forEach((line, index) => context.fillText(line, canvas.width / 2, (index + 0.5) * PIXELS));
+  const map = new CanvasTexture(canvas);
+  map.colorSpace = SRGBColorSpace;
+  const sprite = new Sprite(new SpriteMaterial({
+    map, opacity, transparent: true, depthTest: !fixed, depthWrite: false, sizeAttenuation: !fixed,
+  }));
+  sprite.scale.set((height * canvas.width) / PIXELS, height * lines.length, 1);
+  return sprite;
+}

@@ -1,0 +1,97 @@
+// @ts-check
+// Load meshes: STL, COLLADA, OBJ and glTF files of the site.
+
+import {
+  ColladaLoader, Color, DoubleSide, GLTFLoader, Group, LoadingManager, Mesh, MeshLambertMaterial, MTLLoader, OBJLoader,
+  STLLoader,
+} from "../../vendor/three.js";
+import { say } from "../../ui/words.js";
+
+/** The meshes by their URL: several links may show the same. @type {Map<string, Promise<any>>} */
+const loaded = new Map();
+
+/**
+ * Return a copy of a mesh. Reject with an Error that says what is wrong.
+ * @param {string} url as in the description: `package://…` @param {(url: string) => string} resource its address
+ * @returns {Promise<any>} a group, in metres and with z up as ROS has it
+ */
+export async function loadMesh(url, resource) {
+  const address = resource(url);
+  if (!address || /^(package|file|model):/.test(address)) {
+    throw new Error(say("the site does not contain {}", url));
+  }
+  let loading = loaded.get(address);
+  if (!loading) {
+    loading = load(url, address);
+    loaded.set(address, loading);
+    loading.catch(() => loaded.delete(address));
+  }
+  return (await loading).clone();
+}
+
+/** @param {string} url @param {string} address */
+async function load(url, address) {
+  const manager = new LoadingManager();
+  const extension = /\.(\w+)$/.exec(url)?.[1]?.toLowerCase() ?? "";
+  try {
+    const read = READERS[extension];
+    if (!read) throw new Error(say("not an STL, COLLADA, OBJ or glTF file"));
+    return await read(address, manager);
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new Error(say("{} could not be loaded: {}", url, reason), { cause: error });
+  }
+}
+
+/** @type {Record<string, (address: string, manager: any) => Promise<any>>} */
+const READERS = {
+  async stl(address, manager) {
+    const geometry = await new STLLoader(manager).loadAsync(address);
+    return upright(new Mesh(geometry, new MeshLambertMaterial({ color: new Color(0xd0d3da) })));
+  },
+  async dae(address, manager) {
+    const found = await new ColladaLoader(manager).loadAsync(address);
+    if (!found) throw new Error(say("not a COLLADA file"));
+    // Only the unit is applied: RViz ignores which axis is up, so authors have rotated what they needed.
+    found.scene.quaternion.identity();
+    return upright(found.scene);
+  },
+  async obj(address, manager) {
+    const loader = new OBJLoader(manager);
+    const text = await (await fetched(address)).text();
+    const [, library] = /^mtllib\s+(.+?)\s*$/m.exec(text) ?? [];
+    if (library) {
+      const folder = address.slice(0, address.lastIndexOf("/") + 1);
+      const materials = await new MTLLoader(manager).setPath(folder).loadAsync(library).catch(() => undefined);
+      if (materials) loader.setMaterials(materials);
+    }
+    return upright(loader.parse(text));
+  },
+  gltf: readGltf,
+  glb: readGltf,
+};
+
+/** @param {string} address @param {any} manager */
+async function readGltf(address, manager) {
+  const { scene } = await new GLTFLoader(manager).loadAsync(address);
+  return upright(scene);
+}
+
+/** @param {string} address */
+async function fetched(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(say("the server answered {}", response.status));
+  return response;
+}
+
+/** @param {any} object */
+function upright(object) {
+  const group = new Group();
+  object.traverse((/** @type {any} */ each) => {
+    // Lights and cameras of a file would light the whole scene.
+    if (each.isLight || each.isCamera) each.visible = false;
+    for (const material of [each.material ?? []].flat()) material.side = DoubleSide;
+  });
+  group.add(object);
+  return group;
+}

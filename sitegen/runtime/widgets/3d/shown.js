@@ -1,0 +1,249 @@
+// @ts-check
+// One display of a 3D view: what it subscribes to, whether it is on, where its messages are placed, and its status.
+
+import { Group } from "../../vendor/three.js";
+import { say } from "../../ui/words.js";
+import { seconds } from "../tf/transforms.js";
+
+/** @import { Ros } from "../../protocol.js" */
+/** @import { Pose } from "../tf/pose.js" */
+/** @import { World } from "./world.js" */
+
+/**
+ * A kind of display; each has a module in displays/.
+ * @typedef {{
+ *   title: string, types: string[], defaults: Record<string, Setting>, choices?: Record<string, string[]>,
+ *   create(context: Context, options: Record<string, any>): Display,
+ * }} Kind `types` are those of the messages that it shows; without types, it needs no topic. `defaults` are its
+ *   options with their values: a number, a colour like "#ff0000", true or false, a text, or one of `choices`
+ * @typedef {string | number | boolean} Setting
+ * @typedef {{
+ *   receive?(message: any, type: string): void, frameOf?(message: any): {frame_id: string, stamp: any} | undefined,
+ *   set?(options: Record<string, any>): void, update?(now: number): void, clear?(): void, close?(): void,
+ * }} Display `receive` draws a message into the display's group, which is placed in the frame of its header, or in what
+ *   `frameOf` returns; without that, the display places its parts itself in `update`, which is called before each frame
+ * @typedef {{
+ *   root: InstanceType<typeof Group>, world: World, ros: Ros,
+ *   say(text: string): void, place(object: any, frame: string, time?: number): boolean, redraw(): void,
+ *   resource(url: string): string,
+ * }} Context what a display is given: the group to draw into, its world; `say` shows a problem, `place` moves an object
+ *   to the pose of a frame and returns whether that is known, `resource` is the address of a package:// file
+ */
+
+// Messages that wait for their transforms.
+const MOST_WAITING = 20;
+
+export class Shown {
+  root = new Group();
+  /** @type {string} */
+  status = "";
+  enabled;
+  options;
+  #display;
+  #world;
+  #kind;
+  #unsubscribe = () => {};
+  #subscribed = "";
+  /** Messages whose transforms are not known yet, in order. @type {{message: any, type: string}[]} */
+  #waiting = [];
+  /** Where the last message is: to place it again in another fixed frame. */
+  #header = { frame_id: "", stamp: { sec: 0, nanosec: 0 } };
+  #placedIn = "";
+  drawn = false;
+
+  /**
+   * @param {string} name its kind @param {Kind} kind @param {World} world
+   * @param {Record<string, any>} options @param {boolean} enabled
+   */
+  constructor(name, kind, world, options, enabled = true) {
+    this.name = name;
+    this.#kind = kind;
+    this.#world = world;
+    this.enabled = enabled;
+    this.options = { ...kind.defaults, ...options };
+    /** The topic that it showed first: part of its name in links. */
+    this.firstTopic = String(this.options.topic ?? "");
+    this.root.visible = enabled;
+    this.#display = kind.create({
+      root: this.root,
+      world,
+      ros: world.ros,
+      say: (text) => this.tell(text),
+      place: (object, frame, time) => this.#place(object, frame, time),
+      redraw: () => world.redraw(),
+      resource: world.resource,
+    }, this.options);
+    this.#display.set?.(this.options);
+  }
+
+  get title() {
+    return this.#kind.title;
+  }
+
+  get kind() {
+    return this.#kind;
+  }
+
+  /** The topic that it shows; "" if it has none. @returns {string} */
+  get topic() {
+    return this.#kind.types.length ? String(this.options.topic ?? "") : "";
+  }
+
+  /** Whether messages are placed in the frame of their header. */
+  get #headed() {
+    return Boolean(this.#display.receive && this.#display.frameOf);
+  }
+
+  /** Subscribe if that is not done, with the type and the durability that the topic has now. */
+  begin() {
+    if (!this.enabled || !this.topic) return;
+    const found = this.#world.ros.graph.topics().find(({ name }) => name === this.topic);
+    const known = found?.types.find((type) => this.#kind.types.includes(type));
+    const other = found?.types[0];
+    if (found && !known && found.publishers.length) {
+      const wanted = this.#kind.types.join(", ");
+      this.tell(say("{} is of type {}, not {}", this.topic, other ?? "", wanted));
+      this.end();
+      return;
+    }
+    const type = known ?? this.#kind.types.find((each) => this.#world.ros.types[each]) ?? "";
+    const offers = this.#world.ros.graph.endpoints().filter(
+      ({ kind, name }) => kind === "publisher" && name === this.topic);
+    const latched = offers.length > 0 && offers.every(({ qos }) => qos.transientLocal);
+    const wanted = `${type} ${latched}`;
+    if (wanted === this.#subscribed) return;
+    this.end();
+    if (!this.#world.ros.types[type]) {
+      if (found || !offers.length) this.tell(say("no node on this page uses {}", this.#kind.types[0] ?? ""));
+      return;
+    }
+    this.#subscribed = wanted;
+    const qos = latched ? { transientLocal: true, depth: 10, reliable: true } : { depth: 10 };
+    this.#unsubscribe = this.#world.ros.subscribe(this.topic, type, (message) => this.#receive(message, type), qos);
+    if (!this.drawn) this.tell(offers.length ? say("no messages yet") : say("{}: no publishers", this.topic));
+  }
+
+  /** Stop receiving messages. */
+  end() {
+    this.#unsubscribe();
+    this.#unsubscribe = () => {};
+    this.#subscribed = "";
+  }
+
+  /** @param {boolean} on */
+  enable(on) {
+    this.enabled = on;
+    this.root.visible = on;
+    if (on) this.begin();
+    else this.end();
+    this.#world.redraw();
+  }
+
+  /** Change options. @param {Record<string, any>} changed */
+  set(changed) {
+    const { topic } = this.options;
+    Object.assign(this.options, changed);
+    if (this.options.topic !== topic) {
+      this.clear();
+      this.end();
+      this.begin();
+    }
+    this.#display.set?.(this.options);
+    this.#world.redraw();
+  }
+
+  clear() {
+    this.#waiting = [];
+    this.drawn = false;
+    this.status = "";
+    this.#display.clear?.();
+  }
+
+  close() {
+    this.end();
+    this.#display.close?.();
+    this.root.removeFromParent();
+  }
+
+  /** Say what is wrong, or nothing. @param {string} text */
+  tell(text) {
+    if (this.status === text) return;
+    this.status = text;
+    this.#world.told();
+  }
+
+  /** Place what waits and what moves; called before each frame. @param {number} now (ms) */
+  update(now) {
+    if (!this.enabled) return;
+    if (this.#waiting.length) this.#settle();
+    const { fixed } = this.#world;
+    if (this.#headed && this.drawn && this.#placedIn !== fixed) {
+      this.#placedIn = this.#place(this.root, this.#header.frame_id, seconds(this.#header.stamp)) ? fixed : "";
+    }
+    this.#display.update?.(now);
+  }
+
+  /** @param {any} message @param {string} type */
+  #receive(message, type) {
+    this.#world.heard(this.#display.frameOf?.(message)?.frame_id);
+    if (!this.#headed) {
+      this.drawn = true;
+      if (this.status) this.tell("");
+      this.#draw(message, type);
+      return;
+    }
+    this.#waiting.push({ message, type });
+    if (this.#waiting.length > MOST_WAITING) this.#waiting.shift();
+    this.#world.redraw();
+  }
+
+  /** Draw the newest message whose transform is known, and drop those before it. */
+  #settle() {
+    let fault = "";
+    for (let index = this.#waiting.length - 1; index >= 0; index--) {
+      const { message, type } = /** @type {{message: any, type: string}} */ (this.#waiting[index]);
+      const header = this.#display.frameOf?.(message) ?? { frame_id: this.#world.fixed, stamp: { sec: 0, nanosec: 0 } };
+      const found = this.#world.transforms.lookup(this.#world.fixed, header.frame_id, seconds(header.stamp));
+      if (!found.pose) {
+        fault ||= found.fault;
+        continue;
+      }
+      this.#waiting.splice(0, index + 1);
+      this.#header = header;
+      this.#placedIn = this.#world.fixed;
+      put(this.root, found.pose);
+      this.tell("");
+      this.#draw(message, type);
+      if (!this.drawn) {
+        this.drawn = true;
+        this.#world.appeared();
+      }
+      return;
+    }
+    this.tell(fault);
+  }
+
+  /** @param {any} message @param {string} type */
+  #draw(message, type) {
+    try {
+      this.#display.receive?.(message, type);
+    } catch (error) {
+      this.tell(error instanceof Error ? error.message : String(error));
+    }
+    this.#world.redraw();
+  }
+
+  /** @param {any} object @param {string} frame @param {number} [time] */
+  #place(object, frame, time) {
+    const { pose, fault } = this.#world.transforms.lookup(this.#world.fixed, frame, time);
+    if (pose) put(object, pose);
+    else this.tell(fault);
+    return Boolean(pose);
+  }
+}
+
+/** Move an object to a pose. @param {any} object @param {Pose} pose */
+export function put(object, { position, rotation }) {
+  object.position.set(...position);
+  object.quaternion.set(...rotation);
+}

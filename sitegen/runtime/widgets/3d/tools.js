@@ -1,0 +1,193 @@
+// @ts-check
+// What the pointer does in a 3D view besides moving the camera: set a goal or an estimated pose, point, measure.
+
+import { Color, Group, Plane, Vector3 } from "../../vendor/three.js";
+import { button, create, setText } from "../../ui/elements.js";
+import { say } from "../../ui/words.js";
+import { Lines, segments } from "./lines.js";
+import { Arrows } from "./shapes.js";
+
+/** @import { Ros } from "../../protocol.js" */
+/** @import { Stage } from "./stage.js" */
+/** @import { World } from "./world.js" */
+/** @typedef {InstanceType<typeof Vector3>} Point */
+
+const FLOOR = new Plane(new Vector3(0, 0, 1), 0);
+const POSE = "geometry_msgs/msg/PoseStamped";
+const ESTIMATE = "geometry_msgs/msg/PoseWithCovarianceStamped";
+const POINT = "geometry_msgs/msg/PointStamped";
+const GREEN = new Color(0x46d67f);
+// The uncertainty of RViz's estimate: 0.5 m, and 15 degrees.
+const VARIANCE = { 0: 0.25, 7: 0.25, 35: (Math.PI / 12) ** 2 };
+
+/**
+ * @typedef {{name: string, text: string, hint: string, type?: string, topic?: string, aims: boolean,
+ *   message?(from: Point, angle: number, header: any): any}} Tool one that `aims` is dragged, for a direction or a distance
+ */
+
+/** @type {Tool[]} */
+const TOOLS = [
+  {
+    name: "goal",
+    text: say("Goal"),
+    hint: say("Drag from the goal in the direction to face"),
+    type: POSE,
+    topic: "/goal_pose",
+    aims: true,
+    message: (from, angle, header) => ({ header, pose: poseAt(from, angle) }),
+  },
+  {
+    name: "estimate",
+    text: say("Estimate"),
+    hint: say("Drag from where the robot is in the direction that it faces"),
+    type: ESTIMATE,
+    topic: "/initialpose",
+    aims: true,
+    message(from, angle, header) {
+      const covariance = new Float64Array(36);
+      for (const [index, value] of Object.entries(VARIANCE)) covariance[Number(index)] = value;
+      return { header, pose: { pose: poseAt(from, angle), covariance } };
+    },
+  },
+  {
+    name: "point",
+    text: say("Point"),
+    hint: say("Click a point to publish it"),
+    type: POINT,
+    topic: "/clicked_point",
+    aims: false,
+    message: ({ x, y, z }, _angle, header) => ({ header, point: { x, y, z } }),
+  },
+  { name: "measure", text: say("Measure"), hint: say("Drag from one point to another"), aims: true },
+];
+
+export class Tools {
+  #ros;
+  #stage;
+  #world;
+  #sketch = new Group();
+  #arrows = new Arrows(this.#sketch);
+  #line = new Lines(this.#sketch);
+  note = create("p", "ros-scene-note");
+  /** @type {HTMLButtonElement[]} */
+  buttons;
+  /** @type {Map<Tool, HTMLButtonElement>} */
+  #pressed = new Map();
+  /** @type {Tool | undefined} */
+  #active;
+  /** @type {Point | undefined} */
+  #from;
+  #topics;
+  #ends = new AbortController();
+
+  /** @param {Ros} ros @param {Stage} stage @param {World} world @param {Record<string, string>} [topics] by tool */
+  constructor(ros, stage, world, topics = {}) {
+    this.#ros = ros;
+    this.#stage = stage;
+    this.#world = world;
+    this.#topics = topics;
+    this.note.setAttribute("role", "status");
+    stage.scene.add(this.#sketch);
+    // A message that no node of the page knows could not be published.
+    for (const tool of TOOLS.filter(({ type }) => !type || ros.types[type])) {
+      const press = button(tool.text, "", () => this.#choose(this.#active === tool ? undefined : tool));
+      press.title = tool.topic ? `${tool.hint}: ${this.#topicOf(tool)}` : tool.hint;
+      press.setAttribute("aria-pressed", "false");
+      this.#pressed.set(tool, press);
+    }
+    this.buttons = [...this.#pressed.values()];
+    const { canvas } = stage;
+    const { signal } = this.#ends;
+    canvas.addEventListener("pointerdown", (event) => this.#begin(event), { signal, capture: true });
+    canvas.addEventListener("pointermove", (event) => this.#aim(event), { signal });
+    canvas.addEventListener("pointerup", (event) => this.#finish(event), { signal });
+    canvas.addEventListener("keydown", ({ key }) => key === "Escape" && this.#choose(undefined), { signal });
+  }
+
+  close() {
+    this.#ends.abort();
+  }
+
+  /** @param {Tool} tool */
+  #topicOf({ name, topic }) {
+    return this.#topics[name] ?? topic ?? "";
+  }
+
+  /** @param {Tool | undefined} tool */
+  #choose(tool) {
+    this.#active = tool;
+    this.#from = undefined;
+    for (const [each, element] of this.#pressed) element.setAttribute("aria-pressed", String(each === tool));
+    this.#stage.movable = !tool;
+    this.#stage.canvas.classList.toggle("ros-aiming", Boolean(tool));
+    setText(this.note, tool?.hint ?? "");
+    this.#erase();
+  }
+
+  /** The point of the scene below the pointer: of what is shown, or of the floor. @param {PointerEvent} event @returns {Point | undefined} */
+  #under(event) {
+    const caster = this.#stage.ray(event);
+    caster.params.Points.threshold = 0.05;
+    const floor = caster.ray.intersectPlane(FLOOR, new Vector3()) ?? undefined;
+    if (this.#active?.type && this.#active.aims) return floor;
+    const [hit] = caster.intersectObject(this.#stage.content, true);
+    return hit?.point ?? floor;
+  }
+
+  /** @param {PointerEvent} event */
+  #begin(event) {
+    if (!this.#active || event.button !== 0) return;
+    this.#from = this.#under(event);
+    this.#stage.canvas.setPointerCapture(event.pointerId);
+  }
+
+  /** @param {PointerEvent} event */
+  #aim(event) {
+    const to = this.#from && this.#active?.aims ? this.#under(event) : undefined;
+    if (!this.#from || !to) return;
+    const along = to.clone().sub(this.#from);
+    if (this.#active?.type) {
+      const length = along.length();
+      this.#arrows.begin();
+      this.#arrows.add(this.#from, along, { shaft: length * 0.08, head: length * 0.2, length: length * 0.3 }, GREEN);
+      this.#arrows.end();
+    } else {
+      this.#line.show(segments([this.#from.toArray(), to.toArray()]), { color: GREEN });
+      setText(this.note, `${along.length().toFixed(3)} m`);
+    }
+    this.#stage.redraw();
+  }
+
+  /** @param {PointerEvent} event */
+  #finish(event) {
+    const tool = this.#active;
+    const from = this.#from;
+    this.#from = undefined;
+    if (!tool || !from || !tool.message || !tool.type) return;
+    const to = (tool.aims && this.#under(event)) || from;
+    const angle = Math.atan2(to.y - from.y, to.x - from.x);
+    const publisher = this.#ros.advertise(this.#topicOf(tool), tool.type);
+    const now = Date.now();
+    const stamp = { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 };
+    publisher.publish(tool.message(from, angle, { stamp, frame_id: this.#world.fixed }));
+    // A subscription that has just matched must be able to take it first.
+    setTimeout(() => publisher.close(), 1000);
+    this.#choose(undefined);
+    setText(this.note, say("published on {}", this.#topicOf(tool)));
+  }
+
+  #erase() {
+    this.#arrows.begin();
+    this.#arrows.end();
+    this.#line.clear();
+    this.#stage.redraw();
+  }
+}
+
+/** @param {Point} position @param {number} angle around z (rad) */
+function poseAt({ x, y, z }, angle) {
+  return {
+    position: { x, y, z },
+    orientation: { x: 0, y: 0, z: Math.sin(angle / 2), w: Math.cos(angle / 2) },
+  };
+}
