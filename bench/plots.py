@@ -1,11 +1,11 @@
-"""Measure ten plots of numbers that come at 1 kHz, beside canvases on which curves are only drawn."""
+"""Measure ten plots of numbers that come at 1 kHz, beside canvases on which curves are drawn."""
 
 from __future__ import annotations
 
 import time
 from statistics import median, quantiles
 
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, ViewportSize
 
 from bench.browser import chromium, serving_site
 from bench.counts import Counts
@@ -13,7 +13,7 @@ from bench.crowd import SITE, processor
 from bench.figure import Figure
 
 # All ten are in view.
-VIEW = {"width": 1600, "height": 3200}
+VIEW: ViewportSize = {"width": 1600, "height": 3200}
 # Up to four points in each column of pixels.
 POINTS = 4
 

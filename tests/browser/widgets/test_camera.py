@@ -10,6 +10,8 @@ from playwright.sync_api import Browser, Locator, expect
 from playwright.sync_api import Page as Tab
 from stage import WIDER, hide_tab, show
 
+pytestmark = pytest.mark.chromium
+
 RAW, COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
 INFO = "sensor_msgs/msg/CameraInfo"
 FAKE = ["--use-fake-device-for-media-stream", "--use-fake-ui-for-media-stream"]
@@ -30,7 +32,7 @@ def filmed(filming: Browser, stage: Tab) -> Iterator[Tab]:
     page.goto(stage.url)
     page.wait_for_selector("body[data-ready]")
     page.evaluate(
-        """(types) => { for (const type of types) ros.types[type] = ros.fields("uint32 width"); }""",
+        "(all) => { for (const type of all) ros.types[type] = ros.fields('uint32 width'); }",
         [RAW, COMPRESSED, INFO],
     )
     yield page
@@ -66,7 +68,8 @@ def test_a_camera_publishes_until_it_is_stopped(filmed: Tab) -> None:
     assert found["age"] < 60
     assert found | {"age": 0} == {
         "type": RAW, "width": 160, "height": 120, "encoding": "rgb8", "is_bigendian": 0,
-        "step": 480, "size": 160 * 120 * 3, "plain": True, "green": True, "frame": "camera", "age": 0,
+        "step": 480, "size": 160 * 120 * 3, "plain": True, "green": True, "frame": "camera",
+        "age": 0,
     }  # fmt: skip
     published(filmed, "/front/camera_info")
     info = filmed.evaluate("ros.published.find(({ type }) => type.endsWith('Info')).message")

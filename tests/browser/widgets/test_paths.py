@@ -11,15 +11,18 @@ pytestmark = pytest.mark.firefox
 
 TYPES = """
 ros.types["sensor_msgs/msg/JointState"] = ros.fields(
-  "builtin_interfaces/msg/Time stamp, string[] name, float64[] position, int64[2] count, bool[] on");
+  "builtin_interfaces/msg/Time stamp, string[] name, float64[] position, int64[2] count, " +
+  "bool[] on");
 ros.types["robot_msgs/msg/Arm"] = ros.fields(
-  "string title, sensor_msgs/msg/JointState joints, geometry_msgs/msg/Vector3[] points, uint8[] data");
+  "string title, sensor_msgs/msg/JointState joints, geometry_msgs/msg/Vector3[] points, " +
+  "uint8[] data");
 """
 MESSAGE = """({
   title: "left", data: new Uint8Array(9),
   joints: {
     stamp: { sec: 2, nanosec: 500000000 }, name: ["shoulder", "elbow", ""],
-    position: Float64Array.of(0.5, -1, NaN), count: BigInt64Array.of(1n, 2n ** 60n), on: [true, false],
+    position: Float64Array.of(0.5, -1, NaN), count: BigInt64Array.of(1n, 2n ** 60n),
+    on: [true, false],
   },
   points: [{ x: 1, y: 2, z: 3 }, { x: 4, y: 5, z: 6 }],
 })"""
@@ -126,8 +129,10 @@ def test_the_numbers_of_a_type_are_listed(stage: Tab) -> None:
         """async (types) => {
           const { numericFields } = await import("./runtime/messages/path.js");
           new Function("ros", types)(ros);
-          return [numericFields("robot_msgs/msg/Arm", ros.types), numericFields("x/msg/Y", ros.types),
-            numericFields("geometry_msgs/msg/Twist", ros.types, 2)];
+          return [
+            numericFields("robot_msgs/msg/Arm", ros.types), numericFields("x/msg/Y", ros.types),
+            numericFields("geometry_msgs/msg/Twist", ros.types, 2),
+          ];
         }""",
         TYPES,
     )

@@ -25,7 +25,8 @@ def battery(stage: Tab) -> Tab:
         """() => {
           ros.types["robot_msgs/msg/Battery"] = ros.fields(
             "float32 charge, bool present, string serial, uint64 cycles, float32[] cells");
-          const empty = { charge: 0, present: false, serial: "", cycles: 0n, cells: new Float32Array(2) };
+          const empty =
+            { charge: 0, present: false, serial: "", cycles: 0n, cells: new Float32Array(2) };
           window.send = async (fields, second = 0) => {
             const at = performance.timeOrigin + 1000 * second;
             ros.emit("/battery", { ...empty, ...fields }, 24, at);
@@ -39,7 +40,8 @@ def battery(stage: Tab) -> Tab:
 
 def test_a_number_has_a_unit_and_a_state(battery: Tab) -> None:
     options = {
-        "path": "/battery.charge", "scale": 100, "unit": "%", "decimals": 1, "thresholds": THRESHOLDS,
+        "path": "/battery.charge", "scale": 100, "unit": "%", "decimals": 1,
+        "thresholds": THRESHOLDS,
     }  # fmt: skip
     panel = show(battery, "value", options)
     expect(panel).to_contain_text("No message yet")
@@ -61,7 +63,8 @@ def test_a_number_has_a_unit_and_a_state(battery: Tab) -> None:
 def test_values_that_are_odd_are_shown(battery: Tab) -> None:
     panel = show(battery, "value", {"path": "/battery.charge", "thresholds": THRESHOLDS})
     for sent, shown in (
-        ("NaN", "NaN"), ("Infinity", "∞"), ("-Infinity", "−∞"), ("-0.5", "−0.5000"), ("1e-9", "1.000e−9"),
+        ("NaN", "NaN"), ("Infinity", "∞"), ("-Infinity", "\u2212∞"), ("-0.5", "\u22120.5000"),
+        ("1e-9", "1.000e\u22129"),
         ("1e300", "1.000e+300"),
     ):  # fmt: skip
         battery.evaluate(f"send({{ charge: {sent} }})")
