@@ -45,8 +45,7 @@ def site(tmp_path: Path) -> Site:
     (package / "view.rviz").write_text(VIEW)
     (package / "all.launch.yaml").write_text(LAUNCH)
     (tmp_path / "site.yaml").write_text(
-        "site: {title: Robot}\n"
-        "pages: [{path: /, title: Robot, launch: src/mine/all.launch.yaml}]\n"
+        "site: {title: Robot}\npages: [{path: /, title: Robot, launch: src/mine/all.launch.yaml}]\n"
     )
     return config.load(tmp_path / "site.yaml")
 
@@ -62,8 +61,8 @@ def test_each_window_has_its_widget(site: Site) -> None:
     assert {"plot", "image", "graph", "log", "teleop", "joints"} <= set(found)
     assert found["3d"] == {"frame": "base", "displays": [{"kind": "path", "topic": "/plan"}]}
     assert found["plot"]["series"] == [
-        "/odom.twist.twist.linear",
-        "/odom.twist.twist.angular",
+        "/odom/twist/twist/linear",
+        "/odom/twist/twist/angular",
         "/imu.orientation.x",
     ]
     assert found["image"]["topic"] == "/robot/camera/image"
