@@ -24,75 +24,90 @@ export const kind = {
   choices: { scheme: ["map", "costmap", "raw"] },
 
   create({ root, ros, redraw }, options) {
-    const floor = new Group();
-    root.add(floor);
-    /** @type {{width: number, height: number, cells: Uint8Array, texture: any} | undefined} */
-    let shown;
+    /** @type {Sheet | undefined} */
+    let sheet;
     let unsubscribe = () => {};
-
-    const paint = () => {
-      if (!shown) return;
-      const palette = paletteOf(options.scheme);
-      const { cells, texture } = shown;
-      const pixels = new Uint32Array(texture.image.data.buffer);
-      for (let index = 0; index < cells.length; index++) pixels[index] = palette[cells[index] ?? 0] ?? 0;
-      texture.needsUpdate = true;
-    };
-    const update = (/** @type {any} */ { x, y, width, height, data }) => {
-      if (!shown || x < 0 || y < 0 || x + width > shown.width || y + height > shown.height) return;
-      const cells = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-      for (let row = 0; row < height; row++) {
-        shown.cells.set(cells.subarray(row * width, (row + 1) * width), (y + row) * shown.width + x);
-      }
-      paint();
-      redraw();
+    const clear = () => {
+      dispose(root);
+      sheet = undefined;
     };
     return {
+      // A map is where its frame is now, however old it is.
       frameOf: ({ header }) => ({ ...header, stamp: { sec: 0, nanosec: 0 } }),
-      receive({ info: { width, height, resolution, origin }, data }) {
-        dispose(floor);
-        shown = undefined;
-        if (data.length !== width * height) {
-          throw new Error(say("{} × {} cells need {} values, but the message has {}", width, height, width * height, data.length));
-        }
-        if (!data.length) throw new Error(say("the map is empty"));
-        if (Math.max(width, height) > LARGEST) throw new Error(say("the map is larger than {} × {} cells", LARGEST, LARGEST));
-        const texture = new DataTexture(new Uint8Array(width * height * 4), width, height);
-        texture.colorSpace = SRGBColorSpace;
-        texture.magFilter = NearestFilter;
-        shown = { width, height, cells: Uint8Array.from(data, (cell) => cell & 255), texture };
-        paint();
-        const material = new MeshBasicMaterial({
-          map: texture, transparent: true, opacity: options.alpha, side: DoubleSide, depthWrite: false,
-        });
-        const mesh = new Mesh(new PlaneGeometry(width * resolution, height * resolution), material);
-        mesh.position.set((width * resolution) / 2, (height * resolution) / 2, 0);
-        const place = new Group();
-        put(place, poseOf(origin));
-        place.add(mesh);
-        floor.add(place);
+      receive(message) {
+        clear();
+        sheet = new Sheet(message);
+        sheet.style(options);
+        root.add(sheet.place);
         unsubscribe();
         const topic = `${options.topic}_updates`;
         const sent = ros.graph.topics().some(({ name, types }) => name === topic && types.includes(UPDATE));
-        unsubscribe = sent && ros.types[UPDATE] ? ros.subscribe(topic, UPDATE, update) : () => {};
+        unsubscribe = sent && ros.types[UPDATE] ? ros.subscribe(topic, UPDATE, (update) => {
+          sheet?.update(update);
+          sheet?.style(options);
+          redraw();
+        }) : () => {};
       },
-      set({ alpha }) {
-        floor.traverse((/** @type {any} */ { material }) => {
-          if (material) material.opacity = alpha;
-        });
-        paint();
-      },
-      clear() {
-        dispose(floor);
-        shown = undefined;
-      },
+      set: () => sheet?.style(options),
+      clear,
       close() {
         unsubscribe();
-        dispose(floor);
+        clear();
       },
     };
   },
 };
+
+/** The cells of a map, as a picture on the floor. */
+class Sheet {
+  place = new Group();
+  /** @type {number} */
+  #width;
+  /** @type {number} */
+  #height;
+  #cells;
+  #texture;
+  #material;
+
+  /** Throws an Error if it cannot be shown. @param {any} map */
+  constructor({ info: { width, height, resolution, origin }, data }) {
+    if (data.length !== width * height) {
+      throw new Error(say("{} × {} cells need {} values, but the message has {}", width, height, width * height, data.length));
+    }
+    if (!data.length) throw new Error(say("the map is empty"));
+    if (Math.max(width, height) > LARGEST) throw new Error(say("the map is larger than {} × {} cells", LARGEST, LARGEST));
+    [this.#width, this.#height] = [width, height];
+    this.#cells = Uint8Array.from(data, (cell) => cell & 255);
+    this.#texture = new DataTexture(new Uint8Array(width * height * 4), width, height);
+    this.#texture.colorSpace = SRGBColorSpace;
+    this.#texture.magFilter = NearestFilter;
+    this.#material = new MeshBasicMaterial({ map: this.#texture, transparent: true, side: DoubleSide, depthWrite: false });
+    const mesh = new Mesh(new PlaneGeometry(width * resolution, height * resolution), this.#material);
+    mesh.position.set((width * resolution) / 2, (height * resolution) / 2, 0);
+    put(this.place, poseOf(origin));
+    this.place.add(mesh);
+  }
+
+  /** Take the new cells of a part; one that is not inside is ignored. @param {any} update */
+  update({ x, y, width, height, data }) {
+    if (x < 0 || y < 0 || x + width > this.#width || y + height > this.#height) return;
+    const cells = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    for (let row = 0; row < height; row++) {
+      this.#cells.set(cells.subarray(row * width, (row + 1) * width), (y + row) * this.#width + x);
+    }
+  }
+
+  /** @param {Record<string, any>} options */
+  style({ alpha, scheme }) {
+    this.#material.opacity = alpha;
+    const palette = paletteOf(scheme);
+    const pixels = new Uint32Array(/** @type {Uint8Array} */ (this.#texture.image.data).buffer);
+    this.#cells.forEach((cell, index) => {
+      pixels[index] = palette[cell] ?? 0;
+    });
+    this.#texture.needsUpdate = true;
+  }
+}
 
 /** Return the colour of each value of a cell, as bytes of red, green, blue and alpha. @param {string} scheme */
 function paletteOf(scheme) {

@@ -6,7 +6,9 @@ import { say } from "../../../ui/words.js";
 import { loadMesh } from "../meshes.js";
 import { Axes, dispose } from "../shapes.js";
 
-/** @import { Kind } from "../shown.js" */
+/** @import { Context, Kind } from "../shown.js" */
+
+/** @typedef {{name: string, group: any, parent: string, offset: any}} Link */
 
 // A description may name so many links and not more.
 const MOST_LINKS = 2000;
@@ -18,85 +20,113 @@ export const kind = {
   defaults: { topic: "/robot_description", file: "", visual: true, collision: false, axes: false, alpha: 1, prefix: "" },
 
   create(context, options) {
-    const { root, world, resource } = context;
-    const axes = new Axes(root);
-    /** @type {{name: string, group: any, parent: string, offset: any}[]} */
-    let links = [];
-    let version = 0;
-    /** @type {Set<string>} */
-    const faults = new Set();
-
-    const clear = () => {
-      version++;
-      links = [];
-      faults.clear();
-      for (const child of [...root.children]) if (child.userData.link) child.removeFromParent();
-    };
-    const style = () => {
-      for (const { group } of links) {
-        for (const part of group.children) part.visible = part.isURDFCollider ? options.collision : options.visual;
-        group.traverse((/** @type {any} */ { material }) => {
-          for (const one of [material ?? []].flat()) {
-            one.userData.alpha ??= one.opacity;
-            one.opacity = one.userData.alpha * options.alpha;
-            one.transparent = one.opacity < 1;
-          }
-        });
-      }
-    };
-    const show = (/** @type {string} */ text) => {
-      clear();
-      const current = version;
-      links = readLinks(text, async (url, material, done) => {
-        try {
-          const mesh = await loadMesh(url, resource);
-          if (/\.(stl|obj)$/i.test(url)) paint(mesh, material);
-          done(mesh);
-          if (current !== version) return;
-          style();
-          world.appeared();
-          context.redraw();
-        } catch (error) {
-          done(new Group());
-          if (current !== version) return;
-          faults.add(error instanceof Error ? error.message : String(error));
-          context.say([...faults].join("; "));
-        }
-      });
-      for (const { group } of links) root.add(group);
-      style();
-      place(world, options.prefix, links);
-      world.appeared();
-      context.redraw();
-    };
-    if (options.file) {
-      fetch(resource(options.file)).then(async (response) => {
-        if (!response.ok) throw new Error(say("the server answered {}", response.status));
-        show(await response.text());
-      }).catch((error) => context.say(say("{} could not be loaded: {}", options.file, error.message)));
-    }
+    const model = new Model(context, options);
+    if (options.file) model.load(options.file);
     return {
       receive: ({ data }) => {
-        if (!options.file) show(data);
+        if (!options.file) model.show(data);
       },
-      set: style,
-      update() {
-        const without = place(world, options.prefix, links);
-        if (links.length && !faults.size) {
-          context.say(without.length ? say("no transforms of {}", without.slice(0, 5).join(", ")) : "");
-        }
-        axes.begin();
-        for (const { group } of options.axes ? links : []) axes.add(group.position, group.quaternion, 0.1, 0.01);
-        axes.end();
-      },
-      clear,
+      set: () => model.style(),
+      update: () => model.update(),
+      clear: () => model.clear(),
       close() {
-        clear();
-        dispose(root);
+        model.clear();
+        dispose(context.root);
       },
     };
   },
 };
+
+class Model {
+  #context;
+  #options;
+  #axes;
+  /** @type {Link[]} */
+  #links = [];
+  /** Increases with each description: meshes of former ones may still come. */
+  #version = 0;
+  /** @type {Set<string>} */
+  #faults = new Set();
+
+  /** @param {Context} context @param {Record<string, any>} options */
+  constructor(context, options) {
+    this.#context = context;
+    this.#options = options;
+    this.#axes = new Axes(context.root);
+  }
+
+  /** Show the description in a file of the site. @param {string} file */
+  async load(file) {
+    try {
+      const response = await fetch(this.#context.resource(file));
+      if (!response.ok) throw new Error(say("the server answered {}", response.status));
+      this.show(await response.text());
+    } catch (error) {
+      this.#context.say(say("{} could not be loaded: {}", file, error instanceof Error ? error.message : error));
+    }
+  }
+
+  /** Throws an Error if the text is no description. @param {string} text */
+  show(text) {
+    this.clear();
+    const version = this.#version;
+    const { root, world } = this.#context;
+    this.#links = readLinks(text, (url, material, done) => this.#mesh(url, material, done, version));
+    for (const { group } of this.#links) root.add(group);
+    this.style();
+    place(world, this.#options.prefix, this.#links);
+    world.appeared();
+    world.redraw();
+  }
+
+  /** @param {string} url @param {any} material @param {(mesh: any) => void} done @param {number} version */
+  async #mesh(url, material, done, version) {
+    const { world, resource } = this.#context;
+    try {
+      const mesh = await loadMesh(url, resource);
+      if (/\.(stl|obj)$/i.test(url)) paint(mesh, material);
+      done(mesh);
+    } catch (error) {
+      done(new Group());
+      if (version === this.#version) this.#faults.add(error instanceof Error ? error.message : String(error));
+    }
+    if (version !== this.#version) return;
+    this.style();
+    world.appeared();
+    world.redraw();
+  }
+
+  style() {
+    const { visual, collision, alpha } = this.#options;
+    for (const { group } of this.#links) {
+      for (const part of group.children) part.visible = part.isURDFCollider ? collision : visual;
+      group.traverse((/** @type {any} */ { material }) => {
+        for (const one of [material ?? []].flat()) {
+          one.userData.alpha ??= one.opacity;
+          one.opacity = one.userData.alpha * alpha;
+          one.transparent = one.opacity < 1;
+        }
+      });
+    }
+  }
+
+  update() {
+    const { world, say: tell } = this.#context;
+    const without = place(world, this.#options.prefix, this.#links);
+    const missing = without.length ? [say("no transforms of {}", without.slice(0, 5).join(", "))] : [];
+    if (this.#links.length) tell([...this.#faults, ...missing].join("; "));
+    this.#axes.begin();
+    for (const { group } of this.#options.axes ? this.#links : []) this.#axes.add(group.position, group.quaternion, 0.1, 0.01);
+    this.#axes.end();
+  }
+
+  clear() {
+    this.#version++;
+    this.#faults.clear();
+    for (const { group } of this.#links) group.removeFromParent();
+    this.#links = [];
+  }
+}
 
 /**
  * Return the links of a description, each with its shapes and with where it is in its parent if all joints are at 0.
@@ -151,7 +181,7 @@ function paint(mesh, material) {
 /**
  * Move the links to their frames, and return those that have none: these are where their parents carry them.
  * @param {import("../world.js").World} world @param {string} prefix
- * @param {{name: string, group: any, parent: string, offset: any}[]} links
+ * @param {Link[]} links
  */
 function place({ transforms, fixed }, prefix, links) {
   const groups = new Map();
