@@ -69,7 +69,6 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         ),
     ),
     "graph": (),
-    "log": (_LINES,),
     "3d": (
         Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),
         Key("displays", "displays", "what is shown; defaults to all topics", "displays: [tf]"),
@@ -83,6 +82,37 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "tools: {goal: /goal_pose}",
         ),
     ),
+    "joints": (
+        Key(
+            "topic",
+            "name",
+            "topic of the positions",
+            "topic: /joint_states",
+            default="/joint_states",
+        ),
+        Key(
+            "description",
+            "name",
+            "topic of the robot's description",
+            "description: /arm/robot_description",
+            default="/robot_description",
+        ),
+    ),
+    "teleop": (
+        Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
+        Key("stamped", "flag", "send `TwistStamped`", "stamped: true", default=False),
+        Key("linear", "decimal", "largest speed in m/s", "linear: 0.22", default="0.5"),
+        Key("angular", "decimal", "largest turn in rad/s", "angular: 2.84", default="1.0"),
+        Key("joy", "name", "topic of the gamepad itself, as `Joy`", "joy: /joy"),
+        Key(
+            "deadman",
+            "flag",
+            "drive only while Shift or a shoulder button is held",
+            "deadman: true",
+            default=False,
+        ),
+    ),
+    "log": (_LINES,),
     "plot": (
         Key("series", "message paths", "what is plotted", "series: [/odom.pose.pose.position.x]"),
         Key("x", "message path", "plot against this, not time", "x: /odom.pose.pose.position.x"),
@@ -121,36 +151,6 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("width", "number", "width of an image in pixels", "width: 640", default=320),
         Key("rate", "number", "images per second, at most", "rate: 15", default=10),
         Key("frame", "text", "`frame_id` of the images", "frame: base", default="camera"),
-    ),
-    "joints": (
-        Key(
-            "topic",
-            "name",
-            "topic of the positions",
-            "topic: /joint_states",
-            default="/joint_states",
-        ),
-        Key(
-            "description",
-            "name",
-            "topic of the robot's description",
-            "description: /arm/robot_description",
-            default="/robot_description",
-        ),
-    ),
-    "teleop": (
-        Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
-        Key("stamped", "flag", "send `TwistStamped`", "stamped: true", default=False),
-        Key("linear", "decimal", "largest speed in m/s", "linear: 0.22", default="0.5"),
-        Key("angular", "decimal", "largest turn in rad/s", "angular: 2.84", default="1.0"),
-        Key("joy", "name", "topic of the gamepad itself, as `Joy`", "joy: /joy"),
-        Key(
-            "deadman",
-            "flag",
-            "drive only while Shift or a shoulder button is held",
-            "deadman: true",
-            default=False,
-        ),
     ),
     "robot": (
         Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 from paths import ROOT
 
+from sitegen.config.displays import Kind, kinds
 from sitegen.config.schema import (
     COMPILED,
     DEPLOY,
@@ -60,6 +61,7 @@ LINKS = {
     "content": "widgets.md#content",
     "items": "widgets.md#content",
 }
+DISPLAYS = re.compile(r"^(\| display \|.*\n\|[-|]+\|\n)(?:\|.*\n)*", re.MULTILINE)
 HEAD = ("| key | type, default | meaning |", "|---|---|---|")
 
 
@@ -78,6 +80,13 @@ def row(key: Key) -> str:
     return f"| `{key.name}` | {kind} | {key.help} |"
 
 
+def display_row(name: str, kind: Kind) -> str:
+    """Return the row of a kind of display."""
+    messages = ", ".join(f"`{each.rpartition('/')[2]}`" for each in kind.types)
+    options = ", ".join(key for key in kind.defaults if key != "topic")
+    return f"| `{name}` | {messages} | `{options}` |"
+
+
 def with_tables(page: str, text: str) -> str:
     """Return the `text` of a page with the tables of the schema in place of its own."""
     for heading, keys in TABLES[page].items():
@@ -89,7 +98,8 @@ def with_tables(page: str, text: str) -> str:
         )
         assert found, f"docs/{page}: no table of keys below the heading '{heading}'"
         text = f"{text[: found.start(1)]}{table(keys)}\n{text[found.end(1) :]}"
-    return text
+    rows = "\n".join(display_row(name, kind) for name, kind in kinds().items())
+    return DISPLAYS.sub(lambda head: f"{head[1]}{rows}\n", text)
 
 
 if __name__ == "__main__":

@@ -12,8 +12,6 @@ const STATE = "sensor_msgs/msg/JointState";
 const STRING = "std_msgs/msg/String";
 // Milliseconds between two messages while nothing moves: nodes that start later hear of the positions, too.
 const PERIOD = 100;
-// Parts of the way from one limit of a joint to the other.
-const STEPS = 1000;
 const DIGITS = 3;
 
 let lastId = 0;
@@ -140,7 +138,7 @@ class Joints {
     const { name, unit, lower, upper } = joint;
     const slider = create("input", "");
     Object.assign(slider, {
-      type: "range", min: String(lower), max: String(upper), step: String((upper - lower) / STEPS || 1), id: `ros-joint-${++lastId}`,
+      type: "range", min: String(lower), max: String(upper), step: "any", id: `ros-joint-${++lastId}`,
     });
     const label = create("label", "", name);
     label.htmlFor = slider.id;

@@ -13,7 +13,7 @@ from playwright.sync_api import Page
 
 from sitegen import workspace
 from sitegen.errors import Problems
-from sitegen.launch import launched
+from sitegen.launch import Window, launched
 
 SITE = SITES / "tf"
 FOUND = """
@@ -244,18 +244,20 @@ def test_launch_files_may_include_those_of_urdf_launch() -> None:
     assert problems.lines == []
     assert [node.executable for node in found] == ["robot_state_publisher", "joint_state_publisher"]
     assert "<robot name=" in found[0].parameters["robot_description"]
-    found = launched(file, {}, packages, problems)
-    assert found[1].executable == "joint_state_publisher_gui"
+    opened: list[Window] = []
+    found = launched(file, {}, packages, problems, opened=opened)
+    assert [node.executable for node in found] == ["robot_state_publisher"]
+    assert [window.kind for window in opened] == ["joints", "3d"]
 
 
-def test_what_draws_on_a_screen_is_left_out() -> None:
+def test_what_draws_on_a_screen_is_a_window() -> None:
     problems, notes = Problems(SITE), Problems(SITE)
     file = SITE / "src/arm/launch/display.launch.py"
-    found = launched(file, {}, workspace.scan(SITE), problems, notes)
+    opened: list[Window] = []
+    found = launched(file, {}, workspace.scan(SITE), problems, notes, opened)
     assert "rviz2" not in [node.package for node in found]
-    [line] = notes.lines
-    assert line.startswith("src/arm/launch/display.launch.py:")
-    assert line.endswith("node: 'rviz2' is skipped: it needs a desktop window")
+    assert [window.executable for window in opened] == ["rviz2"]
+    assert notes.lines == []
 
 
 @pytest.mark.parametrize(
