@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from browser import FLAGS, WHOLE_CHROMIUM, Serve
 from playwright.sync_api import Browser, Locator, expect
 from playwright.sync_api import Page as Tab
 from stage import WIDER, hide_tab, show
+
+from sitegen.site.pages.policy import policy
 
 pytestmark = pytest.mark.chromium
 
@@ -190,3 +194,19 @@ def test_a_full_queue_is_no_end(filmed: Tab, serve: Serve) -> None:
     start(panel)
     published(filmed, "/image", 2)
     expect(panel.get_by_role("status")).to_contain_text("published")
+
+
+def test_the_policy_of_pages_allows_it(filmed: Tab, tmp_path: Path) -> None:
+    page = tmp_path / "index.html"
+    # The stage has scripts of its own, which pages have not.
+    rules = policy("", live=True, fonts=False, offline=False)
+    rules = re.sub(r"script-src [^;]*", "script-src 'self' 'unsafe-inline'", rules)
+    meta = f'<meta http-equiv="Content-Security-Policy" content="{rules}">'
+    page.write_text(page.read_text().replace("<title>", f"{meta}<title>"))
+    filmed.reload()
+    filmed.wait_for_selector("body[data-ready]")
+    filmed.evaluate("(type) => { ros.types[type] = ros.fields('string format'); }", COMPRESSED)
+    panel = show(filmed, "camera", {"topic": "/image", "compressed": True})
+    start(panel)
+    published(filmed, "/image")
+    assert filmed.evaluate("ros.published[0].message.data.length") > 500

@@ -393,6 +393,24 @@ def test_the_stamp_of_the_header_can_be_the_time(robot: Tab) -> None:
     assert len({x for x, _ in drawn(panel, 0)}) < 10
 
 
+def test_a_topic_may_be_behind_another(robot: Tab) -> None:
+    panel = show(robot, "plot", {"series": ["/v.x", "/joints.position[0]"]})
+    robot.evaluate(
+        """() => {
+          for (let n = 0; n < 100; n++) {
+            vector(n / 10, 0);
+            publish("/joints", n / 10 - 3, { name: [], position: Float64Array.of(1) });
+          }
+        }"""
+    )
+    first, second = ({x for x, _ in drawn(panel, number)} for number in (0, 1))
+    assert len(second) == pytest.approx(len(first), rel=0.05)
+    # Within a topic, a message out of order is left out.
+    robot.evaluate("() => { vector(9.5, 50); vector(10, 0); }")
+    assert values(panel)["/v.x"] == "0"
+    assert len({y for _, y in drawn(panel, 0)}) < 8
+
+
 def test_colours_follow_the_page(robot: Tab) -> None:
     panel = show(robot, "plot", {"series": ["/v.x"]})
     robot.evaluate("() => { for (let n = 0; n < 100; n++) vector(n / 10, n); }")

@@ -33,6 +33,8 @@ export class Samples {
   #working = false;
   /** How many seconds are kept. */
   window;
+  /** The time of the last message, by topic. @type {Map<string, number>} */
+  #latest = new Map();
   /** The time of the newest sample (s), NaN if there is none. */
   newest = NaN;
   /** The time 0, in seconds since 1970. @type {number | undefined} */
@@ -107,6 +109,7 @@ export class Samples {
   clear() {
     for (const curve of this.curves) curve.clear();
     this.newest = NaN;
+    this.#latest.clear();
   }
 
   /** Why a series has no values, in a sentence; "" if it has some. @param {Series} series */
@@ -143,15 +146,18 @@ export class Samples {
   /** @param {string} topic @param {any} message @param {MessageInfo} info */
   #receive(topic, message, info) {
     const time = this.#timeOf(message, info);
-    // A simulation that starts again, or messages of several publishers out of order.
-    if (time < this.newest - 1) this.clear();
-    else if (time < this.newest) return;
+    if (!Number.isFinite(time)) return;
+    // A simulation that starts again, or messages of several publishers out of order. Topics may be behind others.
+    const before = this.#latest.get(topic) ?? -Infinity;
+    if (time < before - 1) this.clear();
+    else if (time < before) return;
     if (topic === this.against?.topic) {
       readPath(this.against, message, (_, value) => {
         this.#x = toNumber(value) ?? NaN;
       });
     }
-    if (Number.isFinite(time)) this.newest = time;
+    this.#latest.set(topic, time);
+    if (!(time <= this.newest)) this.newest = time;
     for (const series of this.#wanted.get(topic) ?? []) series.read(message, time, this.#x);
     this.#changed();
   }
