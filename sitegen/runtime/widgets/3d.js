@@ -1,6 +1,7 @@
 // @ts-check
 // The robot and its world in 3D: frames, models, sensors and markers, as RViz shows them.
 
+import { download } from "../ui/download.js";
 import { button, create, setNote } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
@@ -57,7 +58,7 @@ function show(element, ros, options, stage, title) {
   fit.title = say("Show everything");
   const save = button(say("Picture"), "", async () => {
     const blob = await stage.picture();
-    if (blob) download(blob);
+    if (blob) download(blob, "3d.png");
   });
   save.title = say("Save a picture");
   const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save);
@@ -99,13 +100,4 @@ function isView(view) {
   const isPoint = (/** @type {any} */ point) => Array.isArray(point) && point.length === 3 && point.every(Number.isFinite);
   return Boolean(view) && isPoint(view.eye) && isPoint(view.target) && view.zoom > 0 && Number.isFinite(view.zoom)
     && typeof view.top === "boolean";
-}
-
-/** @param {Blob} picture */
-function download(picture) {
-  const link = create("a", "");
-  link.href = URL.createObjectURL(picture);
-  link.download = "3d.png";
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

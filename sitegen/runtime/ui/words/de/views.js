@@ -1,5 +1,5 @@
 // @ts-check
-// What 3D views, joints and teleoperation say, in German: by the English text that stands in the code.
+// What 3D views, joints, teleoperation and parameters say, in German: by the English text that stands in the code.
 
 /** @type {Record<string, string>} */
 export const views = {
@@ -89,4 +89,18 @@ export const views = {
     "Den Knüppel ziehen. Oder ihn anklicken und die Pfeiltasten oder W, A, S, D halten. Ein Gamepad geht auch.",
   "Drag the stick. Or click it and hold Shift with the arrow keys or W, A, S, D; a gamepad needs a shoulder button.":
     "Den Knüppel ziehen. Oder ihn anklicken und Umschalt mit den Pfeiltasten oder W, A, S, D halten; ein Gamepad braucht eine Schultertaste.",
+  "Parameters": "Parameter",
+  "No node with parameters runs now.": "Gerade läuft kein Node mit Parametern.",
+  "Load": "Laden",
+  "Save as YAML, for --params-file": "Als YAML speichern, für --params-file",
+  "Set what a YAML file says": "Setzen, was in einer YAML-Datei steht",
+  "This node has no parameters.": "Dieser Node hat keine Parameter.",
+  "the node has no such parameter": "der Node hat keinen solchen Parameter",
+  "All values were set.": "Alle Werte wurden gesetzt.",
+  "slider of {}": "Regler von {}",
+  "read-only": "nur lesbar",
+  "type {}": "Typ {}",
+  "no parameters of {} in this file": "keine Parameter von {} in dieser Datei",
+  "not a file of parameters: no 'ros__parameters' below the name of a node":
+    "keine Datei mit Parametern: kein 'ros__parameters' unter dem Namen eines Nodes",
 };

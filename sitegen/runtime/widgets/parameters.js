@@ -1,0 +1,169 @@
+// @ts-check
+// The parameters of all nodes, or of one, in forms.
+
+import { download } from "../ui/download.js";
+import { arrange, button, create, setNote } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
+import { say } from "../ui/words.js";
+import { fromFile, toFile } from "./parameters/file.js";
+import { list, nodesOf, set } from "./parameters/node.js";
+import { Row } from "./parameters/row.js";
+import { parse } from "./parameters/value.js";
+
+/** @import { Ros } from "../protocol.js" */
+/** @import { Parameter } from "./parameters/node.js" */
+
+const EVENT = "rcl_interfaces/msg/ParameterEvent";
+const SERVICES = ["ListParameters", "GetParameters", "DescribeParameters", "SetParametersAtomically"];
+const NONE = say("No node with parameters runs now.");
+
+/**
+ * Show the parameters of all nodes, or of one.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @param {{node?: string | null}} options its full name
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros, { node }) {
+  const title = create("span", "ros-title", say("Parameters"));
+  const nodes = create("div", "ros-parameter-nodes");
+  const hint = create("p", "ros-parameter-hint", NONE);
+  element.replaceChildren(create("div", "ros-bar", title), nodes, hint);
+  const missing = SERVICES.map((name) => `rcl_interfaces/srv/${name}_Request`).find((type) => !ros.types[type]);
+  if (missing) {
+    setNote(hint, say("no node on this page uses {}", missing.replace("_Request", "")), true);
+    return () => element.replaceChildren();
+  }
+  /** @type {Map<string, NodeForm>} */
+  const forms = new Map();
+  const look = () => {
+    const names = nodesOf(ros).filter((name) => !node || name === node);
+    for (const name of forms.keys()) if (!names.includes(name)) forms.delete(name);
+    for (const name of names) if (!forms.has(name)) forms.set(name, new NodeForm(ros, name, names.length === 1));
+    arrange(nodes, names.map((name) => /** @type {NodeForm} */ (forms.get(name)).element));
+    hint.hidden = names.length > 0;
+  };
+  const unlook = whileSeen(element, () => {
+    ros.graph.addEventListener("change", look);
+    const unsubscribe = ros.types[EVENT]
+      ? ros.subscribe("/parameter_events", EVENT, (event) => forms.get(event.node)?.hear(event), { depth: 100 }) : () => {};
+    look();
+    for (const form of forms.values()) form.read();
+    return () => {
+      ros.graph.removeEventListener("change", look);
+      unsubscribe();
+    };
+  });
+  return () => {
+    unlook();
+    element.replaceChildren();
+  };
+}
+
+class NodeForm {
+  #ros;
+  #name;
+  #rows = create("div", "ros-parameter-list");
+  #note = create("p", "ros-parameter-hint");
+  /** @type {Parameter[]} */
+  #parameters = [];
+  /** @type {Map<string, Row>} */
+  #row = new Map();
+  #reading = false;
+  element;
+
+  /** @param {Ros} ros @param {string} name of the node @param {boolean} open */
+  constructor(ros, name, open) {
+    this.#ros = ros;
+    this.#name = name;
+    const pick = create("input", "");
+    pick.type = "file";
+    pick.accept = ".yaml,.yml";
+    pick.hidden = true;
+    pick.addEventListener("change", async () => {
+      const [file] = pick.files ?? [];
+      if (file) await this.#load(await file.text());
+      pick.value = "";
+    });
+    const save = button(say("Save"), "", () =>
+      download(new Blob([toFile(name, this.#parameters)], { type: "text/yaml" }), `${name.split("/").at(-1)}.yaml`));
+    const load = button(say("Load"), "", () => pick.click());
+    save.title = say("Save as YAML, for --params-file");
+    load.title = say("Set what a YAML file says");
+    const controls = create("div", "ros-controls", save, load, pick);
+    this.element = create("details", "ros-parameter-node", create("summary", "", name), this.#rows, this.#note, controls);
+    this.element.open = open;
+    this.#note.setAttribute("role", "status");
+    // Asked for when somebody looks.
+    this.element.addEventListener("toggle", () => this.read());
+    this.read();
+  }
+
+  /** Ask the node for its parameters, if they are shown. */
+  async read() {
+    if (!this.element.open || this.#reading) return;
+    this.#reading = true;
+    try {
+      this.#parameters = await list(this.#ros, this.#name);
+      this.#draw();
+      this.#tell(this.#parameters.length ? "" : say("This node has no parameters."));
+    } catch (error) {
+      this.#tell(error instanceof Error ? error.message : String(error), true);
+    }
+    this.#reading = false;
+  }
+
+  /** Show what others have changed. @param {any} event a ParameterEvent */
+  hear({ new_parameters: fresh, changed_parameters: changed, deleted_parameters: deleted }) {
+    if (fresh.length || deleted.length) {
+      this.read();
+      return;
+    }
+    for (const { name, value } of changed) this.#row.get(name)?.show(value);
+  }
+
+  #draw() {
+    const former = this.#row;
+    this.#row = new Map(this.#parameters.map((parameter) => [parameter.name, new Row(parameter, async (value) => {
+      const reason = await set(this.#ros, this.#name, [{ name: parameter.name, value }]);
+      if (!reason) parameter.value = value;
+      return reason;
+    })]));
+    const focused = [...former].find(([, { element }]) => element.contains(document.activeElement))?.[0];
+    this.#rows.replaceChildren(...[...this.#row.values()].map(({ element }) => element));
+    const control = this.#row.get(focused ?? "")?.element.querySelector("input:not([hidden])");
+    if (control instanceof HTMLElement) control.focus();
+  }
+
+  /** Set what a file says, one after the other, and tell what was refused. @param {string} text */
+  async #load(text) {
+    /** @type {string[]} */
+    const faults = [];
+    try {
+      for (const [name, given] of fromFile(text, this.#name)) {
+        const parameter = this.#parameters.find((each) => each.name === name);
+        const fault = parameter ? await this.#take(parameter, given) : say("the node has no such parameter");
+        if (fault) faults.push(`${name}: ${fault}`);
+      }
+    } catch (error) {
+      faults.push(error instanceof Error ? error.message : String(error));
+    }
+    await this.read();
+    this.#tell(faults.length ? faults.join("\n") : say("All values were set."), faults.length > 0);
+  }
+
+  /** @param {Parameter} parameter @param {string} text @returns {Promise<string>} what is wrong */
+  async #take({ name, value }, text) {
+    try {
+      return await set(this.#ros, this.#name, [{ name, value: parse(text, value.type) }]);
+    } catch (error) {
+      return error instanceof Error ? error.message : String(error);
+    }
+  }
+
+  /** @param {string} text @param {boolean} [wrong] */
+  #tell(text, wrong = false) {
+    setNote(this.#note, text, wrong);
+    this.#note.hidden = !text;
+  }
+}

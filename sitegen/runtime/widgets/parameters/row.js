@@ -1,0 +1,116 @@
+// @ts-check
+// A parameter of a node: its name, a control of its type, and what is known about it.
+
+import { create, setNote, setText } from "../../ui/elements.js";
+import { say } from "../../ui/words.js";
+import { BOOL, DOUBLE, INTEGER, NOT_SET, nameOf, parse, plainOf, textOf, valueOf } from "./value.js";
+
+/** @import { Parameter } from "./node.js" */
+
+let lastId = 0;
+
+export class Row {
+  #parameter;
+  #set;
+  #note = create("p", "ros-note");
+  #type = create("small", "");
+  #box = create("input", "");
+  #field = create("input", "");
+  #slider = create("input", "");
+  element;
+
+  /** @param {Parameter} parameter @param {(value: any) => Promise<string>} set it, and return why it was refused or "" */
+  constructor(parameter, set) {
+    this.#parameter = parameter;
+    this.#set = set;
+    const id = `ros-parameter-${++lastId}`;
+    const { name, descriptor } = parameter;
+    this.#box.type = "checkbox";
+    this.#slider.type = "range";
+    Object.assign(this.#field, { spellcheck: false, autocomplete: "off" });
+    for (const control of this.#controls) control.disabled = Boolean(descriptor.read_only);
+    this.#box.id = `${id}-box`;
+    this.#field.id = id;
+    this.#slider.setAttribute("aria-label", say("slider of {}", name));
+    this.#note.id = `${id}-note`;
+    for (const control of this.#controls) control.setAttribute("aria-describedby", this.#note.id);
+    this.#box.addEventListener("change", () => this.#send(() => valueOf(this.#box.checked, BOOL)));
+    this.#field.addEventListener("change", () => this.#send(() => parse(this.#field.value, this.#parameter.value.type)));
+    this.#slider.addEventListener("input", () => {
+      this.#field.value = this.#slider.value;
+    });
+    this.#slider.addEventListener("change", () =>
+      this.#send(() => valueOf(Number(this.#slider.value), this.#parameter.value.type)));
+    const label = create("label", "", name, " ", this.#type);
+    label.htmlFor = id;
+    const help = [descriptor.description, descriptor.additional_constraints, descriptor.read_only && say("read-only")];
+    const about = create("p", "ros-parameter-about", help.filter(Boolean).join(" · "));
+    about.hidden = !about.textContent;
+    this.element = create("div", "ros-parameter", label, create("div", "ros-parameter-value", ...this.#controls), about, this.#note);
+    this.#label = label;
+    this.#id = id;
+    this.show(parameter.value);
+  }
+
+  #label;
+  #id;
+
+  get #controls() {
+    return [this.#box, this.#slider, this.#field];
+  }
+
+  /** Show a value, and forget what was wrong with another. @param {any} value a ParameterValue */
+  show(value) {
+    this.#parameter.value = value;
+    const { type } = value;
+    const range = this.#range();
+    setText(this.#type, nameOf(type));
+    this.#box.hidden = type !== BOOL;
+    this.#slider.hidden = !range;
+    this.#field.hidden = type === BOOL;
+    this.#field.disabled = Boolean(this.#parameter.descriptor.read_only) || type === NOT_SET;
+    this.#label.htmlFor = type === BOOL ? this.#box.id : this.#id;
+    this.#field.inputMode = type === INTEGER ? "numeric" : type === DOUBLE ? "decimal" : "text";
+    this.#box.checked = type === BOOL && plainOf(value);
+    this.#field.value = textOf(value);
+    if (range) {
+      const [least, most, step] = range.map(Number);
+      Object.assign(this.#slider, { min: String(least), max: String(most), step: step ? String(step) : type === INTEGER ? "1" : "any" });
+      this.#slider.value = String(plainOf(value));
+    }
+    this.#tell("");
+  }
+
+  /** From, to and step of a range, if the parameter has one. */
+  #range() {
+    const { descriptor, value: { type } } = this.#parameter;
+    const [range] = (type === INTEGER ? descriptor.integer_range : type === DOUBLE ? descriptor.floating_point_range : []) ?? [];
+    const bounded = range && Number.isFinite(Number(range.from_value)) && Number.isFinite(Number(range.to_value));
+    return bounded ? [range.from_value, range.to_value, range.step] : undefined;
+  }
+
+  /** Send what `read` returns; if it is refused, show the former value and the reason. @param {() => any} read */
+  async #send(read) {
+    let value;
+    try {
+      value = read();
+    } catch (error) {
+      this.#tell(error instanceof Error ? error.message : String(error));
+      return;
+    }
+    const before = this.#parameter.value;
+    const reason = await this.#set(value).catch((error) => (error instanceof Error ? error.message : String(error)));
+    this.show(reason ? before : value);
+    this.#tell(reason);
+  }
+
+  /** @param {string} text */
+  #tell(text) {
+    setNote(this.#note, text, Boolean(text));
+    this.#note.hidden = !text;
+    for (const control of this.#controls) {
+      if (text) control.setAttribute("aria-invalid", "true");
+      else control.removeAttribute("aria-invalid");
+    }
+  }
+}
