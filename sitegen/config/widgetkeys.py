@@ -112,7 +112,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             default=False,
         ),
     ),
-    "parameters": (Key("node", "name", "full name of a node, to show only that", "node: /talker"),),
+    "parameters": (Key("show", "list of names", "only these nodes", "show: [/talker]"),),
     "log": (_LINES,),
     "plot": (
         Key("series", "message paths", "what is plotted", "series: [/odom.pose.pose.position.x]"),

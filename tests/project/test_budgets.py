@@ -53,6 +53,8 @@ BUDGETS = [
     Budget("demo07/", 1450 * KB, 16500 * KB, 24),
     Budget("demo08/", 1850 * KB, 16900 * KB, 24),
     Budget("demo09/", 560 * KB, 1010 * KB, 22),
+    Budget("demo10/", 1100 * KB, 2000 * KB, 40),
+    Budget("demo11/", 900 * KB, 1700 * KB, 34),
 ]
 
 

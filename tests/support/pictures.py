@@ -28,6 +28,8 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo07": (["Start"], "web_node", ".ros-row"),
     "demo08": ([], "STEP", ".ros-row"),
     "demo09": (["Start", "Start"], "", ".columns"),
+    "demo10": (["Random"], "tool at", ".columns"),
+    "demo11": ([], "Drive me", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 
@@ -45,6 +47,9 @@ def take(tab: Page, demo: str, url: str) -> None:
             tab.get_by_role("textbox").first.fill(line)
             tab.keyboard.press("Enter")
     tab.locator(part).first.scroll_into_view_if_needed()
+    if tab.locator(".ros-3d").count():
+        # The scanner and the meshes come a little later.
+        tab.wait_for_timeout(3000)
     if text:
         tab.locator("main").get_by_text(text).first.wait_for(state="attached")
     else:

@@ -1,5 +1,5 @@
 // @ts-check
-// The parameters of all nodes, or of one, in forms.
+// The parameters of nodes, in forms.
 
 import { download } from "../ui/download.js";
 import { arrange, button, create, setNote } from "../ui/elements.js";
@@ -18,13 +18,13 @@ const SERVICES = ["ListParameters", "GetParameters", "DescribeParameters", "SetP
 const NONE = say("No node with parameters runs now.");
 
 /**
- * Show the parameters of all nodes, or of one.
+ * Show the parameters of all nodes, or only of those in `show`.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{node?: string | null}} options its full name
+ * @param {{show?: string[] | null}} options full names
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { node }) {
+export function mount(element, ros, { show }) {
   const title = create("span", "ros-title", say("Parameters"));
   const nodes = create("div", "ros-parameter-nodes");
   const hint = create("p", "ros-parameter-hint", NONE);
@@ -37,7 +37,7 @@ export function mount(element, ros, { node }) {
   /** @type {Map<string, NodeForm>} */
   const forms = new Map();
   const look = () => {
-    const names = nodesOf(ros).filter((name) => !node || name === node);
+    const names = nodesOf(ros).filter((name) => !show || show.includes(name));
     for (const name of forms.keys()) if (!names.includes(name)) forms.delete(name);
     for (const name of names) if (!forms.has(name)) forms.set(name, new NodeForm(ros, name, names.length === 1));
     arrange(nodes, names.map((name) => /** @type {NodeForm} */ (forms.get(name)).element));

@@ -139,7 +139,34 @@ def demo09(visitor: Visitor) -> None:
     visitor.stop("turtlesim")
 
 
-VISITS = (demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09)
+def demo10(visitor: Visitor) -> None:
+    page = visitor.page
+    line = page.get_by_role("region", name="trace", exact=True).locator(".ros-lines > :last-child")
+    expect(line).to_contain_text("tool at 0.00 0.00 1.10")
+    slider = page.get_by_label("elbow", exact=True)
+    slider.scroll_into_view_if_needed()
+    slider.fill("1.5")
+    expect(line).not_to_contain_text("1.10")
+
+
+def demo11(visitor: Visitor) -> None:
+    page = visitor.page
+    expect(page.get_by_text("Drive me: I listen to /cmd_vel")).to_be_attached()
+    stick = page.locator(".ros-stick")
+    stick.scroll_into_view_if_needed()
+    box = stick.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"])
+    # The rover goes straight ahead, until a wall stops it.
+    expect(page.get_by_text("Bump! A wall")).to_be_attached()
+    page.mouse.up()
+
+
+VISITS = (
+    *(demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09, demo10, demo11),
+)
 
 
 @pytest.fixture

@@ -148,7 +148,7 @@ def test_they_are_saved_and_loaded_as_files(stage: Tab, tmp_path: Path) -> None:
 
 def test_one_node_can_be_chosen(stage: Tab) -> None:
     add(stage, "service", "/x", "/x/list_parameters", "rcl_interfaces/srv/ListParameters")
-    panel = form(stage, {"node": "/mover"})
+    panel = form(stage, {"show": ["/mover"]})
     expect(panel.locator("summary")).to_have_text(["/mover"])
 
 
