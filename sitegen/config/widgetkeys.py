@@ -69,19 +69,8 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         ),
     ),
     "graph": (),
-    "3d": (
-        Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),
-        Key("displays", "displays", "what is shown; defaults to all topics", "displays: [tf]"),
-        Key("rviz", "path", "configuration file of RViz", "rviz: rviz/view.rviz"),
-        Key("top", "flag", "look straight down", "top: true", default=False),
-        Key("background", "colour", "colour of the background", 'background: "#303030"'),
-        Key(
-            "tools",
-            "name by name",
-            "topics of the tools `goal`, `estimate` and `point`",
-            "tools: {goal: /goal_pose}",
-        ),
-    ),
+    "parameters": (Key("show", "list of names", "only these nodes", "show: [/talker]"),),
+    "log": (_LINES,),
     "joints": (
         Key(
             "topic",
@@ -112,8 +101,35 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             default=False,
         ),
     ),
-    "parameters": (Key("show", "list of names", "only these nodes", "show: [/talker]"),),
-    "log": (_LINES,),
+    "robot": (
+        Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),
+        Key("twist", "name", "topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
+        Key("color", "name", "topic of its light's colours", "color: /color", default="/color"),
+        Key(
+            "sensors", "name", "prefix of its sensor topics", "sensors: /vernie", default="/vernie"
+        ),
+        Key("odometry", "name", "topic of its odometry", "odometry: /odom"),
+        Key(
+            "window",
+            "name",
+            "topic of the turtlesim window",
+            "window: /sim/window",
+            default="/turtlesim/window",
+        ),
+    ),
+    "3d": (
+        Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),
+        Key("displays", "displays", "what is shown; defaults to all topics", "displays: [tf]"),
+        Key("rviz", "path", "configuration file of RViz", "rviz: rviz/view.rviz"),
+        Key("top", "flag", "look straight down", "top: true", default=False),
+        Key("background", "colour", "colour of the background", 'background: "#303030"'),
+        Key(
+            "tools",
+            "name by name",
+            "topics of the tools `goal`, `estimate` and `point`",
+            "tools: {goal: /goal_pose}",
+        ),
+    ),
     "plot": (
         Key("series", "message paths", "what is plotted", "series: [/odom.pose.pose.position.x]"),
         Key("x", "message path", "plot against this, not time", "x: /odom.pose.pose.position.x"),
@@ -152,22 +168,6 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("width", "number", "width of an image in pixels", "width: 640", default=320),
         Key("rate", "number", "images per second, at most", "rate: 15", default=10),
         Key("frame", "text", "`frame_id` of the images", "frame: base", default="camera"),
-    ),
-    "robot": (
-        Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),
-        Key("twist", "name", "topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
-        Key("color", "name", "topic of its light's colours", "color: /color", default="/color"),
-        Key(
-            "sensors", "name", "prefix of its sensor topics", "sensors: /vernie", default="/vernie"
-        ),
-        Key("odometry", "name", "topic of its odometry", "odometry: /odom"),
-        Key(
-            "window",
-            "name",
-            "topic of the turtlesim window",
-            "window: /sim/window",
-            default="/turtlesim/window",
-        ),
     ),
 }
 

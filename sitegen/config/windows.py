@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,7 @@ def _widget(window: Window, problems: Problems, notes: Problems) -> Widget:
 def _rviz(window: Window, problems: Problems, notes: Problems) -> dict[str, Any]:
     """Return the options of the view that `rviz2` would open with its arguments."""
     options: dict[str, Any] = {}
-    found = dict(zip(window.arguments, [*window.arguments[1:], ""], strict=True))
+    found = dict(pairwise(window.arguments))
     name = found.get("-d") or found.get("--display-config") or ""
     if name:
         options |= _configured(Path(name), window.location, problems, notes)

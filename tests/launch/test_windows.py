@@ -84,6 +84,12 @@ def test_a_page_with_widgets_keeps_its_own(tmp_path: Path, site: Site) -> None:
     assert list(widgets(config.load(tmp_path / "site.yaml"))) == ["log"]
 
 
+def test_a_window_may_have_no_arguments(tmp_path: Path, site: Site) -> None:
+    file = tmp_path / "src/mine/all.launch.yaml"
+    file.write_text("launch:\n- node: {pkg: rviz2, exec: rviz2}\n")
+    assert widgets(config.load(tmp_path / "site.yaml")) == {"3d": {}}
+
+
 def test_the_demos_are_what_they_say() -> None:
     rover = widgets(config.load(ROOT / "demos/demo11/site.yaml"))
     assert list(rover)[:2] == ["3d", "teleop"]

@@ -26,6 +26,8 @@ from sitegen.config.widgetkeys import COLUMN, STAGE, THRESHOLD, WIDGETS
 
 # The widgets of one node; all others are panels.
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")
+# Those that show what nodes measure.
+VIEWS = ("3d", "plot", "value", "image", "camera")
 # The keys below each heading of a page.
 TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     "site-yaml.md": {
@@ -46,9 +48,11 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         **{kind: WIDGETS[kind] for kind in OF_NODES},
     },
     "panels.md": {
-        **{kind: keys for kind, keys in WIDGETS.items() if keys and kind not in OF_NODES},
-        "A threshold": THRESHOLD,
+        kind: keys
+        for kind, keys in WIDGETS.items()
+        if keys and kind not in (*OF_NODES, *VIEWS)
     },
+    "views.md": {**{kind: WIDGETS[kind] for kind in VIEWS}, "A threshold": THRESHOLD},
 }
 LINKS = {
     "site": "site-yaml.md#site",

@@ -110,6 +110,13 @@ def test_curves_are_drawn_with_their_values(robot: Tab) -> None:
     assert drawn(panel, 2)
 
 
+def test_paths_of_rqt_plot_are_understood(robot: Tab) -> None:
+    panel = show(robot, "plot", {"series": ["/v/x"]})
+    assert subscribed(robot) == ["/v"]
+    robot.evaluate("vector(1, 0.5)")
+    assert list(values(panel).values()) == ["0.500"]
+
+
 def test_nothing_is_received_while_nobody_looks(robot: Tab) -> None:
     panel = show(robot, "plot", {"series": ["/v.x"]})
     robot.evaluate("() => { vector(0, 1); vector(10, 2); }")

@@ -75,6 +75,20 @@ export class Series {
     }
   }
 
+  /**
+   * Read `/odom/twist/x`, as rqt_plot writes it, as `/odom.twist.x` if there is only such a topic. Return whether the
+   * topic has changed.
+   * @param {string[]} topics
+   */
+  resolve(topics) {
+    if (!this.path || this.path.steps.length || topics.includes(this.path.topic)) return false;
+    const { topic: whole } = this.path;
+    const [topic] = topics.filter((name) => whole.startsWith(`${name}/`)).sort((one, two) => two.length - one.length);
+    if (!topic) return false;
+    this.path = parsePath(topic + whole.slice(topic.length).replaceAll("/", "."));
+    return true;
+  }
+
   /** Check the path when the type of its topic is known. @param {string} type @param {Types} types */
   check(type, types) {
     if (!this.path || !types[type] || type === this.#checked) return;

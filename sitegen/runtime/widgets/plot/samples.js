@@ -99,6 +99,8 @@ export class Samples {
 
   /** Follow changes of the graph. */
   look() {
+    const topics = this.#ros.graph.topics().map(({ name }) => name);
+    if (this.series.filter((series) => series.resolve(topics)).length) this.choose(this.series.map(({ text }) => text));
     for (const [topic, reader] of this.#readers) {
       reader.look(this.#working);
       for (const series of this.#wanted.get(topic) ?? []) series.check(reader.type, this.#ros.types);
