@@ -114,7 +114,7 @@ def test_paths_of_rqt_plot_are_understood(robot: Tab) -> None:
     panel = show(robot, "plot", {"series": ["/v/x"]})
     assert subscribed(robot) == ["/v"]
     robot.evaluate("vector(1, 0.5)")
-    assert list(values(panel).values()) == ["0.500"]
+    assert list(values(panel).values()) == ["0.5000"]
 
 
 def test_nothing_is_received_while_nobody_looks(robot: Tab) -> None:
