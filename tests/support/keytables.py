@@ -48,9 +48,7 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         **{kind: WIDGETS[kind] for kind in OF_NODES},
     },
     "panels.md": {
-        kind: keys
-        for kind, keys in WIDGETS.items()
-        if keys and kind not in (*OF_NODES, *VIEWS)
+        kind: keys for kind, keys in WIDGETS.items() if keys and kind not in (*OF_NODES, *VIEWS)
     },
     "views.md": {**{kind: WIDGETS[kind] for kind in VIEWS}, "A threshold": THRESHOLD},
 }
