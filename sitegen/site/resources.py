@@ -25,7 +25,7 @@ LONGEST = 1_000_000
 INSIDE = {
     ".dae": re.compile(rb"<init_from>\s*([^<]+?\.\w+)\s*</init_from>"),
     ".obj": re.compile(rb"^mtllib[ \t]+(.+?)\s*$", re.M),
-    ".mtl": re.compile(rb"^\s*(?:map_\w+|bump|norm)[ \t]+(?:-\S+[ \t]+)*(.+?)\s*$", re.M),
+    ".mtl": re.compile(rb"^\s*(?:map_\w+|bump|norm)[ \t]+(?:-.*[ \t])?(.+?)\s*$", re.M),
     ".gltf": re.compile(rb'"uri"\s*:\s*"([^"]+)"'),
 }
 

@@ -21,16 +21,19 @@ CHOICE = (
 )
 
 
-def policy(text: str, *, live: bool, fonts: bool, offline: bool) -> str:
+def policy(text: str, *, live: bool, fonts: bool, offline: bool, gltf: bool = False) -> str:
     """Return the policy of a page whose HTML is `text`.
 
-    A `live` page runs nodes; an `offline` page works without a network.
+    A `live` page runs nodes; an `offline` page works without a network. A `gltf` file contains its
+    buffers and textures as `data:`, or gives them to the browser as `blob:`.
     """
-    rules = ["default-src 'none'", "style-src 'self'", "img-src 'self' data:"]
+    inside = " blob:" if gltf else ""
+    rules = ["default-src 'none'", "style-src 'self'", f"img-src 'self' data:{inside}"]
     if live:
         hashes = " ".join(f"'{_hash(script)}'" for script in (FILE_NOTE, CHOICE))
         rules.append(f"script-src 'self' 'wasm-unsafe-eval' {hashes}")
-        rules += ["connect-src 'self'", "worker-src 'self'"]
+        connected = " data: blob:" if gltf else ""
+        rules += [f"connect-src 'self'{connected}", "worker-src 'self'"]
     else:
         # The scripts of the theme: the colour switch, the search and its index.
         rules += ["script-src 'self'", "connect-src 'self'"]

@@ -277,7 +277,9 @@ class Renderer:
             "modules": modules(self.site, page, self._programs, entry),
             "programs": programs(entry),
             "offline": offline,
-            "policy": policy(html, live=live, fonts=own_fonts, offline=offline),
+            "policy": policy(
+                html, live=live, fonts=own_fonts, offline=offline, gltf=_has_gltf(entry)
+            ),
             "file_note": Markup("" if alone else FILE_NOTE),
             "choice": Markup(CHOICE),
         }
@@ -297,6 +299,13 @@ class Renderer:
 
 
 _forked: Renderer
+
+
+def _has_gltf(entry: Mapping[str, Any] | None) -> bool:
+    """Return whether a 3D view of a page loads a glTF file."""
+    widgets = entry["widgets"] if entry else ()
+    urls = (url for widget in widgets for url in widget["options"].get("resources", ()))
+    return any(url.lower().endswith((".gltf", ".glb")) for url in urls)
 
 
 def _chunk(indexes: range) -> list[Rendered]:
