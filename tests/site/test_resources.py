@@ -6,10 +6,10 @@ import json
 from pathlib import Path
 
 import pytest
-from rendered import render
 
 from sitegen import config
 from sitegen.errors import SiteError
+from sitegen.site.pages import render
 
 PACKAGE = (
     '<package format="3"><name>{name}</name><version>1.0.0</version>{depends}'

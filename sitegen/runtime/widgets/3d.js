@@ -3,6 +3,7 @@
 
 import { download } from "../ui/download.js";
 import { button, create, setNote } from "../ui/elements.js";
+import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { DisplayList } from "./3d/displayList.js";
@@ -61,7 +62,7 @@ function show(element, ros, options, stage, title) {
     if (blob) download(blob, "3d.png");
   });
   save.title = say("Save a picture");
-  const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save);
+  const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save, fullScreenButton(element));
   stage.element.append(tools.note);
   stage.background = options.background ?? "";
   if (options.view) stage.view = options.view;

@@ -4,6 +4,7 @@
 import { isShown } from "../graphNames.js";
 import { create, button, setText } from "../ui/elements.js";
 import { download } from "../ui/download.js";
+import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
 import { say } from "../ui/words.js";
@@ -26,6 +27,7 @@ import { ImageView } from "./image/view.js";
 export function mount(element, ros, options) {
   const panel = new ImagePanel(ros, options);
   element.replaceChildren(...panel.elements);
+  element.querySelector(".ros-bar > .ros-controls")?.append(fullScreenButton(element));
   const shape = /** @type {const} */ ({ topic: "string", min: "string", max: "string" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
   const unlook = whileSeen(element, () => panel.begin());

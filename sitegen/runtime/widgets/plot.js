@@ -4,6 +4,7 @@
 import { parsePath } from "../messages/path.js";
 import { button, create, setText, toggle } from "../ui/elements.js";
 import { download } from "../ui/download.js";
+import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
 import { say } from "../ui/words.js";
@@ -39,6 +40,7 @@ const FREE = { left: NaN, right: NaN, low: NaN, high: NaN };
 export function mount(element, ros, options) {
   const panel = new PlotPanel(ros, options);
   element.replaceChildren(...panel.elements);
+  element.querySelector(".ros-bar > .ros-controls")?.append(fullScreenButton(element));
   const shape = /** @type {const} */ ({ series: "object", window: "string", points: "boolean" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
   const unlook = whileSeen(element, () => panel.begin());

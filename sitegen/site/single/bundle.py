@@ -17,6 +17,7 @@ TYPES = {
     ".wasm": "application/wasm",
     ".zip": "application/zip",
 }
+OTHER = "application/octet-stream"
 
 # Returns the contents of a file inside `dist/`.
 Read = Callable[[str], bytes]
@@ -45,7 +46,7 @@ def bundle(
         loads[worker] = list(own)
         parts |= own
     files = [
-        {"path": path, "type": TYPES[posixpath.splitext(path)[1]], "size": len(content)}
+        {"path": path, "type": TYPES.get(posixpath.splitext(path)[1], OTHER), "size": len(content)}
         for path, content in parts.items()
     ]
     about = {"files": files, "entries": list(entries), "workers": loads}

@@ -195,6 +195,11 @@ class _Writer(HTMLParser):
                 archives = [self._path(address) or "" for address in node["python"]["bundles"]]
                 python += archives
                 node["python"]["bundles"] = [f"sitegen:{path}" for path in archives]
+        meshes = []
+        for widget in run["widgets"]:
+            for url, address in widget["options"].get("resources", {}).items():
+                meshes.append(self._path(address) or "")
+                widget["options"]["resources"][url] = f"sitegen:{meshes[-1]}"
         if python:
             python += (path for path in self.artifacts if path.startswith(PYTHON))
         modules = [path for path in self.artifacts if path.startswith("runtime/")]
@@ -212,6 +217,7 @@ class _Writer(HTMLParser):
             for path in begun
         }
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
+        paths += dict.fromkeys(meshes)
         return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
 
     def _policy(self) -> str:
@@ -223,10 +229,10 @@ class _Writer(HTMLParser):
                 "default-src 'none'",
                 f"script-src {listed(self.scripts)} blob: 'wasm-unsafe-eval'",
                 f"style-src {listed(self.styles)}",
-                "img-src data:",
+                "img-src data: blob:",
                 "media-src data:",
                 "font-src data:",
-                "connect-src blob:",
+                "connect-src data: blob:",
                 "worker-src blob:",
                 "base-uri 'none'",
                 "form-action 'none'",

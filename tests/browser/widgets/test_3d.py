@@ -341,6 +341,27 @@ def test_the_camera_is_moved_by_keys(stage: Tab) -> None:
     assert stage.evaluate("ros.kept().view.top") is False
 
 
+def test_a_view_fills_the_screen(stage: Tab) -> None:
+    panel = view(stage, {"kind": "grid"})
+    canvas = panel.locator("canvas")
+    before = canvas.bounding_box()
+    panel.get_by_role("button", name="Full screen").click()
+    stage.wait_for_function("() => document.fullscreenElement?.className === 'ros-panel'")
+    stage.evaluate("frames()")
+    after = canvas.bounding_box()
+    assert before
+    assert after
+    assert after["height"] > before["height"] * 1.2
+    panel.get_by_role("button", name="Full screen").click()
+    stage.wait_for_function("() => !document.fullscreenElement")
+    # Where browsers refuse, it fills the window.
+    stage.evaluate("() => { Element.prototype.requestFullscreen = async () => { throw 0; }; }")
+    panel.get_by_role("button", name="Full screen").click()
+    expect(stage.locator(".ros-panel")).to_have_class("ros-panel ros-filling")
+    panel.get_by_role("button", name="Full screen").click()
+    expect(stage.locator(".ros-panel")).to_have_class("ros-panel")
+
+
 HOSTILE = {
     "a cloud that is too short": (
         "point_cloud",

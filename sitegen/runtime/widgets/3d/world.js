@@ -2,6 +2,7 @@
 // What a 3D view shows: the transforms between frames, the fixed frame, and the displays.
 
 import { Group } from "../../vendor/three.js";
+import { place } from "../../place.js";
 import { Transforms } from "../tf/transforms.js";
 import { KINDS } from "./kinds.js";
 import { Shown } from "./shown.js";
@@ -45,7 +46,11 @@ export class World {
     this.ros = ros;
     this.#stage = stage;
     this.#automatic = !displays;
-    this.resource = (/** @type {string} */ url) => resources[url] ?? url;
+    this.resource = (/** @type {string} */ url) => {
+      const address = resources[url] ?? url;
+      // A page that is a single file contains them.
+      return address.startsWith("sitegen:") ? place(address) : address;
+    };
     this.fixed = frame ?? "";
     this.#chosen = Boolean(frame);
     stage.scene.add(this.floor);

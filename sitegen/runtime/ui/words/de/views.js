@@ -103,4 +103,5 @@ export const views = {
   "no parameters of {} in this file": "keine Parameter von {} in dieser Datei",
   "not a file of parameters: no 'ros__parameters' below the name of a node":
     "keine Datei mit Parametern: kein 'ros__parameters' unter dem Namen eines Nodes",
+  "Full screen": "Vollbild",
 };

@@ -1,0 +1,22 @@
+// @ts-check
+// A button that lets the panel of a widget fill the screen; the window, where browsers have no full screen.
+
+import { button } from "./elements.js";
+import { say } from "./words.js";
+
+const FILLING = "ros-filling";
+
+/** @param {HTMLElement} element of the widget */
+export function fullScreenButton(element) {
+  const press = button("⛶", "ros-icon", () => {
+    const panel = element.closest(".ros-panel") ?? element;
+    if (document.fullscreenElement) document.exitFullscreen();
+    else if (panel.classList.contains(FILLING)) panel.classList.remove(FILLING);
+    // Safari on iPhones has full screen for videos only.
+    else if (panel.requestFullscreen) panel.requestFullscreen().catch(() => panel.classList.add(FILLING));
+    else panel.classList.add(FILLING);
+  });
+  press.setAttribute("aria-label", say("Full screen"));
+  press.title = say("Full screen");
+  return press;
+}
