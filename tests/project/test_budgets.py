@@ -47,14 +47,12 @@ BUDGETS = [
     Budget("demo01/", 75 * KB, 270 * KB, 14),
     Budget("demo02/", 75 * KB, 270 * KB, 14),
     Budget("demo03/", 75 * KB, 270 * KB, 14),
-    Budget("demo04/", 160 * KB, 390 * KB, 20),
-    Budget("demo05/", 220 * KB, 430 * KB, 23),
+    Budget("demo04/", 167 * KB, 400 * KB, 20),
+    Budget("demo05/", 228 * KB, 440 * KB, 23),
     Budget("demo06/", 1450 * KB, 16500 * KB, 23),
     Budget("demo07/", 1450 * KB, 16500 * KB, 24),
     Budget("demo08/", 1850 * KB, 16900 * KB, 24),
     Budget("demo09/", 560 * KB, 1010 * KB, 22),
-    Budget("demo10/", 1100 * KB, 2000 * KB, 40),
-    Budget("demo11/", 900 * KB, 1700 * KB, 34),
 ]
 
 

@@ -25,7 +25,7 @@ SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 WRITING = DOCS.joinpath("writing.md").read_text(encoding="utf-8")
 WIDGET_PAGES = "".join(
     DOCS.joinpath(name).read_text(encoding="utf-8")
-    for name in ("widgets.md", "panels.md", "views.md")
+    for name in ("widgets.md", "panels.md", "views.md", "plots.md")
 )
 PAGES_PAGE = DOCS.joinpath("pages.md").read_text(encoding="utf-8")
 KEYS = [key for tables in TABLES.values() for keys in tables.values() for key in keys]

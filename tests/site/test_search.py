@@ -155,7 +155,7 @@ ASKED = {
     "columns": "docs/widgets/",
     "editor": "docs/widgets/",
     "console": "docs/widgets/",
-    "parameters": "docs/nodes/",
+    "parameters": "docs/panels/",
     "packages from pypi": "docs/python/",
     "numpy": "docs/python/",
     "isolated pages": "docs/python/",

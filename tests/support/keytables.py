@@ -28,6 +28,7 @@ from sitegen.config.widgetkeys import COLUMN, STAGE, THRESHOLD, WIDGETS
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")
 # Those that show what nodes measure.
 VIEWS = ("3d", "plot", "value", "image", "camera")
+PLOTS = VIEWS[1:]
 # The keys below each heading of a page.
 TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     "site-yaml.md": {
@@ -50,7 +51,8 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     "panels.md": {
         kind: keys for kind, keys in WIDGETS.items() if keys and kind not in (*OF_NODES, *VIEWS)
     },
-    "views.md": {**{kind: WIDGETS[kind] for kind in VIEWS}, "A threshold": THRESHOLD},
+    "views.md": {"3d": WIDGETS["3d"]},
+    "plots.md": {**{kind: WIDGETS[kind] for kind in PLOTS}, "A threshold": THRESHOLD},
 }
 LINKS = {
     "site": "site-yaml.md#site",

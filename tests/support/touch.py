@@ -15,7 +15,7 @@ SMALL = """(least) => {
     .tools a, .tabbed-labels label`);
   const small = [...all].flatMap((element) => {
     const boxed = element.type === "checkbox";
-    const target = boxed ? element.closest("label, .ros-flag") : element;
+    const target = boxed ? (element.closest("label, .ros-flag") ?? element) : element;
     const { width, height } = target.getBoundingClientRect();
     const seen = width > 0 && getComputedStyle(target).visibility === "visible";
     if (!seen || element.matches(".tabbed-set > input") || height > least - 0.1) return [];

@@ -79,6 +79,7 @@ def test_a_chosen_tab_travels_in_links(tab: Page, url: str) -> None:
     )
     other = tab.context.new_page()
     other.goto(url + link)
+    other.locator(".ros-word").get_by_role("button", name="Start").click()
     graph = other.get_by_role("region", name="Graph")
     graph.scroll_into_view_if_needed()
     expect(graph).to_contain_text("/minimal_publisher")

@@ -91,8 +91,9 @@ def test_source_that_came_with_a_link_waits_for_its_reader(
     page = browser.new_context().new_page()
     page.goto(f"{address}{link}")
     editor = Editor(page)
-    # The link says that the node runs; it runs as its author wrote it.
+    # The link says that the node runs; when its reader agrees, it runs as its author wrote it.
     expect(editor.state).to_have_text("changed by the link: read it before you run it")
+    page.locator(".ros-word").get_by_role("button", name="Start").click()
     editor.node.wait_for("Now it is 2")
     assert page.evaluate("Object.keys(localStorage)") == []
     editor.node.button("Clear").click()
