@@ -14,14 +14,32 @@ const TARGET = join(import.meta.dirname, "sitegen/bundles");
 // rosMain.js has a copy of what it shares with the parts: a page of consoles loads no other file.
 const START = ["rosMain.js"];
 const IN_START = ["widgets/buttons.js", "widgets/console.js"];
+// A terminal has copies, too: what it shares with single panels, such as a reader of YAML, would come to every page
+// with a panel.
+const APART = "widgets/terminal.js";
 const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
-  (name) => !IN_START.includes(name));
+  (name) => !IN_START.includes(name) && name !== APART);
+// What few parts share, and is too large for the file that all of them load.
+const LARGE = ["ui/codeView.js"];
 const ALONE = [
+  APART,
+  ...LARGE,
+  "bag/zstd.js",
+  "client/client.js",
+  "jupyter/extension.js",
+  "jupyter/ownGraph.js",
   "messages/filter/contentFilter.js",
   "page/searchIndex.js",
+  "rosbridge/encoding.js",
+  "rosbridge/outside.js",
+  "rosbridge/rosbridge.js",
   "ui/keyboard.js",
+  "ui/lineTools.js",
+  "widgets/buttons/options.js",
+  "workers/bag/bagNode.js",
   "workers/cpp/cppNode.js",
   "workers/cpp/stackTrace.js",
+  "workers/gateway/gatewayNode.js",
   "workers/python/pythonNode.js",
   "workers/python/pythonSync.js",
   "workers/ros2wasm/ros2wasmNode.js",
@@ -51,11 +69,11 @@ const metafiles = await bundled().catch((error) => {
 const modules = Object.assign({}, ...metafiles.map(({ inputs }) => Object.fromEntries(
   Object.entries(inputs)
     .filter(([name]) => !name.startsWith("part:"))
-    .map(([name, { imports }]) => [name, imports.map(({ path }) => path)]))));
+    .map(([name, { imports }]) => [name, imports.map((one) => nameOf(one, name))]))));
 const bundles = Object.fromEntries(metafiles.flatMap(({ outputs }) => Object.entries(outputs))
   .filter(([name]) => name.endsWith(".js"))
   .map(([name, { imports, inputs }]) => [named(name), {
-    imports: imports.map(({ path }) => named(path)),
+    imports: imports.map((one) => (one.external ? nameOf(one, named(name)) : named(one.path))),
     modules: Object.keys(inputs).filter((input) => !input.startsWith("part:")),
   }]));
 await writeFile(join(TARGET, "modules.json"), `${JSON.stringify({ bundles, modules }, null, 1)}\n`);
@@ -76,11 +94,24 @@ async function bundled() {
   const parts = await build({
     ...OPTIONS,
     entryPoints: PARTS.map((entry) => ({ in: `part:${entry}`, out: entry.replace(/\.js$/, "") })),
-    plugins: [importing(await sharedModules())],
+    plugins: [apart(), importing(await sharedModules())],
     splitting: true,
     chunkNames: "shared",
   });
   return [...alone, parts].map(({ metafile }) => metafile);
+}
+
+/** Let parts import the modules of LARGE as they are. @returns {import("esbuild").Plugin} */
+function apart() {
+  return {
+    name: "apart",
+    setup({ onResolve }) {
+      onResolve({ filter: /\.js$/ }, ({ path, resolveDir }) => {
+        const name = relative(RUNTIME, join(resolveDir, path));
+        return LARGE.includes(name) ? { path, external: true } : undefined;
+      });
+    },
+  };
 }
 
 /** The modules in some folders of the runtime. @param {string[]} folders */
@@ -93,7 +124,7 @@ async function modulesIn(...folders) {
 /** The modules of more than one part. */
 async function sharedModules() {
   const found = await Promise.all(PARTS.map(async (entry) =>
-    Object.keys((await build({ ...OPTIONS, entryPoints: [entry], write: false })).metafile.inputs)));
+    Object.keys((await build({ ...OPTIONS, entryPoints: [entry], plugins: [apart()], write: false })).metafile.inputs)));
   const all = found.flat();
   return [...new Set(all.filter((name, index) => all.indexOf(name) !== index))].sort();
 }
@@ -130,6 +161,14 @@ function keepPlaces(entry) {
       });
     },
   };
+}
+
+/**
+ * What `from` imports; external modules are named as in its source.
+ * @param {{path: string, external?: boolean}} one @param {string} from
+ */
+function nameOf({ path, external }, from) {
+  return external ? posix.join(dirname(from), path) : path;
 }
 
 /** The name of an output, by its path from the runtime. @param {string} path */

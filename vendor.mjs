@@ -10,6 +10,10 @@ const TARGET = "sitegen/runtime/vendor";
 /** What each bundle exports, by the bundle's name. */
 const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
+  cbor: `
+    import "cbor2/types";
+    export { encode } from "cbor2/encoder";`,
+  png: 'export { encode } from "fast-png";',
   yaml: 'export { FAILSAFE_SCHEMA, load } from "js-yaml";',
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
   codemirror: `
@@ -27,7 +31,7 @@ const BUNDLES = {
       Float32BufferAttribute, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineSegments,
       LoadingManager, Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MOUSE, NearestFilter, Object3D,
       OrthographicCamera, PerspectiveCamera, Plane, PlaneGeometry, Points, PointsMaterial, Quaternion, Raycaster,
-      RedFormat, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
+      RedFormat, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
     } from "three";
     export { OrbitControls } from "three/addons/controls/OrbitControls.js";
     export { LineMaterial } from "three/addons/lines/LineMaterial.js";
@@ -41,6 +45,49 @@ const BUNDLES = {
     export { default as URDFLoader } from "urdf-loader";`,
   uplot: 'export { default as uPlot } from "uplot";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
+  xterm: `
+    export { FitAddon } from "@xterm/addon-fit";
+    export { Terminal } from "@xterm/xterm";
+    export { default as css } from "@xterm/xterm/css/xterm.css";`,
+  mcap: `
+    export { McapChunkBuilder, McapIndexedReader, McapRecordBuilder, McapStreamReader } from "@mcap/core";
+    export { crc32, crc32Final, crc32Init, crc32Update } from "@foxglove/crc";
+    export { decompress as unzstd } from "fzstd";`,
+  // Programs in WebAssembly are part of their bundle: one file to load, also in a page that is a single file.
+  lz4: `
+    import create from "@foxglove/wasm-lz4/dist/wasm-lz4.js";
+    import program from "@foxglove/wasm-lz4/dist/wasm-lz4.wasm";
+    export { create, program };`,
+  zstd: `
+    import { compress, init } from "@bokuweb/zstd-wasm";
+    import program from "./node_modules/@bokuweb/zstd-wasm/dist/web/zstd.wasm";
+    export { compress, init, program };`,
+};
+
+/** The types of bundles whose packages have none, or none of all of it. @type {Record<string, string>} */
+const TYPES = {
+  lz4: `
+    export function create(options: object): Promise<any>;
+    export const program: string;`,
+  zstd: `
+    export function compress(bytes: Uint8Array, level: number): Uint8Array;
+    export function init(program: Uint8Array): Promise<void>;
+    export const program: string;`,
+};
+
+/** The policy of pages forbids the <style> elements of xterm, whose text then becomes a constructed style sheet. */
+const WITHOUT_STYLES = {
+  name: "without styles",
+  setup({ onLoad }) {
+    onLoad({ filter: /xterm\.m?js$/ }, async ({ path }) => {
+      const text = await readFile(path, "utf8");
+      const created = /[\w.]+\.createElement\("style"\)/g;
+      if (path.endsWith("xterm.mjs") && !created.test(text)) throw new Error(`${path}: no styles; look what became of them`);
+      const own = join(import.meta.dirname, "sitegen/runtime/ui/adoptedStyle.js");
+      const first = `import { styleElement as ownStyle } from ${JSON.stringify(own)};\n`;
+      return { contents: first + text.replaceAll(created, "ownStyle()") };
+    });
+  },
 };
 
 /** Python comes as it is: its parts find each other by their names. */
@@ -55,10 +102,17 @@ for (const [name, contents] of Object.entries(BUNDLES)) {
     format: "esm",
     minify: true,
     target: "es2022",
+    loader: { ".css": "text", ".wasm": "base64" },
+    external: ["fs", "path"], // imported in Node.js only
+    // The address that zstd-wasm would load its program from; modules of a single file have none.
+    ...(name === "zstd" && { define: { "import.meta.url": '"file:///"' } }),
     legalComments: "none", // all licences are in one file
+    plugins: [WITHOUT_STYLES],
     metafile: true,
   });
-  await writeFile(join(TARGET, `${name}.d.ts`), `${contents}\n`); // for those who check the runtime
+  // For those who check the runtime.
+  const declared = contents.replace(/export \{ default as (\w+) \} from "[^"]+\.css";/, "export const $1: string;");
+  await writeFile(join(TARGET, `${name}.d.ts`), `${TYPES[name] ?? declared}\n`);
   for (const input of Object.keys(metafile.inputs)) {
     const folder = /^.*node_modules\/(@[^/]+\/)?[^/]+/.exec(input)?.[0];
     if (folder) packages.add(folder);

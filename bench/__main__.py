@@ -14,9 +14,23 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-from bench import building, crowd, messages, pages, plots, prose, python
+from bench import (
+    bags,
+    building,
+    crowd,
+    gateway,
+    messages,
+    notebooks,
+    pages,
+    plots,
+    prose,
+    python,
+    scene,
+    terminals,
+)
 from bench.counts import FULL, SMALLEST, Counts
 from bench.figure import Figure, table
+from bench.kept import changes, keep, load_kept, median
 
 PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "latency": messages.latency,
@@ -27,8 +41,13 @@ PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "idle": crowd.idle,
     "many": crowd.many,
     "plots": plots.plots,
+    "bags": bags.bags,
+    "scene": scene.scene,
     "start": pages.start,
+    "terminal": terminals.terminals,
     "python": python.python,
+    "notebooks": notebooks.notebooks,
+    "gateway": gateway.gateway,
     "size": pages.size,
     "build": building.build,
     "prose": prose.prose,
@@ -43,7 +62,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--smallest", action="store_true", help="check that parts run; the figures mean nothing"
     )
+    parser.add_argument(
+        "--runs", type=int, default=1, metavar="N", help="measure each part N times: the medians"
+    )
+    parser.add_argument(
+        "--keep", action="store_true", help="compare later runs with this one (kept.json)"
+    )
     arguments = parser.parse_args(argv)
+    if arguments.runs < 1:
+        parser.error("--runs: at least 1")
+    if arguments.keep and arguments.smallest:
+        parser.error("--keep: the figures of --smallest mean nothing")
     counts = SMALLEST if arguments.smallest else FULL
 
     load = os.getloadavg()[0]
@@ -56,7 +85,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"{part} …", file=sys.stderr)
         begun = time.monotonic()
         try:
-            found = PARTS[part](counts)
+            found = median([PARTS[part](counts) for _ in range(arguments.runs)])
         except Exception:
             # The other parts do not depend on it, and some took minutes.
             traceback.print_exc()
@@ -67,7 +96,12 @@ def main(argv: Sequence[str] | None = None) -> int:
         figures += found
         save(figures, counts, load, file)
     if figures:
-        print(f"\n{table(figures)}\n→ {file.relative_to(RESULTS.parents[1])}")
+        kept = {} if arguments.smallest else load_kept()
+        print(f"\n{table(figures, kept)}\n→ {file.relative_to(RESULTS.parents[1])}")
+        for line in changes(figures, kept):
+            print(f"worse: {line}")
+    if arguments.keep:
+        keep(figures)
     if failed:
         print(f"failed: {', '.join(failed)}", file=sys.stderr)
     return len(failed)

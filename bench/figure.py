@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal
+from types import MappingProxyType
+from typing import Any, Literal
 
 
 @dataclass(frozen=True)
@@ -21,6 +22,21 @@ class Target:
 
 
 @dataclass(frozen=True)
+class Kept:
+    """What is compared with an earlier run: a ratio without unit, or a figure where there is none.
+
+    `noise` is how far single runs were from this median of them, as a part of it.
+    """
+
+    value: float
+    unit: str
+    noise: float | None = None
+
+    def __str__(self) -> str:
+        return f"{number(self.value)} {self.unit}" if self.unit else f"{self.value:.2f}"
+
+
+@dataclass(frozen=True)
 class Figure:
     """A measured number, and what the bare platform takes for the same."""
 
@@ -30,6 +46,26 @@ class Figure:
     bare: float | None = None
     target: Target | None = None
     detail: Mapping[str, object] = field(default_factory=dict)
+    # How far single runs were from this median of them, as a part of it.
+    noise: float | None = None
+
+    @property
+    def higher(self) -> bool:
+        """Whether more is better."""
+        return self.unit == "/s"
+
+    @property
+    def compared(self) -> float:
+        """What other runs are compared by: machines differ less in the ratio."""
+        return self.ratio or self.ours
+
+    @property
+    def promise(self) -> str:
+        """The target as text; "" where there is none."""
+        if self.target is None:
+            return ""
+        unit = f" {self.unit}" if self.target.of == "figure" else ""
+        return f"{self.target.bound} {number(self.target.limit)}{unit}".strip()
 
     @property
     def ratio(self) -> float | None:
@@ -46,18 +82,9 @@ class Figure:
 
     def row(self) -> list[str]:
         """Return the cells of a table."""
-        target = ""
-        if self.target:
-            limit = number(self.target.limit)
-            target = f"{self.target.bound} {limit}" + (
-                f" {self.unit}" if self.target.of == "figure" else ""
-            )
         return [
-            self.name,
-            f"{number(self.ours)} {self.unit}",
-            f"{number(self.bare)} {self.unit}" if self.bare else "",
-            f"{self.ratio:.2f}" if self.ratio else "",
-            target,
+            *cells(self.entry()),
+            self.promise,
             {None: "", True: "met", False: "NOT MET"}[self.met],
         ]
 
@@ -69,14 +96,23 @@ class Figure:
             "ours": self.ours,
             "bare": self.bare,
             "ratio": self.ratio,
+            "target": self.promise,
             "met": self.met,
+            "noise": self.noise,
             **self.detail,
         }
 
 
-def table(figures: Sequence[Figure]) -> str:
-    """Write figures as lines of aligned columns, names at the left, numbers at the right."""
+def table(figures: Sequence[Figure], kept: Mapping[str, Kept] = MappingProxyType({})) -> str:
+    """Write figures as lines of aligned columns, with those that were kept, if there are any.
+
+    Names are at the left, numbers at the right.
+    """
     rows = [["figure", "ours", "bare", "ratio", "target", ""], *(f.row() for f in figures)]
+    if kept:
+        rows[0].insert(4, "before")
+        for figure, row in zip(figures, rows[1:], strict=True):
+            row.insert(4, str(kept[figure.name]) if figure.name in kept else "")
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = []
     for row in rows:
@@ -84,6 +120,17 @@ def table(figures: Sequence[Figure]) -> str:
         first, width = next(cells)
         lines.append("  ".join([first.ljust(width), *(c.rjust(w) for c, w in cells)]).rstrip())
     return "\n".join(lines)
+
+
+def cells(entry: Mapping[str, Any]) -> list[str]:
+    """Return the name and the numbers of a figure's `entry` as texts."""
+    ours, bare, unit, ratio = (entry[key] for key in ("ours", "bare", "unit", "ratio"))
+    return [
+        entry["name"],
+        f"{number(ours)} {unit}".strip(),
+        f"{number(bare)} {unit}".strip() if bare else "",
+        f"{ratio:.2f}" if ratio else "",
+    ]
 
 
 def number(value: float) -> str:

@@ -28,11 +28,11 @@ def plots(counts: Counts) -> list[Figure]:
         width, height = page.evaluate(
             "(({ width, height }) => [width, height])(document.querySelector('.ros-chart canvas'))"
         )
-        ours, share = _measure(browser, page, counts)
+        ours, share = measure(browser, page, counts)
         page.close()
         page = browser.new_page(viewport=VIEW)
         page.goto(f"{url}bench/plots.html#10,{width},{height},{POINTS * width}")
-        bare, bare_share = _measure(browser, page, counts)
+        bare, bare_share = measure(browser, page, counts)
     return [
         Figure("ten plots at 1 kHz: frame, p50", "ms", median(ours), median(bare)),
         Figure("ten plots at 1 kHz: frame, p99", "ms", p99(ours), p99(bare)),
@@ -45,7 +45,7 @@ def p99(times: list[float]) -> float:
     return quantiles(times, n=100)[98]
 
 
-def _measure(browser: Browser, page: Page, counts: Counts) -> tuple[list[float], float]:
+def measure(browser: Browser, page: Page, counts: Counts) -> tuple[list[float], float]:
     """Return the times between frames (ms) and the share of a core in percent."""
     page.evaluate("async () => { window.measure = await import('/bench/frames.js'); }")
     time.sleep(counts.warm_up)

@@ -23,6 +23,7 @@ DONE = {
     "new": "written",
     "serve": "served",
     "theme": "copied",
+    "types": "written",
 }
 
 
@@ -143,6 +144,17 @@ def _serve(arguments: argparse.Namespace) -> None:
     serve(arguments.folder, port=arguments.port, report=_report(arguments), debug=arguments.debug)
 
 
+def _gateway(arguments: argparse.Namespace) -> None:
+    if arguments.doing == "keys":
+        from sitegen.commands.gatewaykeys import make_key
+
+        make_key(arguments, _report(arguments, sys.stderr))
+        return
+    from sitegen.commands.gateway import gateway
+
+    gateway(arguments, _report(arguments))
+
+
 def _schema(arguments: argparse.Namespace) -> None:
     from sitegen.commands import schema
 
@@ -157,17 +169,27 @@ def _copy_theme(arguments: argparse.Namespace) -> None:
     print(f"{target}: a copy of '{arguments.name}'; select it in site.yaml: theme: {target.name}")
 
 
+def _types(arguments: argparse.Namespace) -> None:
+    from sitegen.commands.types import write_types
+
+    report = _report(arguments)
+    for name in write_types(arguments.folder, report):
+        report.say(f"wrote {name}", "good")
+
+
 # Each command imports its modules when it runs, which keeps the start short.
 RUN = {
     "build": _build,
     "check": _check,
     "compile": _compile,
     "deploy": _deploy,
+    "gateway": _gateway,
     "init": _init,
     "new": _new,
     "schema": _schema,
     "serve": _serve,
     "theme": _copy_theme,
+    "types": _types,
 }
 
 

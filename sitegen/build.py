@@ -16,7 +16,7 @@ from sitegen.nodes.prebuilt.resolve import resolve
 from sitegen.nodes.programs import programs_of
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
-from sitegen.site import assets, bundles, offline, pages
+from sitegen.site import assets, bundles, jupyter, offline, pages
 
 # GitHub Pages also takes this file as the request to serve all files unchanged.
 MARKER = ".nojekyll"
@@ -73,6 +73,7 @@ def make(
     # These artifacts, and the files that they refer to, make up the site.
     others = assets.runtime(site, programs, debug=options.debug)
     others += assets.search(site)
+    others += jupyter.artifacts(site, cache_folder())
     others += [] if options.live else renderer.index(rendered)
     others += {file.path: file for one in programs.values() for file in one.files}.values()
     others.append(Artifact(MARKER, b"written by sitegen\n"))

@@ -9,7 +9,17 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from browser import WITHOUT_JSPI, Built, Scripted, Serve, opened, own_serving, running, serving
+from browser import (
+    TIMEOUT,
+    WITHOUT_JSPI,
+    Built,
+    Scripted,
+    Serve,
+    opened,
+    own_serving,
+    running,
+    serving,
+)
 from distribution import distribution
 from panel import Panel, Played
 from paths import ROOT
@@ -25,8 +35,7 @@ from sitegen.report import Report
 # How the ROS2WASM project builds.
 ROS2WASM = ["-O1", "--bind", "-fexceptions", "-sASYNCIFY=1", "-sEXIT_RUNTIME=1", "-sASSERTIONS=1"]
 
-# A slow machine is no fault of what is tested: what is waited for may take its time.
-expect.set_options(timeout=60_000)
+expect.set_options(timeout=TIMEOUT)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -233,7 +233,10 @@ def _add_others(add: Add) -> None:
         metavar="FOLDER",
         help="the workspace folder (default: the current folder)",
     )
+    _add_gateway(add)
     add("schema", help="print the JSON Schema of site.yaml for use in editors")
+    types = add("types", help="write the types for your own panels, for use in editors")
+    _add_folder(types)
     theme = add("theme", help="start your own theme")
     doings = theme.add_subparsers(
         dest="doing", required=True, metavar="COMMAND", parser_class=Parser
@@ -248,4 +251,45 @@ def _add_others(add: Add) -> None:
         type=Path,
         metavar="DIR",
         help="the folder to create (default: themes/NAME)",
+    )
+
+
+def _add_gateway(add: Add) -> None:
+    gateway = add("gateway", help="join web pages and other programs to ROS 2 on this computer")
+    gateway.add_argument(
+        "--config",
+        type=Path,
+        metavar="FILE",
+        help="what clients may do (default: gateway.yaml, if there is one)",
+    )
+    gateway.add_argument(
+        "--site", type=Path, metavar="DIR", help="also serve this built site, such as dist"
+    )
+    gateway.add_argument(
+        "--bind",
+        default="127.0.0.1",
+        metavar="ADDRESS",
+        help="the address to listen on; 0.0.0.0 for the network (default: 127.0.0.1)",
+    )
+    gateway.add_argument(
+        "--port", type=int, default=9090, help="the port to listen on (default: 9090)"
+    )
+    gateway.add_argument(
+        "--tls",
+        nargs="+",
+        metavar="FILE",
+        help="encrypt: a certificate and its key, or self-signed",
+    )
+    gateway.add_argument(
+        "--domain", type=int, metavar="ID", help="the domain (default: ROS_DOMAIN_ID)"
+    )
+    doings = gateway.add_subparsers(dest="doing", metavar="COMMAND", parser_class=Parser)
+    keys = doings.add_parser("keys", help="make a key for a person", parents=[_common()])
+    keys.add_argument("name", metavar="NAME", help="whose key it is, as in the calendar")
+    keys.add_argument(
+        "--for",
+        dest="duration",
+        default="2h",
+        metavar="TIME",
+        help="how long it is good for, from now on: 90s, 20m, 2h, 7d (default: 2h)",
     )

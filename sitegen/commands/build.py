@@ -32,7 +32,10 @@ def build(
     made = make(folder, report, output=output, options=options)
     write(made.artifacts, output)
     before = list(report.said)
-    sums = {each: summary(made.site, made.programs, verbose=each) for each in (False, True)}
+    sums = {
+        each: summary(made.site, made.programs, made.artifacts, verbose=each)
+        for each in (False, True)
+    }
     for line in sums[verbose]:
         report.say(line)
     programs = {program.name for program in made.programs.values()}

@@ -40,7 +40,7 @@ def build_single(
         page = _without(page, python, _notice(site, page, python))
     made = make(folder, report)
     text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
-    if "<iframe" in text:
+    if "<iframe" in text or any(isinstance(p, Widget) and p.kind == "jupyter" for p in page.leaves):
         line = Problems(site.root).where(page.location)
         raise SiteError([f"{line}: a single file cannot embed another page; link to it instead"])
     artifacts += assets.runtime(replace(made.site, pages=(page,)), made.programs)

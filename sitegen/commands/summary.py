@@ -4,19 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from sitegen.model import BROWSERS, Page, Program, Programs, Site
+from sitegen.model import BROWSERS, Artifact, Page, Program, Programs, Site
 from sitegen.report import count, size
 
 # At most this many lines of each kind; together, they fit on a screen of 24 lines.
 NOTES, PAGES, NODES = 3, 10, 6
+# What 3D views load, of which so many are listed without being asked.
+MESHES, MESHES_LISTED = "meshes/", 3
 
 
-def summary(site: Site, programs: Programs, *, verbose: bool = False) -> list[str]:
-    """Return lines about the notes, pages and nodes of a site; if `verbose`, about all of them."""
+def summary(
+    site: Site,
+    programs: Programs,
+    artifacts: Iterable[Artifact] = (),
+    *,
+    verbose: bool = False,
+) -> list[str]:
+    """Return lines about the notes, pages, nodes and meshes of a site.
+
+    If `verbose`, they are about all of them.
+    """
     # Nodes that use one ROS2WASM script with different types are different programs.
     nodes = list({one.name: one for one in programs.values()}.values())
-    brief = [*_notes(site.notes), *_pages(site.pages), *_nodes(nodes)]
+    meshes = {one.path: _size(one) for one in artifacts if one.path.startswith(MESHES)}
+    brief = [*_notes(site.notes), *_pages(site.pages), *_nodes(nodes), *_meshes(meshes)]
     everything = [*_notes(site.notes, True), *_pages(site.pages, True), *_nodes(nodes, True)]
+    everything += _meshes(meshes, True)
     if verbose or brief == everything:
         return everything
     return [*brief, "  --verbose lists all"]
@@ -88,3 +101,22 @@ def _sizes(programs: Sequence[Program]) -> str:
         for engine, each in files.items()
     )
     return "".join(said)
+
+
+def _meshes(sizes: Mapping[str, int], everything: bool = False) -> Iterator[str]:
+    """Yield what 3D views load, since meshes are often larger than all the rest."""
+    if not sizes:
+        return
+    ordered = sorted(sizes.items(), key=lambda one: (-one[1], one[0]))
+    total = f"  {count(len(sizes), 'file')} for 3D views, {size(sum(sizes.values()))}"
+    if not everything and len(sizes) > MESHES_LISTED:
+        name, largest = ordered[0]
+        yield f"{total}; the largest is {name.removeprefix(MESHES)}, {size(largest)}"
+        return
+    yield total
+    yield from (f"    {name.removeprefix(MESHES)}: {size(one)}" for name, one in ordered)
+
+
+def _size(artifact: Artifact) -> int:
+    source = artifact.source
+    return len(source) if isinstance(source, bytes) else source.stat().st_size

@@ -1,7 +1,29 @@
 """Read site.yaml, and the Markdown files that it names, into a Site."""
 
-from sitegen.config.again import read_again
-from sitegen.config.jsonschema import json_schema
-from sitegen.config.site import load
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sitegen.config.again import read_again
+    from sitegen.config.jsonschema import json_schema
+    from sitegen.config.site import load
 
 __all__ = ["json_schema", "load", "read_again"]
+
+
+def __getattr__(name: str) -> Any:
+    """Import what is asked for: the gateway checks its file with modules that need little."""
+    if name == "load":
+        from sitegen.config.site import load
+
+        return load
+    if name == "json_schema":
+        from sitegen.config.jsonschema import json_schema
+
+        return json_schema
+    if name == "read_again":
+        from sitegen.config.again import read_again
+
+        return read_again
+    raise AttributeError(name)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 ROS = re.compile(r"(```|~~~)[`~ \t{.]*ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # A fence at any depth: also in a list, a tab or a quotation.
 INNER_FENCE = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
-NEARLY_ROS = re.compile(r"[{.]*\s*ros[12]?[\s}]*(?!\S)", re.I)
+# `ros2` is a language: that of commands, which a terminal runs.
+NEARLY_ROS = re.compile(r"[{.]*\s*ros1?[\s}]*(?!\S)", re.I)
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 
@@ -32,9 +33,12 @@ class _Line:
     edge: bool = False
 
 
-def split(text: str) -> Iterator[Block]:
-    """Yield the prose and the `ros` blocks of `text` in order; other fences belong to the prose."""
-    if not ROS.search(text):
+def split(text: str, wanted: Callable[[str], bool] | None = None) -> Iterator[Block]:
+    """Yield the prose and the `ros` blocks of `text` in order; other fences belong to the prose.
+
+    With `wanted`, the blocks are the fences whose info string it accepts.
+    """
+    if not wanted and not ROS.search(text):
         # Most pages of a large site contain only text, and reading them line by line takes time.
         yield from _prose([text], 1)
         return
@@ -43,7 +47,7 @@ def split(text: str) -> Iterator[Block]:
     inside = False
     number = -1
     for number, line in enumerate(_lines(text)):
-        if line.info is None or not _is_ros(line.info):
+        if line.info is None or not (wanted or _is_ros)(line.info):
             prose.append(line.text)
         elif not line.edge:
             body.append(line.text)

@@ -6,11 +6,14 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen.config import scene
+from sitegen.config import notebooks, scene
+from sitegen.config.bag import KIND as BAG
+from sitegen.config.bag import bag
 from sitegen.config.blocks import Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
+from sitegen.config.ownpanel import WORD, own_panel
 from sitegen.config.panel import panel
 from sitegen.config.section import Section, check, conforms
 from sitegen.config.widgetkeys import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
@@ -59,6 +62,12 @@ class Reader:
                 yield Markdown(block.text, folder, location)
             else:
                 yield from self._block(block, location)
+
+    def jupyter(self, value: Value) -> Iterator[Widget]:
+        """Yield JupyterLab, with the options in `value`."""
+        found = notebooks.jupyter(value, self.problems, self.folder)
+        if found:
+            yield found
 
     def _markdown_item(self, value: Value) -> Iterator[Part]:
         if not conforms(value, MARKDOWN, self.problems):
@@ -118,11 +127,27 @@ class Reader:
             return None
         return name, value
 
-    def _widget(self, kind: str, value: Value) -> Iterator[Widget | Source]:
+    def _widget(self, kind: str, value: Value) -> Iterator[Part]:
         if kind == scene.KIND:
             found = scene.scene(value, self.problems, self.notes, self.folder)
             if found:
                 yield found
+            return
+        if kind == notebooks.KIND:
+            yield from self.jupyter(value)
+            return
+        if kind == notebooks.CELLS:
+            yield from notebooks.notebook(value, self.problems, self.folder)
+            return
+        if kind == BAG:
+            found = bag(value, self.problems, self.folder)
+            if found:
+                yield found
+            return
+        if kind == WORD:
+            own = own_panel(value, self.problems, self.folder)
+            if own:
+                yield own
             return
         if kind == "robot":
             yield from self._robot(value)
@@ -187,8 +212,14 @@ class Reader:
     def _panel(self, kind: str, value: Value) -> Iterator[Widget]:
         """Yield a widget that is about the whole page."""
         options = panel(kind, value, self.problems)
-        if options is not None:
-            yield Widget(kind, "", options, value.location)
+        if options is None:
+            return
+        # Those that a terminal starts; what is no list has been reported.
+        given = value.entries(self.problems).get("nodes") if value.kind == "mapping" else None
+        if kind == "terminal" and given and given.kind == "list":
+            for node in given.items():
+                self._known(node)
+        yield Widget(kind, "", options, value.location)
 
     def _robot(self, value: Value) -> Iterator[Widget]:
         """Yield a robot; its kind decides which options it has."""

@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitegen.config.layout import CONSOLES
+from sitegen.config.page import LAYOUTS
 from sitegen.config.schema import (
     COMPILED,
+    CONNECT,
     DEPLOY,
     FILE,
     FORMS,
+    NAMES,
     NODE,
     PAGE,
     PYODIDE,
@@ -22,6 +25,7 @@ from sitegen.config.widgetkeys import (
     COLUMN,
     MARKDOWN,
     ROBOTS,
+    ROW,
     SHORT,
     STAGE,
     THRESHOLD,
@@ -54,12 +58,17 @@ TYPES: dict[str, Json] = {
     "nav": {"type": "array", "items": {"$ref": "#/$defs/nav"}},
     "deploy": {"$ref": "#/$defs/deploy"},
     "pyodide": {"$ref": "#/$defs/pyodide"},
+    "connect": {"$ref": "#/$defs/connect"},
+    "names": {"$ref": "#/$defs/names"},
+    "decimal by name": {"type": "object", "additionalProperties": {"type": "number"}},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
+    "list of patterns": {"type": "array", "items": TYPES["pattern"]},
     "list of names": {"type": "array", "items": TYPES["name"]},
     "name by name": {"type": "object", "additionalProperties": TYPES["name"]},
     "parameters": {"type": ["object", "array"]},
+    "data": {"type": "object"},
     "decimal": {"type": "number"},
     "message paths": {
         "anyOf": [TYPES["message path"], {"type": "array", "items": TYPES["message path"]}]
@@ -91,6 +100,8 @@ def json_schema() -> Json:
             "node": {"anyOf": [_mapping(NODE), _mapping(COMPILED), _mapping(ROS2WASM)]},
             "page": _mapping(PAGE),
             "nav": NAV,
+            "connect": _mapping(CONNECT),
+            "names": _mapping(NAMES),
             "deploy": _mapping(DEPLOY),
             "pyodide": _mapping(PYODIDE),
             "threshold": _mapping(THRESHOLD),
@@ -114,6 +125,8 @@ def _key(key: Key) -> Json:
     schema = {**TYPES[key.type], "description": key.help}
     if key in WIDGETS["robot"] and key.name == "kind":
         schema["enum"] = sorted(ROBOTS)
+    if key in PAGE and key.name == "layout":
+        schema["enum"] = list(LAYOUTS)
     choices = next((words for keys, words in CHOICES.items() if key in keys), None)
     if key.name in (choices or ()):
         schema["enum"] = list((choices or {})[key.name])
@@ -125,6 +138,7 @@ def _item() -> Json:
     kinds: Json = {MARKDOWN.name: _key(MARKDOWN)}
     kinds |= {
         "columns": {"type": "array", "items": {"anyOf": [TYPES["items"], _mapping(COLUMN)]}},
+        "rows": {"type": "array", "items": {"anyOf": [TYPES["items"], _mapping(ROW)]}},
         "grid": TYPES["content"],
         "tabs": {"type": "object", "additionalProperties": TYPES["items"]},
         "stage": _stage(),

@@ -1,12 +1,13 @@
-"""Read columns, grids, tabs and stages."""
+"""Read columns, rows, grids, tabs and stages."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
 from sitegen.config.document import Value
+from sitegen.config.schema import Key
 from sitegen.config.section import check
-from sitegen.config.widgetkeys import COLUMN, LAYOUTS, STAGE
+from sitegen.config.widgetkeys import COLUMN, LAYOUTS, ROW, STAGE
 from sitegen.errors import Problems
 from sitegen.model import Cell, Layout, Part, Widget
 
@@ -38,17 +39,19 @@ def layout(
             message = f"expected 1 to {MOST_TABS} tabs, found {len(entries)}"
             problems.add(value.location, value.label, message)
         cells = [Cell(tuple(items(entry)), title) for title, entry in entries.items()]
-    elif kind == "columns":
-        cells = [_column(entry, items, problems) for entry in value.items()]
+    elif kind in ("columns", "rows"):
+        keys = COLUMN if kind == "columns" else ROW
+        cells = [_share(entry, keys, items, problems) for entry in value.items()]
     else:
         cells = [Cell((part,)) for part in items(value)]
     return Layout(kind, tuple(cells), value.location)
 
 
-def _column(value: Value, items: Items, problems: Problems) -> Cell:
-    names = {key.name for key in COLUMN}
+def _share(value: Value, keys: tuple[Key, ...], items: Items, problems: Problems) -> Cell:
+    """Return a column or a row: a list of items, one of them, or a mapping with its size."""
+    names = {key.name for key in keys}
     if value.kind == "mapping" and names & set(value.entries(problems)):
-        section = check(value, COLUMN, problems)
+        section = check(value, keys, problems)
         content, size = section.get("content"), section.option("size")
         parts = tuple(items(content)) if content else ()
         return Cell(parts, size=size if isinstance(size, int) else 1)

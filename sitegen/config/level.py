@@ -7,13 +7,13 @@ from collections.abc import Iterable
 from sitegen.model import Widget
 
 # Widgets with which visitors control everything that a program can do.
-FULL = ("prompt", "editor", "parameters", "3d")
+FULL = ("prompt", "terminal", "editor", "parameters", "3d", "bag", "notebook", "jupyter")
 LEVELS = {
     "I1": "consoles only",
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
     "I4": "panels for the whole graph",
-    "I5": "a prompt, an editor, parameters or a 3D view",
+    "I5": "a prompt, a terminal, an editor, notebooks, parameters, a 3D view or a bag",
 }
 
 
@@ -39,7 +39,7 @@ def fault(declared: str, offers: str) -> str:
         "I2": "add buttons for one node" if offers == "I1" else "leave buttons for one node only",
         "I3": "add buttons for another node" if offers == "I2" else "add buttons for several nodes",
         "I4": f"remove {', '.join(FULL)}" if offers == "I5" else "add a panel, like 'topics:'",
-        "I5": "add a prompt, an editor, parameters or a 3D view",
+        "I5": "add a prompt, a terminal, an editor, notebooks, parameters, a 3D view or a bag",
     }
     way = "remove the panels" if offers == "I4" and declared in ways else ways.get(declared)
     offer = f"the page offers {offers} ({LEVELS[offers]})"

@@ -8,26 +8,33 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen import pagepath, workspace
-from sitegen.config import level, windows
+from sitegen.config import level, notebooks, windows
 from sitegen.config.blocks import front_matter, heading
+from sitegen.config.connect import KIND as CONNECT
+from sitegen.config.connect import connect
 from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
 from sitegen.config.nodes import Declared, declare
+from sitegen.config.ownpanel import own_script
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
-from sitegen.errors import Location, Problems
+from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import Window, launched
-from sitegen.model import Markdown, Node, Package, Page, Part, Widget, leaves
+from sitegen.model import Connect, Launch, Markdown, Node, Package, Page, Part, Widget, leaves
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
 
+# Keys that it can set for them.
+OF_ALL = ("layout", "theme", "start_from_links", "script", "connect")
+
 # Keys of a page that its translations keep.
-KEPT = ("level", "nodes", "theme", "start_from_links")
+KEPT = ("level", "nodes", "layout", "theme", "start_from_links", "script", "connect")
+LAYOUTS = ("page", "dashboard")
 
 
 @dataclass(frozen=True)
@@ -49,12 +56,15 @@ class PageReader:
         themes: Themes,
         languages: Sequence[str],
         packages: Callable[[], Mapping[str, Package]],
+        joined: Connect | None = None,
     ) -> None:
         self.problems = problems
         self.nodes = nodes
         self.themes = themes
         self.languages = languages
         self.packages = packages
+        # What pages can join that do not say so themselves.
+        self.joined = joined
         self.declared = list(nodes.values())
         self.paths: dict[str, Value] = {}
         self.notes = Problems(problems.root)
@@ -70,7 +80,7 @@ class PageReader:
                 f"cannot be combined with '{given[0].key.rpartition('.')[2]}'; keep one of the two"
             )
             self.problems.add(given[1].location, given[1].key, message)
-        if not given and not page.value.has("file", "content", "folder", "launch"):
+        if not given and not page.value.has("file", "content", "folder", "launch", "jupyter"):
             message = "missing; write it like 'content: [{console: talker}]', or give a 'file'"
             self.problems.add(item.location, page.label("content"), message)
         path = self._path(page, registered=not folder)
@@ -100,7 +110,7 @@ class PageReader:
                 )
                 self.problems.add(given.location, given.key, message)
             self.paths[path + below] = given
-            kept = {k: v for k, v in page.entries.items() if k in ("theme", "start_from_links")}
+            kept = {k: v for k, v in page.entries.items() if k in OF_ALL}
             bare = Section(page.value, PAGE, kept)
             yield from self._translated(bare, path + below, file, len(self.problems.found))
 
@@ -146,7 +156,8 @@ class PageReader:
         known = self._declare(front, self._declare(page, self.nodes))
         opened: list[Window] = []
         folder = file.parent if file else self.problems.root
-        started = self._launch(_giver("launch", page, front), known, opened, folder)
+        given = _giver("launch", page, front)
+        started = self._launch(given, known, opened, folder)
         known |= started
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, self.notes, folder)
@@ -154,22 +165,37 @@ class PageReader:
         parts = [*reader.items(content)] if content else []
         if body:
             parts += reader.markdown(body.text, body.location, body.folder)
+        if lab := page.get("jupyter"):
+            parts += reader.jupyter(lab)
         if (started or opened) and not any(isinstance(part, Widget) for part in leaves(parts)):
             parts += windows.shown(opened, self.problems, self.notes)
             parts += _panels(started)
+        joined = self._connect(_giver("connect", page, front), parts)
+        for kernel in notebooks.kernels(parts):
+            if kernel.name in nodes:
+                message = f"the notebooks of this page need the name '{kernel.name}'"
+                self.problems.add(
+                    nodes[kernel.name].location, "nodes", f"{message}; choose another"
+                )
+            nodes[kernel.name] = kernel
+            self.declared.append(Declared(kernel, None))
         if len(self.problems.found) == before:
             # Content that could not be read completely has no reliable level.
             self._check_title(page, front, parts, body)
             self._check_level(_giver("level", page, front), parts)
         widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
+        shown = [name for widget in widgets for name in (widget.target, *widget.runs) if name]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
+        script = own_script(_giver("script", page, front), self.problems, folder)
+        # A script may use them without a widget.
+        own = [*_declared(page), *_declared(front)] if script else []
         links = _giver("start_from_links", page, front)
         return Page(
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes=_with_needed([*started, *(w.target for w in widgets if w.target)], nodes),
+            nodes=_with_needed([*started, *shown, *own], nodes),
             content=tuple(parts),
             level=level.offered(widgets),
             location=Location(file, 1) if file else page.value.location,
@@ -181,7 +207,28 @@ class PageReader:
             language=language,
             original=path if original is None else original,
             start_from_links=bool(links.option("start_from_links")),
+            layout=self._layout(_giver("layout", page, front)),
+            launch=self._launch_file(given, folder, tuple(started)) if started else None,
+            script=script,
+            connect=joined,
         )
+
+    def _connect(self, section: Section, parts: list[Part]) -> Connect | None:
+        """Return what a page can join, and add the widget for it to one that has none."""
+        widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
+        shown = [widget for widget in widgets if widget.kind == CONNECT]
+        given = section.get("connect")
+        joined = connect(given, self.problems) if given else self.joined
+        if not joined:
+            for widget in shown:
+                message = "needs 'connect' on the page or in site.yaml, with the addresses"
+                self.problems.add(widget.location, CONNECT, message)
+        elif given and not shown:
+            parts.append(Widget(CONNECT, "", {}, given.location))
+        elif widgets and not shown:
+            # A page of text alone has nothing that could join.
+            parts.append(Widget(CONNECT, "", {}, widgets[0].location))
+        return joined if given or widgets else None
 
     def _page_file(self, file: Path, empty: Section) -> Written:
         text = read(file, self.problems)
@@ -236,6 +283,22 @@ class PageReader:
         self.declared += declared.values()
         return declared
 
+    def _layout(self, section: Section) -> str:
+        text = section.text("layout")
+        if text not in LAYOUTS:
+            message = f"unknown layout '{text}'; {nearest(text, LAYOUTS)}"
+            self.problems.add(section.location("layout"), section.label("layout"), message)
+        return text
+
+    def _launch_file(self, section: Section, folder: Path, nodes: tuple[str, ...]) -> Launch | None:
+        """Return the launch file that has started `nodes`, by its package."""
+        given = section.get("launch")
+        file = locate(given, self.problems, page=folder) if given else None
+        if not file:
+            return None
+        owners = (p.name for p in self.packages().values() if file.is_relative_to(p.path))
+        return Launch(next(owners, ""), file.name, nodes)
+
     def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")
         if given is None:
@@ -272,6 +335,12 @@ class PageReader:
             self.problems.add(section.location("level"), section.label("level"), fault)
 
 
+def _declared(section: Section) -> list[str]:
+    """Return the names of the nodes that a section declares."""
+    given = section.get("nodes")
+    return [*given.entries(Problems(Path()))] if given else []
+
+
 def _with_needed(names: Iterable[str], nodes: Mapping[str, Node]) -> dict[str, Node]:
     """Return the nodes by `names`, those that they need, those that these need, and so on."""
     found: dict[str, Node] = {}
@@ -285,7 +354,8 @@ def _with_needed(names: Iterable[str], nodes: Mapping[str, Node]) -> dict[str, N
 
 
 def _title(page: Section, front: Section, parts: Sequence[Part]) -> str:
-    return page.text("title") or front.text("title") or first_heading(parts)
+    found = page.text("title") or front.text("title") or first_heading(parts)
+    return found or ("JupyterLab" if page.get("jupyter") else "")
 
 
 def first_heading(parts: Iterable[Part]) -> str:

@@ -221,6 +221,8 @@ def _display(name: str, given: dict[str, Any], enabled: bool) -> dict[str, Any]:
             fits = value in choices[option]
         else:
             fits = isinstance(value, str) and value not in ("", FIXED)
+        if fits and kind == "interactive_markers":
+            value = f"{value}/update"
         if fits:
             found[option] = value
     if "color_by" in defaults:

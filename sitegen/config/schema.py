@@ -39,10 +39,12 @@ TYPES = {
     "message paths": ("text or list", "a message path or a list of these"),
     "decimal": ("number or other", "a number"),
     "thresholds": ("list", "a list of thresholds"),
+    "data": ("mapping", "names with any values"),
     "digest": ("text", "64 hexadecimal digits"),
     "interface": ("text", "the type of a message or a service"),
     "interface by name": ("mapping", "names of the graph with a type each"),
     "site": ("mapping", "keys and values"),
+    "settings": ("mapping", "keys and values"),
     "nodes": ("mapping", "names with a node each"),
     "pages": ("list", "a list of pages"),
     "content": ("list", "a list of text and widgets"),
@@ -51,6 +53,11 @@ TYPES = {
     "items": ("mapping or list", "a list of text and widgets, or one of them"),
     "deploy": ("mapping", "keys and values"),
     "pyodide": ("mapping", "keys and values"),
+    "connect": ("mapping", "keys and values"),
+    "names": ("mapping", "lists of names"),
+    "list of patterns": ("list", "a list of names, with * and **"),
+    "decimal by name": ("mapping", "names with a number each"),
+    "pattern": ("text", "a name of the graph, with * and **"),
 }
 
 # The patterns of types that are text.
@@ -65,6 +72,7 @@ FORMS = {
         r"(\.@derivative)?",
         re.ASCII,
     ),
+    "pattern": re.compile(r"(/[\w*]+)+", re.ASCII),
     "decimal": re.compile(r"[-+]?(\d+\.?\d*|\.\d+)"),
     "digest": re.compile(r"[0-9a-f]{64}"),
     "interface": re.compile(r"[a-z]\w*/(msg|srv)/[A-Z]\w*", re.ASCII),
@@ -97,6 +105,12 @@ FILE = (
         "pyodide",
         "packages for Python nodes besides ROS",
         "pyodide: {requirements: requirements.txt}",
+    ),
+    Key(
+        "connect",
+        "connect",
+        "[gateways](gateway.md) that pages can join",
+        "connect: {addresses: [ws://localhost:9090]}",
     ),
     Key("deploy", "deploy", "where `sitegen deploy` publishes", "deploy: {branch: gh-pages}"),
 )
@@ -167,6 +181,12 @@ SITE = (
         "asyncify: true",
         default=True,
     ),
+    Key(
+        "messages_from",
+        "list of text",
+        "origins whose pages may [use the graph](roslib.md#from-another-page)",
+        'messages_from: ["https://school.example"]',
+    ),
 )
 
 PYODIDE = (
@@ -182,6 +202,35 @@ PYODIDE = (
         "folder or address of the Pyodide distribution",
         "packages: vendor/pyodide",
     ),
+)
+
+CONNECT = (
+    Key(
+        "addresses",
+        "list of text",
+        "addresses of gateways; `self` is the server of the page",
+        "addresses: [ws://localhost:9090]",
+        True,
+    ),
+    Key("autoconnect", "flag", "join when the page opens", "autoconnect: true", default=False),
+    Key("namespace", "name", "namespace of the page in the remote graph", "namespace: /student1"),
+    Key("send", "names", "what the page offers; defaults to all", "send: {topics: [/cmd_vel]}"),
+    Key(
+        "receive", "names", "what the page gets; defaults to all", "receive: {topics: [/camera/**]}"
+    ),
+    Key(
+        "rates",
+        "decimal by name",
+        "most messages per second of topics",
+        "rates: {/camera/image_raw: 5}",
+    ),
+)
+
+# The lists of `send` and `receive`.
+NAMES = (
+    Key("topics", "list of patterns", "topics", "topics: [/cmd_vel]"),
+    Key("services", "list of patterns", "services", "services: [/reset]"),
+    Key("actions", "list of patterns", "actions", "actions: [/navigate_*]"),
 )
 
 DEPLOY = (
@@ -279,8 +328,27 @@ PAGE = (
         "launch_arguments: {speed: fast}",
     ),
     Key("content", "content", "text and widgets, in order", "content: [{console: talker}]"),
+    Key(
+        "jupyter",
+        "data",
+        "options of [JupyterLab](notebooks.md#jupyter) below the content",
+        "jupyter: {notebooks: notebooks}",
+    ),
+    Key(
+        "layout",
+        "text",
+        "`page`, or `dashboard`: panels fill the window",
+        "layout: dashboard",
+        default="page",
+    ),
     Key("file", "path", "Markdown file instead of `content`", "file: demos/demo01/page.md"),
     Key("folder", "path", "folder of Markdown files, one page each", "folder: docs"),
+    Key(
+        "connect",
+        "connect",
+        "[gateways](gateway.md) that it can join",
+        "connect: {addresses: [ws://localhost:9090]}",
+    ),
     Key("tags", "list of text", "tags; each gets a page of its pages", "tags: [topics, C++]"),
     Key("date", "date", "date of the page, for the feed", "date: 2026-11-21"),
     Key("theme", "text", "theme of this page; defaults to the site's", "theme: slides"),
@@ -291,11 +359,17 @@ PAGE = (
         "start_from_links: true",
         default=False,
     ),
+    Key(
+        "script",
+        "path",
+        "[JavaScript module](javascript.md) that runs on the page",
+        "script: scripts/drive.js",
+    ),
 )
 
 IN_FILE = (
     *("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date"),
-    *("theme", "start_from_links"),
+    *("layout", "theme", "start_from_links", "script", "connect"),
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 
@@ -305,6 +379,7 @@ PLACES = (
     (SITE, "under 'site' in site.yaml; indent it below 'site:'"),
     (PAGE, "to a page; move it to an item of 'pages' in site.yaml"),
     (DEPLOY, "under 'deploy' in site.yaml; indent it below 'deploy:'"),
+    (CONNECT, "under 'connect' in site.yaml; indent it below 'connect:'"),
     (PYODIDE, "under 'pyodide' in site.yaml; indent it below 'pyodide:'"),
 )
 

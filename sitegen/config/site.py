@@ -10,6 +10,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from sitegen import workspace
+from sitegen.config.connect import connect
 from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
@@ -24,6 +25,8 @@ from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, SiteError
 from sitegen.model import Package, Page, Site
 
+# A host name or an address, and a port.
+ORIGIN = re.compile(r"https?://([a-z0-9-]+(\.[a-z0-9-]+)*|\[[0-9a-f:]+\])(:[1-9]\d*)?", re.I)
 LANGUAGE = re.compile(r"[A-Za-z]{2,3}(-[A-Za-z0-9]{2,8})*")
 
 
@@ -60,7 +63,8 @@ def _site(file: Section, problems: Problems) -> Site:
     declared = declare(nodes, {}, problems) if nodes else {}
     folder = _workspace(file, problems)
     scanned = cache(lambda: workspace.scan(folder, problems=problems) if folder else {})
-    reader = PageReader(problems, declared, themes, languages, scanned)
+    joined = connect(file.get("connect"), problems)
+    reader = PageReader(problems, declared, themes, languages, scanned, joined)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
     packages = _packages(scanned, reader.declared, problems) if folder else {}
     pages = tuple(_with_kinds(page, packages) for page in pages)
@@ -88,6 +92,7 @@ def _site(file: Section, problems: Problems) -> Site:
         deploy=deploy(file.get("deploy"), problems),
         offline=bool(site.option("offline")) if site.get("offline") else None,
         isolate=bool(site.option("isolate")) if site.get("isolate") else None,
+        messages_from=_origins(site, problems),
     )
 
 
@@ -104,6 +109,35 @@ def _url(name: str, site: Section, problems: Problems) -> str:
         )
         problems.add(site.location(name), site.label(name), message)
     return url if not url or url.endswith("/") else f"{url}/"
+
+
+def _origins(site: Section, problems: Problems) -> tuple[str, ...]:
+    """Return the origins of `messages_from` as browsers write them."""
+    given = site.get("messages_from")
+    found = []
+    for item in given.items() if given else ():
+        origin = _origin(item.text)
+        if not origin:
+            message = (
+                f"'{item.text}' is not an exact origin; write it like 'https://school.example', "
+                "without a path or '*'"
+            )
+            problems.add(item.location, item.key, message)
+        found.append(origin)
+    return tuple(dict.fromkeys(found))
+
+
+def _origin(text: str) -> str:
+    """Return an origin as browsers write it, or nothing if `text` is not one."""
+    if not ORIGIN.fullmatch(text):
+        return ""
+    try:
+        parts = urlsplit(text.lower())
+        port = parts.port
+    except ValueError:
+        return ""
+    usual = {"http": 80, "https": 443}[parts.scheme]
+    return f"{parts.scheme}://{parts.netloc.rpartition(':')[0]}" if port == usual else text.lower()
 
 
 def _language(site: Section, problems: Problems) -> str:

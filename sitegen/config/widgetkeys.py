@@ -9,9 +9,14 @@ from sitegen.config.schema import Key
 MARKDOWN = Key("markdown", "text", "a `.md` file, or the text itself", "markdown: intro.md")
 
 # Layouts; the values of `columns`, `grid` and `tabs` are lists or mappings of content.
+_CONTENT = Key("content", "items", "text and widgets", "content: [{console: talker}]", True)
 COLUMN = (
     Key("size", "number", "share of the width, beside that of the others", "size: 2", default=1),
-    Key("content", "items", "text and widgets", "content: [{console: talker}]", True),
+    _CONTENT,
+)
+ROW = (
+    Key("size", "number", "share of the height of a dashboard", "size: 2", default=1),
+    _CONTENT,
 )
 STAGE = (
     Key("show", "items", "what the nodes move, such as a robot", "show: [{graph: }]", True),
@@ -23,6 +28,7 @@ STAGE = (
 )
 LAYOUTS: Mapping[str, str] = {
     "columns": "columns: [[{console: talker}], [{console: listener}]]",
+    "rows": "rows: [[{console: talker}], [{console: listener}]]",
     "grid": "grid: [{console: talker}, {console: listener}]",
     "tabs": "tabs: {Talk: [{console: talker}], Listen: [{console: listener}]}",
     "stage": "stage: {show: [{graph: }], nodes: [talker]}",
@@ -59,6 +65,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "nodes": (),
     "services": (Key("show", "list of names", "only these services", "show: [/add_two_ints]"),),
+    "actions": (Key("show", "list of names", "only these actions", "show: [/fibonacci]"),),
     "publish": (
         Key("topic", "name", "topic; without it, visitors choose one", "topic: /chatter"),
         Key(
@@ -69,8 +76,28 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         ),
     ),
     "graph": (),
+    "tf": (
+        Key("frame", "text", "frame whose transform is shown", "frame: base_link"),
+        Key("reference", "text", "frame in which it is shown", "reference: map"),
+    ),
     "parameters": (Key("show", "list of names", "only these nodes", "show: [/talker]"),),
+    "lifecycle": (Key("show", "list of names", "only these nodes", "show: [/camera_driver]"),),
+    "diagnostics": (
+        Key(
+            "topic",
+            "name",
+            "topic; defaults to `/diagnostics_agg`, else `/diagnostics`",
+            "topic: /diagnostics",
+        ),
+    ),
     "log": (_LINES,),
+    "notebook": (
+        Key("file", "path", "Markdown file or Jupyter notebook", "file: first.ipynb", True),
+    ),
+    "jupyter": (
+        Key("notebooks", "path", "folder of notebooks", "notebooks: notebooks"),
+        Key("open", "text", "notebook that is open at first", "open: first.ipynb"),
+    ),
     "joints": (
         Key(
             "topic",
@@ -116,6 +143,15 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "window: /sim/window",
             default="/turtlesim/window",
         ),
+    ),
+    "terminal": (
+        Key(
+            "nodes",
+            "list of text",
+            "nodes that visitors start with `ros2 run`",
+            "nodes: [talker]",
+        ),
+        Key("run", "text", "command that runs first", "run: ros2 topic list"),
     ),
     "3d": (
         Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),
@@ -169,6 +205,25 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("rate", "number", "images per second, at most", "rate: 15", default=10),
         Key("frame", "text", "`frame_id` of the images", "frame: base", default="camera"),
     ),
+    "bag": (
+        Key("file", "path", "bag that is played: a file or a folder", "file: bags/drive.mcap"),
+        Key("autostart", "flag", "play it when it is seen", "autostart: true", default=False),
+        Key("loop", "flag", "begin again at the end", "loop: true", default=False),
+        Key("rate", "decimal", "speed of playing", "rate: 0.5", default="1.0"),
+        Key("clock", "flag", "publish `/clock` while playing", "clock: true", default=False),
+        Key("remap", "name by name", "other names for topics", "remap: {/odom: /old/odom}"),
+        Key("exclude", "list of names", "topics that are not played", "exclude: [/rosout]"),
+        Key("record", "list of names", "record only these topics", "record: [/cmd_vel]"),
+        Key("hidden", "flag", "record hidden topics, too", "hidden: true", default=False),
+        Key("limit", "number", "largest size of a recording in MB", "limit: 200", default=1000),
+        Key("ask", "text", "ask for consent to log what visitors do", "ask: For our study"),
+    ),
+    "connect": (),
+    "panel": (
+        Key("file", "path", "the module, a `.js` file", "file: panels/arm.js", True),
+        Key("title", "text", "title; defaults to the name of the file", "title: Arm"),
+        Key("options", "data", "what `mount` is given as `options`", "options: {speed: 2.5}"),
+    ),
 }
 
 # The kinds of robots, and which keys of `robot` each has.
@@ -179,7 +234,16 @@ ROBOTS: Mapping[str, tuple[str, ...]] = {
 }
 
 # Widgets that may be given one of their options in place of a mapping: `plot: /odom.twist.x`.
-SHORT: Mapping[str, str] = {"plot": "series", "value": "path", "image": "topic", "camera": "topic"}
+SHORT: Mapping[str, str] = {
+    "notebook": "file",
+    "plot": "series",
+    "value": "path",
+    "image": "topic",
+    "camera": "topic",
+    "bag": "file",
+    "diagnostics": "topic",
+    "panel": "file",
+}
 
 # An item of `thresholds`.
 THRESHOLD = (

@@ -54,7 +54,9 @@ def types(names: Iterable[str], prefixes: Iterable[Path]) -> dict[str, MessageTy
 def _describe(
     name: str, file: Path, packages: Mapping[str, Path], found: dict[str, MessageType]
 ) -> None:
-    data = json.loads(file.read_text())["type_description_msg"]
+    read = json.loads(file.read_text())
+    data = read["type_description_msg"]
+    hashes = {entry["type_name"]: entry["hash_string"] for entry in read["type_hashes"]}
     parts = [data["type_description"], *data["referenced_type_descriptions"]]
     described = {part["type_name"]: part["fields"] for part in parts}
     missing = [name]
@@ -70,6 +72,9 @@ def _describe(
             "fields": [_field(field, defaults) for field in fields],
             "constants": [{"name": c.name, "type": c.type, "value": c.value} for c in constants],
         }
+        # A request has the hash of its service, by which others know it.
+        if digest := hashes.get(one.removesuffix("_Request")):
+            found[one]["hash"] = digest
         missing += [field["type"]["nested_type_name"] for field in fields]
 
 

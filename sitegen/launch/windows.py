@@ -10,6 +10,7 @@ from sitegen.errors import Location
 # By package and executable, the kind of widget.
 WIDGETS = {
     ("joint_state_publisher_gui", "joint_state_publisher_gui"): "joints",
+    ("rqt_action", "rqt_action"): "actions",
     ("rqt_console", "rqt_console"): "log",
     ("rqt_graph", "rqt_graph"): "graph",
     ("rqt_image_view", "rqt_image_view"): "image",
@@ -17,7 +18,10 @@ WIDGETS = {
     ("rqt_publisher", "rqt_publisher"): "publish",
     ("rqt_reconfigure", "rqt_reconfigure"): "parameters",
     ("rqt_robot_steering", "rqt_robot_steering"): "teleop",
+    ("rqt_robot_monitor", "rqt_robot_monitor"): "diagnostics",
+    ("rqt_runtime_monitor", "rqt_runtime_monitor"): "diagnostics",
     ("rqt_service_caller", "rqt_service_caller"): "services",
+    ("rqt_tf_tree", "rqt_tf_tree"): "tf",
     ("rqt_topic", "rqt_topic"): "topics",
     ("rviz2", "rviz2"): "3d",
 }

@@ -6,7 +6,7 @@ from sitegen.model.content import Cell, Layout, Leaf, Markdown, Part, Source, Wi
 from sitegen.model.node import Component, Container, Cpp, Kind, Node, Prebuilt, Python, Ros2wasm
 from sitegen.model.package import Package, Setup
 from sitegen.model.program import BROWSERS, Artifact, Build, Program, Programs
-from sitegen.model.site import Deploy, Look, NavItem, Page, Pyodide, Site
+from sitegen.model.site import Connect, Deploy, Launch, Look, NavItem, Page, Pyodide, Site
 
 __all__ = [
     "BROWSERS",
@@ -14,10 +14,12 @@ __all__ = [
     "Build",
     "Cell",
     "Component",
+    "Connect",
     "Container",
     "Cpp",
     "Deploy",
     "Kind",
+    "Launch",
     "Layout",
     "Leaf",
     "Look",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,6 +27,14 @@ class Widget:
     target: str
     options: Mapping[str, object]
     location: Location
+
+    @property
+    def runs(self) -> Sequence[str]:
+        """Return the names of the nodes that visitors start in a terminal or a notebook."""
+        if self.kind in ("notebook", "jupyter"):
+            return [str(self.options["node"])]
+        names = self.options.get("nodes") if self.kind == "terminal" else None
+        return names if isinstance(names, list) else ()
 
 
 @dataclass(frozen=True)
@@ -60,7 +68,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Layout:
-    """Parts of a page arranged as `columns`, a `grid`, `tabs` or a `stage`.
+    """Parts of a page arranged as `columns`, `rows`, a `grid`, `tabs` or a `stage`.
 
     The cells of a stage are `nodes`, `show`, and `below` or `beside` for the consoles.
     """

@@ -14,13 +14,39 @@ from sitegen.model.package import Package
 
 
 @dataclass(frozen=True)
+class Launch:
+    """The launch file of a page: its package (or ""), its name, and the nodes that it starts."""
+
+    package: str
+    file: str
+    nodes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Connect:
+    """The gateways that a page can join, and what meets whom then.
+
+    `send` and `receive` are patterns of names by "topics", "services" and "actions", None for all;
+    `rates` are messages per second by pattern.
+    """
+
+    addresses: tuple[str, ...]
+    autoconnect: bool = False
+    namespace: str = ""
+    send: Mapping[str, tuple[str, ...]] | None = None
+    receive: Mapping[str, tuple[str, ...]] | None = None
+    rates: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
 class Page:
     """One page of the site; `path` is its folder in `dist/` ("demo/"), empty for the first page.
 
     `file` is its Markdown file, if it has one, and `front` the YAML at the top of that file.
     `theme` is None for the theme of the site. `original` is the path of the page that this one
     translates, or its own path; `date` is a day like 2026-11-21. `base` is the URL that addresses
-    in the page are relative to; when empty, they are relative to the page.
+    in the page are relative to; when empty, they are relative to the page. `layout` is "page" or
+    "dashboard". `script` is the path of a module below the site's folder, or empty.
     """
 
     path: str
@@ -39,6 +65,10 @@ class Page:
     original: str | None = None
     base: str = ""
     start_from_links: bool = False
+    layout: str = "page"
+    launch: Launch | None = None
+    script: str = ""
+    connect: Connect | None = None
 
     @property
     def leaves(self) -> Iterator[Leaf]:
@@ -130,5 +160,6 @@ class Site:
     deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
     isolate: bool | None = None
+    messages_from: tuple[str, ...] = ()
     pyodide: Pyodide = field(default_factory=lambda: Pyodide())
     version: str = ""

@@ -3,9 +3,13 @@
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>, startFromLinks?: boolean, isolate?: string}} PageEntry `types` if a widget
- *   takes part in the graph; with `startFromLinks`, shared links start nodes without asking;
+ *   types?: Record<string, MessageType>, startFromLinks?: boolean, isolate?: string,
+ *   launch?: Launch, script?: {file: string, module: string}, interfaces?: string,
+ *   messagesFrom?: string[]}} PageEntry `types` if a widget or a script
+ *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
+ *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
+ * @typedef {{package: string, file: string, nodes: string[]}} Launch the launch file that starts these nodes
  * @typedef {{
  *   package: string, executable: string, arguments: string[], autostart: boolean, needs?: string[],
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
@@ -31,31 +35,46 @@
  *   nodes: Map<string, NodeHandle>,
  *   graph: GraphView,
  *   types: Record<string, MessageType>,
+ *   launch?: Launch,
  *   subscribe(topic: string, type: string, callback: (message: any, info: MessageInfo) => void,
  *     qos?: Partial<Qos>): () => void,
  *   subscribeBytes(topic: string, type: string,
  *     callback: (message: Uint8Array, info: MessageInfo) => void, qos?: Partial<Qos>): () => void,
  *   advertise(topic: string, type: string, qos?: Partial<Qos>): Publisher,
- *   call(service: string, type: string, request: any, timeout?: number): Promise<any>,
- *   keep(element: {id: string}, shape: Record<string, "string" | "boolean" | "object">,
- *     read: () => Shared, restore: (state: Shared, odd: () => void) => void): void,
+ *   call(service: string, type: string, request: any, timeout?: number, signal?: AbortSignal): Promise<any>,
+ *   serve(service: string, type: string, answer: (request: any) => any): () => void,
+ *   node(name: string): PageNode,
+ *   keep(element: {id: string}, shape: Record<string, "string" | "boolean" | "number" | "object">,
+ *     read: () => Shared, restore: (state: Shared, odd: () => void) => void | Promise<void>): void,
  *   link(): string,
- * }} Ros `keep` makes the state of a widget part of shared links. `read` returns that state; empty values are left
- *   out. If the visitor came by a shared link, `restore` is called immediately with the values that have the `shape`;
- *   it calls `odd` for values that it cannot use. `link` returns the fragment of a link to the present state
+ *   run(program: string | {package: string, executable: string},
+ *     options?: {arguments?: string[], name?: string}): NodeHandle,
+ *   join(file: string, told: (message: any) => void, failed: (error: string) => void): Companion,
+ * }} Ros `run` starts a program of the page once more, as a new process, which is gone when it ends; `program` is the
+ *   name of a node, or its package and executable. `join` starts a worker of the runtime that takes part in the graph,
+ *   and calls `told` with what it tells the page. `keep` makes the state of a widget part of shared links. `read`
+ *   returns that state; empty values are left out. If the visitor came by a shared link, `restore` is called immediately
+ *   with the values that have the `shape`; it calls `odd` for values that it cannot use. `link` returns the fragment of
+ *   a link to the present state
+ * @typedef {Pick<Ros, "types" | "subscribe" | "subscribeBytes" | "advertise" | "call" | "serve"> &
+ *   {read(type: string, bytes: Uint8Array): any, leave(): void}} PageNode another node of the page in the graph; what it has there is gone when it leaves
  * @typedef {Record<string, any>} Shared the state of a widget, as JSON
  *
  * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, arrays of numbers are typed
  * arrays, and all other values are as in JSON.
  * @typedef {{publish(message: any): void, close(): void}} Publisher
- * @typedef {{size: number, sequence: number, timestamp: number, received: number}} MessageInfo
- *   size in bytes, sequence number of the writer, and the times of sending and arrival (ms since 1970)
+ * @typedef {{size: number, sequence: number, timestamp: number, received: number, writer: number}} MessageInfo
+ *   size in bytes, sequence number of the writer, the times of sending and arrival (ms since 1970), and the gid of the
+ *   writer
+ *
+ * A worker that is part of the page, such as the player of a bag.
+ * @typedef {{tell(message: any, transfer?: Transferable[]): void, leave(): void}} Companion
  *
  * The ROS graph. Emits `change` once after all changes of one task. The `program` of an endpoint is the name of its
  * NodeHandle, empty for the page's own endpoints.
  * @typedef {EventTarget & {
  *   nodes(): string[],
- *   endpoints(): (Endpoint & {program: string, missed: number})[],
+ *   endpoints(): (Endpoint & {gid: number, program: string, missed: number})[],
  *   topics(): {name: string, types: string[], publishers: string[], subscriptions: string[],
  *     missed: number, mismatches: Mismatch[]}[],
  *   services(): {name: string, types: string[], servers: string[], clients: string[]}[],
@@ -69,19 +88,24 @@
  * @typedef {{fields: {name: string, type: string, default?: any}[],
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *
- * A program of the page. `since` is the time of its last change of state (ms since 1970), `memory` the size of its
- * WebAssembly memory (bytes, 0 if unknown). `keyboard` says how it reads its standard input, `needs` names the nodes
- * without which it only waits, `type` sends it input, `interrupt` is Ctrl-C. `edit` replaces the text of an installed
- * file of a Python node from its next start on; `check` asks the interpreter of a running one for syntax errors.
+ * A program of the page. `arguments` are those of its next start, which `override` replaces if the program is
+ * `configurable`. `code` is the exit code of its last run (undefined if it was terminated), `since` the time of its last
+ * change of state (ms since 1970), and `memory` the size of its WebAssembly memory (bytes, 0 if unknown). `keyboard` says
+ * how it reads its standard input, `needs` names the nodes without which it only waits, `type` sends it input, and
+ * `interrupt` is Ctrl-C. `edit` replaces the text of an installed file of a Python node from its next start on; `check`
+ * asks the interpreter of a running one for syntax errors.
  *
  * Events: `state` and `reading` after changes of `state` and `keyboard`; `lines` (detail: Line[]) for output; `clear`
  * when its consoles must be cleared; `progress` (detail: {loaded, total}, bytes) during long downloads; `checked`
- * (detail: Checked) after `check`. A prompt also emits `ready` (detail: whether the next line continues the last) and `words` (detail: {text, words}, completions).
+ * (detail: Checked) after `check`. A prompt also emits `ready` (detail: whether the next line continues the last) and
+ * `words` (detail: {text, words}, completions); the kernel of a notebook emits `answer` (detail: {text}, in JSON).
  * @typedef {EventTarget & {
  *   name: string, state: NodeState, since: number, package: string, executable: string,
- *   memory: number, keyboard: Keyboard | undefined, needs: string[],
+ *   memory: number, keyboard: Keyboard | undefined, needs: string[], arguments: string[],
+ *   configurable: boolean, code: number | undefined,
  *   start(): void, stop(): void, clear(): void,
  *   type(typed: Typed): void, interrupt(): void,
+ *   override(words: string[] | undefined): void,
  *   edit(place: string, text: string | undefined): void, restart(): void, check(text: string): void,
  * }} NodeHandle
  * @typedef {"stopped" | "starting" | "running" | "stopping" | "failed"} NodeState
@@ -131,8 +155,10 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "memory", bytes: number}
  *   | {op: "reading", keyboard: Keyboard}
  *   | {op: "ready", more: boolean}
+ *   | {op: "answer", text: string}
  *   | {op: "words", text: string, words: string[]}
  *   | {op: "checked"} & Checked
+ *   | {op: "tell", message: any}
  *   | {op: "exit", code: number, error: string}} FromWorker
  *
  * The first syntax error in a source text, as Python describes it. The line is 0 if there is none.
@@ -156,15 +182,17 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "graph", come: {peer: number, endpoint: Endpoint}[], gone: {peer: number, id: number}[]}
  *   | Typed
  *   | {op: "check", text: string}
+ *   | {op: "enter", id: number}
+ *   | {op: "tell", message: any}
  *   | {op: "stop"}} ToWorker
  *
  * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],
  *   edits: Record<string, string>, byte?: Uint8Array}} Interpret run a Python node. `edits` are the files that the
  *   visitor has changed, by path; with `byte`, in shared memory, the page interrupts the program
  *
- * Input of the visitor: at a prompt, a line or a text to complete; elsewhere keys, as the characters that a terminal
- * sends. Empty keys are the end of the input.
- * @typedef {{op: "line" | "complete" | "keys", text: string}} Typed
+ * Input of the visitor: at a prompt, a line or a text to complete; to a notebook's kernel, a request in JSON; elsewhere
+ * keys, as the characters that a terminal sends. Empty keys are the end of the input.
+ * @typedef {{op: "line" | "complete" | "ask" | "keys", text: string}} Typed
  *
  * How a program has configured its terminal: for whole lines, echoed or `hidden`, or for single keys. Ctrl-C is an
  * interrupt, except with `raw`, where it is a key like others.

@@ -2,8 +2,10 @@
 // Start the page: read page.json, create the graph and the nodes, mount the widgets, run the nodes.
 
 import { Graph } from "./page/graph.js";
+import { Instances } from "./page/instances.js";
 import { isolate } from "./page/isolation.js";
 import { NodeProcess } from "./page/nodeProcess.js";
+import { runScript } from "./page/script.js";
 import { Sharing } from "./page/sharing.js";
 import { Widgets } from "./page/widgets.js";
 import { WorkerGroups } from "./page/workerGroup.js";
@@ -54,22 +56,38 @@ for (const [name, entry] of Object.entries(page.nodes)) {
   if (sharing.starts(name)) node.start();
 }
 
-// Only pages with panels take part in the graph, and load the modules for that.
-const client = page.types && new (await import(place("page/pageClient.js"))).PageClient(graph, page.types);
+// Only pages with panels or a script take part in the graph, and load the modules for that. A script may use all
+// interfaces; those of nodes come with page.json.
+const [interfaces, panels] = await Promise.all([
+  page.interfaces && read(page.interfaces), page.types && import(place("page/pageClient.js")),
+]);
+if (interfaces) page.types = { ...interfaces, ...page.types };
+const client = panels && new panels.PageClient(graph, page.types);
+if (panels) widgets.mounted = panels.addFullScreen;
+
+const instances = new Instances(nodes, graph, (name, entry) => add(name, entry));
 
 /** The ROS API of the page; see Ros in protocol.js. */
 export const ros = {
   nodes,
   graph,
   types: page.types ?? {},
+  launch: page.launch,
   subscribe: client?.subscribe.bind(client),
   subscribeBytes: client?.subscribeBytes.bind(client),
   advertise: client?.advertise.bind(client),
   call: client?.call.bind(client),
+  serve: client?.serve.bind(client),
+  node: client?.node.bind(client),
+  join: client?.join.bind(client),
   keep: sharing.keep.bind(sharing),
-  link: () => sharing.fragment(nodes.values()),
+  link: () => sharing.fragment([...nodes.values()].filter(({ name }) => !instances.has(name))),
+  run: instances.run.bind(instances),
   unmount: widgets.unmount.bind(widgets),
 };
+
+// For the modules that an author's scripts import, which are bundles of their own.
+Object.assign(globalThis, { [Symbol.for("sitegen.ros")]: ros });
 
 /** For live updates of a page that is being edited; see sitegen/commands/serve/update.js. */
 export const editing = {
@@ -82,10 +100,20 @@ export const editing = {
 await parsed;
 sharing.restore();
 sharing.ask(nodes);
-await Promise.all(page.widgets.map((widget) => widgets.mount(widget, ros)));
+await Promise.all([
+  ...page.widgets.map((widget) => widgets.mount(widget, ros)),
+  ...(page.script ? [runScript(page.script, link.href)] : []),
+]);
+if (page.messagesFrom) (await import(place("rosbridge/rosbridge.js"))).listen(page.messagesFrom);
 
 showTime();
+sharing.begin(nodes);
 sharing.tell();
+
+/** Return the content of a file in JSON. @param {string} file as page.json names it */
+async function read(file) {
+  return (await fetch(file.startsWith("sitegen:") ? place(file) : new URL(file, link.href))).json();
+}
 
 /** Add a node to the page, without starting it. @param {string} name @param {NodeEntry} entry */
 function add(name, entry) {

@@ -13,10 +13,19 @@ from sitegen.site import bundles
 # Widgets that only start programs and show their output; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
 START = "rosMain.js"
+# What other pages load to use the graph of one.
+OUTSIDE = "rosbridge/outside.js"
 
 
-def takes_part(page: Page) -> bool:
-    """Return whether a widget of `page` is a participant of the graph."""
+def is_live(page: Page) -> bool:
+    """Return whether `page` runs something."""
+    return bool(page.script) or any(True for _ in _widgets([page]))
+
+
+def takes_part(site: Site, page: Page) -> bool:
+    """Return whether `page` itself is a participant of the graph."""
+    if page.script or site.messages_from:
+        return is_live(page)
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
 
 
@@ -37,9 +46,24 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
         names.add("messages/filter/contentFilter.js")
     if debug:
         names.add("workers/cpp/stackTrace.js")
+    if any(widget.kind in ("bag", "terminal") for widget in _widgets(site.pages)):
+        # The player and the recorder, and what only recorders load.
+        names |= {"workers/bag/bagNode.js", "bag/zstd.js"}
+    if any(widget.kind == "connect" for widget in _widgets(site.pages)):
+        names.add("workers/gateway/gatewayNode.js")
     if any(widget.kind == "console" for widget in _widgets(site.pages)):
         # Loaded by consoles whose program reads its input.
         names.add("ui/keyboard.js")
+    if any(widget.kind == "jupyter" for widget in _widgets(site.pages)):
+        names |= {"jupyter/extension.js", "jupyter/ownGraph.js"}
+    if any(widget.kind == "buttons" for widget in _widgets(site.pages)):
+        # Loaded by visitors who open the options of a node.
+        names.add("widgets/buttons/options.js")
+    if any(widget.kind in ("console", "prompt") for widget in _widgets(site.pages)):
+        # Loaded when a visitor wants to find, copy or save lines.
+        names.add("ui/lineTools.js")
+    if site.messages_from:
+        names |= {OUTSIDE, "rosbridge/rosbridge.js"}
     files: list[Path] = []
     if "python/pythonNode" in workers:
         names.add("workers/python/pythonSync.js")
@@ -68,10 +92,10 @@ def preloads(site: Site, page: Page) -> list[str]:
 def _start(site: Site, page: Page) -> list[str]:
     """Return the bundles that `page` runs, rosMain.js first; none if it shows no widget."""
     widgets = list(_widgets([page]))
-    if not widgets:
+    if not is_live(page):
         return []
     names = [START]
-    if takes_part(page):
+    if takes_part(site, page):
         names.append("page/pageClient.js")
     kinds = (f"widgets/{widget.kind}.js" for widget in widgets)
     # The other bundles came with rosMain.js.

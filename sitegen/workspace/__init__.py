@@ -2,9 +2,18 @@
 
 from sitegen.workspace.dependencies import with_dependencies, with_plugins
 from sitegen.workspace.packages import PYTHON, interfaces, scan
-from sitegen.workspace.shipped import SITEGEN, shipped_packages, sitegen_package, with_shipped
+from sitegen.workspace.shipped import (
+    CELLS,
+    NOTEBOOK,
+    SITEGEN,
+    shipped_packages,
+    sitegen_package,
+    with_shipped,
+)
 
 __all__ = [
+    "CELLS",
+    "NOTEBOOK",
     "PYTHON",
     "SITEGEN",
     "interfaces",

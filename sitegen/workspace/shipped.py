@@ -13,13 +13,22 @@ from sitegen.workspace.packages import PYTHON, scan
 
 # The package of the Python programs of sitegen.
 SITEGEN = "sitegen"
+# The program that runs the cells of a notebook.
+NOTEBOOK = "notebook"
+# The same for the cells of a page, without IPython.
+CELLS = "cells"
 TURTLESIM, TURTLESIM_MSGS = "turtlesim", "turtlesim_msgs"
 IMPORT = re.compile(r"^\s*(?:from|import)\s+(\w+)", re.MULTILINE)
 
 
 def sitegen_package(packages: Mapping[str, Package]) -> Package:
     """Return the package of sitegen's Python programs, which may import all of `packages`."""
-    setup = Setup({"prompt": "rclpy_backend.prompt:main"}, {})
+    scripts = {
+        "prompt": "rclpy_backend.prompt:main",
+        NOTEBOOK: "rclpy_backend.notebook:main",
+        CELLS: "rclpy_backend.cells:main",
+    }
+    setup = Setup(scripts, {})
     path = shipped.CLIENTS / "python"
     executables = tuple(setup.scripts)
     return Package(SITEGEN, path, PYTHON, tuple(packages), executables, (), setup=setup)

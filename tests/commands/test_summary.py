@@ -110,3 +110,21 @@ def test_files_that_programs_share_count_once(site: Site) -> None:
         "  4 nodes in Python, 2.4 MB",
         "  --verbose lists all",
     ]
+
+
+def test_meshes_are_told_by_size(site: Site) -> None:
+    def meshes(number: int) -> list[Artifact]:
+        sizes = (1_000 * (number - n) for n in range(number))
+        found = [Artifact(f"meshes/arm/{n}.stl", bytes(one)) for n, one in enumerate(sizes)]
+        return [Artifact("index.html", b""), *found]
+
+    assert summary(site, {}, meshes(2))[1:] == [
+        "  2 files for 3D views, 3 kB",
+        "    arm/0.stl: 2 kB",
+        "    arm/1.stl: 1 kB",
+    ]
+    assert summary(site, {}, meshes(20))[1:] == [
+        "  20 files for 3D views, 210 kB; the largest is arm/0.stl, 20 kB",
+        "  --verbose lists all",
+    ]
+    assert len(summary(site, {}, meshes(20), verbose=True)) == 22

@@ -19,6 +19,7 @@ launch:
 - node: {pkg: rqt_image_view, exec: rqt_image_view, args: camera/image}
 - node: {pkg: rqt_graph, exec: rqt_graph}
 - node: {pkg: rqt_console, exec: rqt_console}
+- node: {pkg: rqt_robot_monitor, exec: rqt_robot_monitor}
 - node: {pkg: rqt_reconfigure, exec: rqt_reconfigure}
 - node: {pkg: rqt_robot_steering, exec: rqt_robot_steering}
 - node: {pkg: joint_state_publisher_gui, exec: joint_state_publisher_gui}

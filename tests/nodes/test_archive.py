@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import random
 import stat
+import tracemalloc
 import warnings
 import zipfile
 from pathlib import Path
@@ -164,6 +167,60 @@ def test_a_head_that_lies_about_the_size(tmp_path: Path, monkeypatch: pytest.Mon
     assert data.count((20_000).to_bytes(4, "little")) == 2
     file.write_bytes(data.replace((20_000).to_bytes(4, "little"), (20).to_bytes(4, "little")))
     assert refused(file, tmp_path)
+
+
+def test_a_manifest_that_unpacks_to_gigabytes(tmp_path: Path) -> None:
+    file = zipped(tmp_path, {**FILES, "manifest.json": "[" + "0," * 20_000_000 + "0]"})
+    assert file.stat().st_size < 200_000
+    tracemalloc.start()
+    try:
+        assert refused(file, tmp_path) == "its 'manifest.json' is larger than 4,000,000 bytes"
+        assert tracemalloc.get_traced_memory()[1] < 50_000_000
+    finally:
+        tracemalloc.stop()
+
+
+def test_too_many_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(archive, "LARGEST_LIST", 10_000)
+    many = {f"p/{number}": "" for number in range(200)}
+    assert refused(zipped(tmp_path, {**FILES, **many}), tmp_path) == "it contains too many files"
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_other_compressions(method: int, tmp_path: Path) -> None:
+    """What unpacks them raises errors of its own for damaged data, and takes any memory."""
+    script = zipfile.ZipInfo("p/talker.jspi.js")
+    script.compress_type = method
+    rest = {name: text for name, text in FILES.items() if name != script.filename}
+    file = tmp_path / "nodes.zip"
+    with zipfile.ZipFile(file, "w") as made:
+        for name, text in rest.items():
+            made.writestr(name, text)
+        made.writestr(script, "js" * 100, method)
+    said = "its 'p/talker.jspi.js' is not compressed with 'deflate'"
+    assert refused(file, tmp_path) == said
+
+
+def test_names_are_no_commands_for_a_terminal(tmp_path: Path) -> None:
+    said = refused(zipped(tmp_path, FILES, ("p/\x1b[2J" + "x" * 1000, "")), tmp_path)
+    assert said.startswith("it contains the unexpected file 'p/\\x1b[2Jx")
+    assert len(said) < 200
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_any_damage_is_an_archive_error(seed: int, tmp_path: Path) -> None:
+    chance = random.Random(seed)
+    whole = zipped(tmp_path, FILES).read_bytes()
+    file = tmp_path / "damaged.zip"
+    for number in range(50):
+        data = bytearray(whole)
+        for _ in range(chance.randint(1, 8)):
+            data[chance.randrange(len(data))] = chance.choice((0, 1, 127, 128, 255))
+        file.write_bytes(data)
+        folder = tmp_path / str(number)
+        with contextlib.suppress(ArchiveError), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            unpack(file, folder)
 
 
 def test_damaged_archives(tmp_path: Path) -> None:

@@ -195,6 +195,7 @@ def wasm(made: Made, package: str, executable: str) -> bytes:
     return file.read_bytes()
 
 
+@pytest.mark.exhaustive
 def test_a_draft_is_only_linked_otherwise(workspace: Workspace) -> None:
     workspace.package("quick", "add_executable(quick src/main.cpp)", main="int main() {}\n")
     workspace.site("quick/quick")
@@ -219,6 +220,7 @@ def test_a_draft_is_only_linked_otherwise(workspace: Workspace) -> None:
     assert len(again) > len(published)
 
 
+@pytest.mark.exhaustive
 def test_what_a_draft_left_behind_is_not_published(workspace: Workspace) -> None:
     main = "int main() {}\n"
     both = "add_executable(one src/main.cpp)\nadd_executable(two src/main.cpp)"

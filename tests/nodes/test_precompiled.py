@@ -107,6 +107,7 @@ def test_what_is_made_once_serves_all_sources(compiler: Compiler) -> None:
     assert len(compiler.made()) == 2
 
 
+@pytest.mark.exhaustive
 def test_what_the_compiler_says_is_the_same(compiler: Compiler) -> None:
     wrong = compiler.write("wrong.cpp", NODE.format("std::make_shared<rclcpp::Node>(1, 2);"))
     assert not compiler.is_as_without(wrong)
@@ -131,6 +132,7 @@ def test_a_header_of_the_author_that_stands_in_the_way(compiler: Compiler) -> No
     assert "of the author" in compiler.run(source, f"-I{source.parent}/include").stdout
 
 
+@pytest.mark.exhaustive
 def test_what_is_broken_is_made_again(compiler: Compiler) -> None:
     source = compiler.write("broken.cpp", NODE.format(""))
     before = compiler.made()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
@@ -10,10 +11,10 @@ import pytest
 from playwright.sync_api import Page
 
 from bench import __main__ as bench
-from bench import crowd
+from bench import crowd, kept
 from bench.browser import serving_site
 from bench.counts import SMALLEST
-from bench.figure import Figure
+from bench.figure import Figure, Kept
 
 pytestmark = pytest.mark.chromium
 
@@ -56,3 +57,52 @@ def test_a_part_that_fails_costs_no_other(
     assert '"one"' in kept.read_text()
     assert '"other"' in kept.read_text()
     assert capsys.readouterr().err.endswith("failed: broken\n")
+
+
+def test_the_table_of_the_readme_shows_what_is_kept() -> None:
+    rows = "".join(map(kept.row, json.loads(kept.FILE.read_text())))
+    assert kept.README.read_text().endswith(kept.HEAD + rows)
+
+
+def test_what_became_worse_by_more_than_the_noise_is_named() -> None:
+    before = {"call": Kept(2.0, "", 0.05), "burst": Kept(100, "/s", 0.05), "start": Kept(160, "ms")}
+
+    def run(call: float, burst: float, start: float) -> list[Figure]:
+        return [
+            Figure("call", "µs", call, 100),
+            Figure("burst", "/s", burst),
+            Figure("start", "ms", start),
+            Figure("unknown", "ms", start),
+        ]
+
+    found = kept.median([run(230, 99, 160), run(200, 101, 160), run(202, 400, 160)])
+    assert [figure.ours for figure in found] == [202, 101, 160, 160]
+    assert found[0].noise == pytest.approx(28 / 202)
+    assert kept.changes(found, before) == []
+    slower = kept.median([run(260, 80, 170), run(250, 80, 170), run(255, 81, 170)])
+    assert kept.changes(slower, before) == [
+        "call: 2.00, now 2.55; 27% worse, where single runs differ by 2%",
+        "burst: 100 /s, now 80 /s; 25% worse, where single runs differ by 1%",
+        "start: 160 ms, now 170 ms; 6% worse, where single runs differ by 0%",
+    ]
+    # A single run does not tell how much runs differ.
+    assert kept.changes(kept.median([run(900, 9, 900)]), before) == []
+
+
+def test_what_is_kept_replaces_only_what_was_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("FILE", "README"):
+        copy = tmp_path / getattr(kept, name).name
+        copy.write_text(getattr(kept, name).read_text())
+        monkeypatch.setattr(kept, name, copy)
+    first, *others = json.loads(kept.FILE.read_text())
+    detail = {"runs": [49, 50, 51]}
+    kept.keep([Figure(first["name"], "µs", 50, 40, detail=detail), Figure("new", "ms", 7)])
+    found = json.loads(kept.FILE.read_text())
+    assert found[0]["ours"] == 50
+    assert found[0].keys() == first.keys()
+    assert found[1:-1] == others
+    assert kept.load_kept()["new"] == Kept(7, "ms")
+    assert kept.README.read_text().endswith("| new | 7 ms |  |  |  |\n")
+    assert f"| {first['name']} | 50 µs | 40 µs | 1.25 |  |\n" in kept.README.read_text()

@@ -15,7 +15,7 @@ from sitegen.config.document import parse
 from sitegen.config.level import LEVELS
 from sitegen.config.schema import FRONT_MATTER, Key
 from sitegen.config.section import conforms
-from sitegen.config.widgetkeys import WIDGETS
+from sitegen.config.widgetkeys import LAYOUTS, WIDGETS
 from sitegen.errors import Location, Problems
 from sitegen.model import Widget
 
@@ -25,7 +25,10 @@ SITE_YAML = DOCS.joinpath("site-yaml.md").read_text(encoding="utf-8")
 WRITING = DOCS.joinpath("writing.md").read_text(encoding="utf-8")
 WIDGET_PAGES = "".join(
     DOCS.joinpath(name).read_text(encoding="utf-8")
-    for name in ("widgets.md", "panels.md", "views.md", "plots.md")
+    for name in (
+        *("widgets.md", "panels.md", "notebooks.md", "robots.md"),
+        *("terminal.md", "views.md", "plots.md", "bags.md", "gateway.md", "own-panels.md"),
+    )
 )
 PAGES_PAGE = DOCS.joinpath("pages.md").read_text(encoding="utf-8")
 KEYS = [key for tables in TABLES.values() for keys in tables.values() for key in keys]
@@ -55,10 +58,12 @@ def test_the_keys_of_front_matter_are_described() -> None:
 
 
 def test_every_widget_is_described() -> None:
-    assert re.findall(r"^### (\w+)$", WIDGET_PAGES, flags=re.MULTILINE) == [
-        *("stage", "columns", "grid", "tabs"),
-        *WIDGETS,
-    ]
+    assert re.findall(r"^### (\w+)$", WIDGET_PAGES, flags=re.MULTILINE) == list(WIDGETS)
+
+
+def test_every_layout_is_described() -> None:
+    text = DOCS.joinpath("layouts.md").read_text(encoding="utf-8")
+    assert sorted(re.findall(r"^## ([a-z]\w+)$", text, flags=re.MULTILINE)) == sorted(LAYOUTS)
 
 
 def cells(line: str) -> int:

@@ -18,19 +18,25 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "ignored", "pagepath", "report", "yamlnodes", "options", "model"),
-    *("cache", "workspace", "launch", "config", "interfaces", "nodes", "site", "build"),
-    *("commands", "__main__"),
+    *("errors", "shipped", "ignored", "pagepath", "report", "yamlnodes", "rowe", "options"),
+    *("model", "cache", "workspace", "launch", "config", "interfaces", "nodes", "site", "build"),
+    *("gateway", "commands", "__main__"),
 )
 
 # The same for the browser's modules. Rooms that stand together in a line do not know one another.
 RUNTIME_ROOMS = (
     {"protocol.js", "graphNames.js", "place.js", "engine.js", "interrupt.js", "vendor"},
+    {"worker.js"},
     {"ui"},
     {"messages"},
     {"participant"},
+    {"bag"},
+    {"gateway"},
+    {"terminal"},
     {"page", "workers", "widgets"},
-    {"rosMain.js"},
+    {"client"},
+    {"rosbridge"},
+    {"jupyter", "rosMain.js"},
 )
 MODULES = sorted(file for file in RUNTIME.rglob("*.js") if file.parent.name != "vendor")
 

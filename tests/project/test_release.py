@@ -9,11 +9,13 @@ import zipfile
 from hashlib import sha256
 from pathlib import Path
 
+import pytest
 from distribution import RELEASE, environment
 from paths import ROOT
 from workflow import system, workflow
 
 
+@pytest.mark.exhaustive
 def test_the_steps_of_a_release_end_with_an_sdist_and_a_wheel(dist: Path) -> None:
     wheel, sdist = sorted(dist.iterdir())
     assert sdist.name.startswith("ros_sitegen-") and sdist.name.endswith(".tar.gz")
@@ -28,6 +30,7 @@ def test_the_steps_of_a_release_end_with_an_sdist_and_a_wheel(dist: Path) -> Non
     assert not [name for name in names if "__pycache__" in name or "node_modules" in name]
 
 
+@pytest.mark.exhaustive
 def test_an_sdist_becomes_the_same_wheel_without_node(dist: Path, tmp_path: Path) -> None:
     wheel, sdist = sorted(dist.iterdir())
     time = subprocess.check_output(["git", "log", "-1", "--format=%ct"], cwd=dist, text=True)

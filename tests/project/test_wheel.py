@@ -120,6 +120,7 @@ def computer(dist: Path, tmp_path_factory: pytest.TempPathFactory) -> Computer:
     return Computer(folder, repository, env, [folder / "venv" / "bin", programs])
 
 
+@pytest.mark.exhaustive
 def test_the_workflow_for_pages_runs_from_its_first_step_to_its_last(computer: Computer) -> None:
     pages = workflow(computer.repository / ".github" / "workflows" / "pages.yml")
     assert computer.runner().run(pages, "build") == [
@@ -141,6 +142,7 @@ def test_the_workflow_for_pages_runs_from_its_first_step_to_its_last(computer: C
     }
 
 
+@pytest.mark.exhaustive
 def test_the_workflow_for_nodes_runs_from_its_first_step_to_its_last(computer: Computer) -> None:
     nodes = workflow(computer.repository / ".github" / "workflows" / "nodes.yml")
     assert computer.runner().run(nodes, "compile", **{"${{ inputs.package }}": "cpp_hello"}) == [

@@ -133,6 +133,33 @@ def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
 
 
 @pytest.mark.firefox
+def test_what_somebody_else_wrote_into_the_cache_is_not_served(host: Host, tab: Page) -> None:
+    """All pages of a server share its caches: a page without a policy would be served for good."""
+    url = host.on()
+    tab.goto(url)
+    until(tab, READY)
+    forged = """async (paths) => {
+      for (const name of await caches.keys()) {
+        const cache = await caches.open(name);
+        for (const { url } of await cache.keys()) {
+          if (!paths.includes(new URL(url).pathname)) continue;
+          const { headers } = await cache.match(url);
+          const html = "<script>document.title = 'forged'</script>";
+          await cache.put(url, new Response(html, { headers }));
+        }
+      }
+    }"""
+    tab.evaluate(forged, [PREFIX, f"{PREFIX}more/"])
+    tab.goto(f"{url}more/")
+    expect(tab.get_by_text("The first text.")).to_be_visible()
+    # Without the server, there is nothing instead of something forged.
+    tab.evaluate(forged, [PREFIX, f"{PREFIX}more/"])
+    host.off()
+    with pytest.raises(Error):
+        tab.goto(url)
+    assert tab.title() != "forged"
+
+
 def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")

@@ -143,7 +143,7 @@ def test_the_policy_allows_the_inline_scripts(author: Author) -> None:
             "style-src 'self'",
             "img-src 'self' data:",
             "connect-src 'self'",
-            "worker-src 'self'",
+            "worker-src 'self' blob:",
             "base-uri 'none'",
             "form-action 'none'",
         ]

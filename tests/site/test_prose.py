@@ -171,3 +171,20 @@ def test_tabs_work_by_keyboard_and_without_scripts(tmp_path: Path, tab: Tab, ser
     assert tab.is_hidden("text=first")
     tab.get_by_text("C++").click()
     assert tab.is_visible("text=first")
+
+
+def test_commands_have_buttons_that_a_terminal_shows(tmp_path: Path) -> None:
+    text = (
+        "```ros2\n# Who talks?\n$ ros2 topic list -t\n\nros2 topic pub \\\n  /a b/msg/C '<d>'\n```"
+    )
+    found = html(tmp_path, text)
+    assert '<code class="language-ros2">' in found
+    buttons = re.findall(
+        r'<button type="button" class="run" data-ros-run="(.*?)" hidden>', found, re.DOTALL
+    )
+    assert buttons == [
+        "ros2 topic list -t",
+        "ros2 topic pub \\\n  /a b/msg/C &#39;&lt;d&gt;&#39;",
+    ]
+    assert found.count('<span class="command">') == 2
+    assert "$ ros2 topic list" in re.sub(r"<[^>]*>", "", found)

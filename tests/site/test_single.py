@@ -9,9 +9,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from bags import drive, write_bag
 from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Browser, ConsoleMessage, Page, expect
+from terminal import Terminal
 
 from sitegen.__main__ import main
 
@@ -116,6 +118,47 @@ def test_meshes_are_in_the_file(alone: Page, tmp_path: Path) -> None:
     expect(alone.get_by_role("region", name="trace", exact=True)).to_contain_text("tool at")
     # All displays show what they are for, the robot with its meshes among them.
     expect(view.locator(".ros-displays > summary")).to_have_text("Displays 4")
+
+
+def test_a_bag_is_in_the_file(alone: Page, tmp_path: Path) -> None:
+    site = tmp_path / "site"
+    write_bag(site / "drive.mcap", drive())
+    site.joinpath("site.yaml").write_text(
+        "site: {title: A}\n"
+        "pages: [{path: /, content: [{markdown: '# A'}, {bag: drive.mcap}, {bag: }]}]"
+    )
+    file = tmp_path / "alone.html"
+    assert main(["build", str(site), "--single-file", "/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    player = alone.get_by_role("region", name="Player").first
+    expect(player.locator(".ros-bag-row")).to_have_count(3)
+    expect(player.locator(".ros-name").first).to_have_text("drive.mcap")
+    player.get_by_role("button", name="Play", exact=True).click()
+    expect(player.locator(".ros-bag-time")).to_contain_text("0:01.")
+    recorder = alone.get_by_role("region", name="Recorder")
+    recorder.get_by_role("button", name="Record", exact=True).click()
+    expect(recorder.get_by_role("status").first).to_contain_text("on 3 topics")
+    recorder.get_by_role("button", name="Stop", exact=True).click()
+    expect(recorder.get_by_role("status").first).to_contain_text("Recorded: ")
+
+
+def test_a_terminal_of_a_file_records_and_plays(alone: Page, tmp_path: Path) -> None:
+    site = tmp_path / "site"
+    write_bag(site / "drive.mcap", drive())
+    site.joinpath("site.yaml").write_text(
+        "site: {title: A}\n"
+        "pages: [{path: /, content: [{markdown: '# A'}, {bag: drive.mcap}, {terminal: }]}]"
+    )
+    file = tmp_path / "alone.html"
+    assert main(["build", str(site), "--single-file", "/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    terminal = Terminal(alone)
+    assert terminal.run("ros2 bag info drive.mcap -t") == "/latched\n/places\n/words"
+    line = (
+        "ros2 bag record -a -o again > a 2>&1 & ros2 bag play drive -r 20 > b 2>&1; kill %1; wait"
+    )
+    terminal.run(line)
+    assert terminal.run("ros2 bag info again -t") == "/latched\n/places\n/words"
 
 
 def test_images_and_links_of_a_file(alone: Page, site: Path) -> None:

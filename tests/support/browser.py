@@ -29,9 +29,11 @@ class Scripted(Protocol):
 
     def goto(self, url: str) -> object: ...
 
-    def evaluate(self, expression: str, /) -> Any: ...
+    def evaluate(self, expression: str, argument: Any = None, /) -> Any: ...
 
 
+# A slow machine is no fault of what is tested: what is waited for may take its time (ms).
+TIMEOUT = 60_000
 # A browser that lacks JSPI gets the other build of each node.
 WITHOUT_JSPI = "delete WebAssembly.Suspending; delete WebAssembly.promising;\n"
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium-headless-shell")
@@ -58,10 +60,26 @@ def running(name: str) -> Iterator[Browser]:
             browser = playwright.firefox.launch(executable_path=FIREFOX, channel="moz-firefox")
         else:
             browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        _make_patient(browser)
         try:
             yield browser
         finally:
             browser.close()
+
+
+def _make_patient(browser: Browser) -> None:
+    """Let each page wait as long as `expect` does: the default is half of it."""
+
+    def patient(create: Callable[..., Any]) -> Callable[..., Any]:
+        def created(*args: object, **options: object) -> Any:
+            made = create(*args, **options)
+            made.set_default_timeout(TIMEOUT)
+            return made
+
+        return created
+
+    browser.new_context = patient(browser.new_context)  # type: ignore[method-assign]
+    browser.new_page = patient(browser.new_page)  # type: ignore[method-assign]
 
 
 @contextmanager

@@ -34,7 +34,8 @@ function visit(node, source, file) {
 function nameOf(node) {
   const { parent } = node;
   const name = node.name ?? parent.name;
-  if (name) return name.text;
+  // `[Symbol.iterator]() {}` has a name that is computed.
+  if (name) return name.text ?? "a computed name";
   if (!isCallExpression(parent) && !isNewExpression(parent)) return "a function";
   const { expression } = parent;
   return `an argument of ${(expression.name ?? expression).text ?? "a call"}`;

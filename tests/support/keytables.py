@@ -13,8 +13,10 @@ from paths import ROOT
 from sitegen.config.displays import Kind, kinds
 from sitegen.config.schema import (
     COMPILED,
+    CONNECT,
     DEPLOY,
     FILE,
+    NAMES,
     NODE,
     PAGE,
     PYODIDE,
@@ -22,13 +24,20 @@ from sitegen.config.schema import (
     SITE,
     Key,
 )
-from sitegen.config.widgetkeys import COLUMN, STAGE, THRESHOLD, WIDGETS
+from sitegen.config.widgetkeys import COLUMN, ROW, STAGE, THRESHOLD, WIDGETS
+from sitegen.gateway import schema
 
 # The widgets of one node; all others are panels.
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")
+# Those that move a robot.
+ROBOTS = ("joints", "teleop", "robot")
 # Those that show what nodes measure.
 VIEWS = ("3d", "plot", "value", "image", "camera")
 PLOTS = VIEWS[1:]
+NOTEBOOKS = ("notebook", "jupyter")
+BAGS = ("bag",)
+# Those that an author writes.
+OWN = ("panel",)
 # The keys below each heading of a page.
 TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     "site-yaml.md": {
@@ -43,19 +52,37 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "A node of ROS2WASM": ROS2WASM,
     },
     "pages.md": {"A page": PAGE},
-    "widgets.md": {
-        "stage": STAGE,
-        "columns": COLUMN,
-        **{kind: WIDGETS[kind] for kind in OF_NODES},
+    "gateway.md": {"The key connect": CONNECT, "What meets": NAMES},
+    "gateway-yaml.md": {
+        "The file": schema.FILE,
+        "allow": schema.ALLOW,
+        "limits": schema.LIMITS,
+        "keys": schema.KEYS,
+        "reservations": schema.RESERVATIONS,
+        "record": schema.RECORD,
+        "rowe": schema.ROWE,
+        "A topic of rowe": schema.ROWE_TOPIC,
+        "A service of rowe": schema.ROWE_SERVICE,
     },
+    "widgets.md": {kind: WIDGETS[kind] for kind in OF_NODES},
+    "layouts.md": {"stage": STAGE, "columns": COLUMN, "rows": ROW},
     "panels.md": {
-        kind: keys for kind, keys in WIDGETS.items() if keys and kind not in (*OF_NODES, *VIEWS)
+        kind: keys
+        for kind, keys in WIDGETS.items()
+        if keys and kind not in (*OF_NODES, *ROBOTS, *VIEWS, *NOTEBOOKS, *BAGS, *OWN, "terminal")
     },
+    "notebooks.md": {kind: WIDGETS[kind] for kind in NOTEBOOKS},
+    "robots.md": {kind: WIDGETS[kind] for kind in ROBOTS},
+    "terminal.md": {"terminal": WIDGETS["terminal"]},
     "views.md": {"3d": WIDGETS["3d"]},
     "plots.md": {**{kind: WIDGETS[kind] for kind in PLOTS}, "A threshold": THRESHOLD},
+    "bags.md": {kind: WIDGETS[kind] for kind in BAGS},
+    "own-panels.md": {kind: WIDGETS[kind] for kind in OWN},
 }
 LINKS = {
     "site": "site-yaml.md#site",
+    "connect": "gateway.md#the-key-connect",
+    "names": "gateway.md#what-meets",
     "deploy": "site-yaml.md#deploy",
     "pyodide": "site-yaml.md#pyodide",
     "nodes": "nodes.md#a-node",

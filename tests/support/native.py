@@ -9,9 +9,11 @@ import shutil
 import subprocess
 import sys
 import venv
+from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 
-from paths import SUPPORT
+from paths import ROOT, SUPPORT
 
 HERE = SUPPORT / "ros2"
 REQUIREMENTS = HERE / "requirements.txt"
@@ -64,7 +66,7 @@ class Native:
         """Run a program, of tests/ros2 if only named, and return the lines that it prints."""
         done = subprocess.run(
             [self._python, HERE / program, *arguments],
-            env=self._environment() | {"AMENT_PREFIX_PATH": str(self._folder)},
+            env=self.environment,
             input=stdin,
             text=True,
             capture_output=True,
@@ -72,11 +74,66 @@ class Native:
         assert done.returncode == 0, done.stderr
         return done.stdout.splitlines()
 
+    @property
+    def python(self) -> Path:
+        """Its interpreter."""
+        return self._python
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """The variables for its processes, which find the sitegen of this checkout."""
+        paths = {"AMENT_PREFIX_PATH": str(self._folder), "PYTHONPATH": str(ROOT)}
+        return self._environment() | paths
+
     def _environment(self) -> dict[str, str]:
         # The wheels' start-up hook sets library paths and then this, which a child must not see.
         env = {k: v for k, v in os.environ.items() if k != "_ROS_WHEELS_BOOTSTRAP_COMPLETE"}
         # Other tests, which run at the same time, have graphs of their own.
-        return env | {"ROS_DOMAIN_ID": str(os.getpid() % 100 + 1)}
+        return env | {"ROS_DOMAIN_ID": str(domain())}
+
+
+# The last one is used.
+_domains: list[int] = []
+
+
+def domain() -> int:
+    """Return a domain of ROS that no other process has which runs tests; it keeps it to its end."""
+    if not _domains:
+        _domains.append(free_domain())
+    return _domains[-1]
+
+
+def free_domain() -> int:
+    """Return a domain that no process has; this one keeps it to its end."""
+    folder = test_cache()
+    folder.mkdir(parents=True, exist_ok=True)
+    # Those above 101 need ports that may be in use.
+    first = os.getpid() % 100
+    numbers: list[int] = [*range(first, 100), *range(first)]
+    for number in numbers:
+        lock = os.open(folder / f"domain-{number + 1}.lock", os.O_RDWR | os.O_CREAT)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(lock)
+        else:
+            return number + 1
+    raise AssertionError("a hundred processes run tests")
+
+
+@contextmanager
+def in_domain(number: int) -> Iterator[None]:
+    """Use another domain meanwhile."""
+    _domains.append(number)
+    try:
+        yield
+    finally:
+        _domains.pop()
+
+
+def own_domain() -> AbstractContextManager[None]:
+    """Use a free domain meanwhile, without robots that other tests have started or killed."""
+    return in_domain(free_domain())
 
 
 def test_cache() -> Path:

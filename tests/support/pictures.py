@@ -17,6 +17,11 @@ from sitegen.report import Report
 PICTURES = ROOT / "docs" / "images"
 # Width to height.
 SHAPE = 1.6
+TUTORIAL = [
+    "Run ros2 run turtlesim turtlesim_node &",
+    "Run ros2 topic pub -r 1",
+    "Run ros2 topic echo /turtle1/pose --once",
+]
 # What is pressed in each demo, the text that is waited for, and the part that the picture shows.
 SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo01": ([], "Hello, world! 6", ".ros-panel"),
@@ -30,6 +35,9 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo09": (["Start", "Start"], "", ".columns"),
     "demo10": (["Random"], "tool at", ".columns"),
     "demo11": ([], "Drive me", ".columns"),
+    "demo12": (["Play"], "0:09.", ".columns"),
+    "demo13": (["Run all"], "x 7.5", ".columns"),
+    "demo14": (TUTORIAL, "linear_velocity", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 

@@ -25,11 +25,12 @@ from sitegen.report import Report
 ASYNCIFY = {ROOT, *(SITES / name for name in ("engines", "faults", "services"))}
 # Its tests run with `--all` only.
 BENCH = ROOT / "bench" / "site"
-# That of ROS2WASM is complete only when a fixture has compiled its program as that project does.
+# These are complete only when a fixture has added the packages of a demo.
+PARTS = {"lab", "ros2wasm"}
 EVERY = [
     ROOT,
     BENCH,
-    *sorted(file.parent for file in SITES.glob("*/site.yaml") if file.parent.name != "ros2wasm"),
+    *sorted(file.parent for file in SITES.glob("*/site.yaml") if file.parent.name not in PARTS),
 ]
 
 

@@ -9,7 +9,7 @@ TARGET = 44
 # What WCAG 1.4.3 asks for.
 CONTRAST = 4.5
 
-# A checkbox is pressed by its label, too.
+# A checkbox is pressed by its label, too. The whole screen of a terminal leads to its field.
 SMALL = """(least) => {
   const all = document.querySelectorAll(`button, input, select, textarea, summary, .ros-bar a,
     .tools a, .tabbed-labels label`);
@@ -18,7 +18,8 @@ SMALL = """(least) => {
     const target = boxed ? (element.closest("label, .ros-flag") ?? element) : element;
     const { width, height } = target.getBoundingClientRect();
     const seen = width > 0 && getComputedStyle(target).visibility === "visible";
-    if (!seen || element.matches(".tabbed-set > input") || height > least - 0.1) return [];
+    const covered = element.matches(".tabbed-set > input, .xterm-helper-textarea");
+    if (!seen || covered || height > least - 0.1) return [];
     const text = target.textContent.trim() || element.getAttribute("aria-label") || "";
     return [`${element.localName}.${element.className} '${text}' is ${height} px high`];
   });

@@ -68,6 +68,9 @@ export function updateText(old, fresh) {
 export function updateNodes(old, fresh, { ros, editing }) {
   const types = Object.entries(old.types ?? {}).filter(([name, type]) => name in (fresh.types ?? {}) &&
     different(type, fresh.types?.[name]));
+  // A script has run, and cannot be undone.
+  const given = /** @type {const} */ (["script", "interfaces", "messagesFrom"]);
+  if (given.some((key) => different(old[key], fresh[key]))) return undefined;
   if (types.length || Boolean(old.types) !== Boolean(fresh.types) || old.isolate !== fresh.isolate) return undefined;
   // Widgets heed what nodes need when they are mounted.
   const same = (/** @type {[string, NodeEntry]} */ [name, { needs }]) => !(name in old.nodes) || !different(needs, old.nodes[name]?.needs);

@@ -40,7 +40,7 @@ def build_version(
     check_output(output)
     made, artifacts = assemble(folder, version, output, report, options)
     write(artifacts, output)
-    for line in summary(made.site, made.programs, verbose=verbose):
+    for line in summary(made.site, made.programs, made.artifacts, verbose=verbose):
         report.say(line)
     report.say(
         f"built version {version.name} of {count(len(read(output)), 'version')} in"

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
+from sitegen.cache.digest import digest_of
+
 # Emscripten of Debian uses acorn, which its Node finds only in this folder.
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
 # The folders of Eigen in Debian, after `make install`, and in Homebrew.
@@ -42,8 +44,8 @@ class Toolchain:
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
         eigen = _eigen()
-        # Programs depend on the version of Eigen.
-        identity = _identity(compiler) + (f" {eigen.stat().st_mtime_ns}" if eigen else "")
+        # Programs depend on the version of Eigen, not on when it was installed.
+        identity = _identity(compiler) + (f" {digest_of([eigen])}" if eigen else "")
         return Toolchain(compiler, cmake, ninja, identity, eigen)
 
     def run(

@@ -5,13 +5,15 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import re
 import stat
+import struct
 import tempfile
 import zipfile
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -25,6 +27,21 @@ MANIFEST = "manifest.json"
 ENGINES = ("jspi", "asyncify")
 # The maximum sizes of an archive, packed and unpacked.
 LARGEST, LARGEST_UNPACKED = 200_000_000, 800_000_000
+# Those of a JSON file, which takes up to 30 times its size in memory, and of the list of files.
+LARGEST_JSON, LARGEST_LIST = 4_000_000, 2_000_000
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+PIECE = 2**20
+# What `zipfile` raises for data that is no archive, beside OSError for an impossible offset.
+INVALID = (
+    zipfile.BadZipFile,
+    zlib.error,
+    struct.error,
+    EOFError,
+    NotImplementedError,
+    OverflowError,
+    RuntimeError,
+    ValueError,
+)
 MOST_NODES = 1000
 PACKAGE = re.compile(r"[A-Za-z][\w-]{0,99}", re.ASCII)
 EXECUTABLE = re.compile(r"\w[\w-]{0,99}(\.[\w-]{1,99})*", re.ASCII)
@@ -76,9 +93,14 @@ def unpack(archive: Path, to: Path) -> None:
     with tempfile.TemporaryDirectory(dir=to.parent) as temporary:
         fresh = Path(temporary) / "new"
         try:
+            _check_list(archive)
             with zipfile.ZipFile(archive) as opened:
                 _extract(opened, fresh)
-        except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError):
+        except INVALID:
+            raise ArchiveError("it is not a valid zip archive") from None
+        except OSError as error:
+            if error.errno != errno.EINVAL:
+                raise
             raise ArchiveError("it is not a valid zip archive") from None
         if not to.exists():
             fresh.rename(to)
@@ -102,6 +124,23 @@ def _build(folder: Path, package: str, executable: str, engine: str) -> Build:
     return Build(engine, folder / script, folder / wasm, folder / _types(package, executable))
 
 
+def _check_list(archive: Path) -> None:
+    """Refuse a list of files that is too large, which `zipfile` reads whole when it opens one.
+
+    Its size stands in the record at the end (APPNOTE.TXT of PKWARE, 4.3.16), or in another one for
+    sizes of over 4 GB, which these archives do not need.
+    """
+    with archive.open("rb") as file:
+        file.seek(-min(archive.stat().st_size, 2**16 + 100), 2)
+        end = file.read()
+    found = end.rfind(b"PK\5\6")
+    if found < 0 or b"PK\6\7" in end[max(0, found - 20) : found]:
+        raise zipfile.BadZipFile
+    [size] = struct.unpack_from("<L", end, found + 12)
+    if size > LARGEST_LIST:
+        raise ArchiveError("it contains too many files")
+
+
 def _extract(archive: zipfile.ZipFile, to: Path) -> None:
     entries = archive.infolist()
     names = [entry.filename for entry in entries]
@@ -110,7 +149,7 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
     if len(set(names)) < len(names):
         raise ArchiveError("it contains two files with the same name")
     left = LARGEST_UNPACKED
-    manifest = _read(archive, archive.getinfo(MANIFEST), left)
+    manifest = b"".join(_read(archive, MANIFEST, left))
     nodes = _nodes(manifest)
     wanted = {MANIFEST, *(_types(package, executable) for package, executable, _ in nodes)}
     wanted |= {
@@ -122,27 +161,36 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
         kind = stat.S_IFMT(entry.external_attr >> 16)
         is_file = kind in (0, stat.S_IFREG) and entry.filename in wanted
         if not is_file and not (kind in (0, stat.S_IFDIR) and entry.filename in folders):
-            raise ArchiveError(f"it contains the unexpected file '{entry.filename}'")
+            raise ArchiveError(f"it contains the unexpected file {entry.filename!r:.120}")
+        if entry.compress_type not in METHODS:
+            raise ArchiveError(f"its '{entry.filename}' is not compressed with 'deflate'")
     missing = sorted(wanted - set(names))
     if missing:
         raise ArchiveError(f"'{missing[0]}' is missing")
     for name in sorted(wanted):
-        data = _read(archive, archive.getinfo(name), left)
-        left -= len(data)
-        if name.endswith(".types.json") and not isinstance(_json(data, name), dict):
-            raise ArchiveError(f"its '{name}' does not contain a JSON object")
         file = to / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_bytes(data)
+        with file.open("wb") as written:
+            for data in _read(archive, name, left):
+                written.write(data)
+                left -= len(data)
+        if name.endswith(".types.json") and not isinstance(_json(file.read_bytes(), name), dict):
+            raise ArchiveError(f"its '{name}' does not contain a JSON object")
 
 
-def _read(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, most: int) -> bytes:
+def _read(archive: zipfile.ZipFile, name: str, left: int) -> Iterator[bytes]:
+    """Yield the contents of a file in pieces, and raise ArchiveError after `left` bytes."""
+    is_json = name.endswith(".json")
+    most = min(left, LARGEST_JSON) if is_json else left
     # The size in the header may be wrong.
-    with archive.open(entry) as file:
-        data = file.read(most + 1)
-    if len(data) > most:
-        raise ArchiveError(f"it is larger than {LARGEST_UNPACKED:,} bytes when unpacked")
-    return data
+    with archive.open(name) as file:
+        while data := file.read(PIECE):
+            most -= len(data)
+            if most < 0 and is_json and left > LARGEST_JSON:
+                raise ArchiveError(f"its '{name}' is larger than {LARGEST_JSON:,} bytes")
+            if most < 0:
+                raise ArchiveError(f"it is larger than {LARGEST_UNPACKED:,} bytes when unpacked")
+            yield data
 
 
 def _nodes(manifest: bytes) -> list[tuple[str, str, Sequence[str]]]:

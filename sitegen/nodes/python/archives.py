@@ -14,7 +14,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, dependencies, imports
+from sitegen.nodes.python import bytecode, dependencies, imports, ipython
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
@@ -34,6 +34,20 @@ OF_RCLPY = {
     *("rcl_interfaces/msg/Log", "rcl_interfaces/msg/ParameterEvent"),
     *(f"rcl_interfaces/srv/{name}" for name in SERVICES),
     "type_description_interfaces/srv/GetTypeDescription",
+}
+# Those of a server or client of actions, beside its own.
+OF_ACTIONS = {"action_msgs/srv/CancelGoal", "action_msgs/msg/GoalStatusArray"}
+# Those that rclpy uses for programs with these words, which do not import them.
+USED = {
+    "rclpy.lifecycle": (
+        *(f"lifecycle_msgs/srv/{name}" for name in ("GetState", "ChangeState")),
+        "lifecycle_msgs/srv/GetAvailableTransitions",
+        "lifecycle_msgs/msg/TransitionEvent",
+    ),
+    "enable_logger_service": (
+        "rcl_interfaces/srv/GetLoggerLevels",
+        "rcl_interfaces/srv/SetLoggerLevels",
+    ),
 }
 COMMON = "nodes/ros.zip"
 # sitegen's arrays under the name of numpy, for programs that need no more of it.
@@ -117,6 +131,9 @@ def bundle(
         }
         archives |= {path: wheel.data for path, wheel in others.items()}
         ours = [NUMPY] if (package, executable) in small else []
+        if (package, executable) == (workspace.SITEGEN, workspace.NOTEBOOK):
+            archives[ipython.PATH] = ipython.archive()
+            ours.append(ipython.PATH)
         needed[package, executable] = (COMMON, *ours, *others, _own(package))
         paths = [path.split("/") for path, _ in _installed(needs[package])]
         own[package, executable] = sorted(
@@ -261,7 +278,10 @@ def _types(packages: Iterable[Package], prefix: Path) -> dict[str, MessageType]:
             names |= set(_imported(TYPED, shares))
         for text in _sources(package):
             names |= set(_imported(text, shares))
-    parts = {"srv": ("_Request", "_Response"), "msg": ("",)}
+            names |= {one for word, ones in USED.items() if word in text for one in ones}
+    if any("/action/" in name for name in names):
+        names |= OF_ACTIONS
+    parts = {"srv": ("_Request", "_Response"), "msg": ("",), "action": ("",)}
     every = (name + part for name in names for part in parts.get(name.split("/")[1], ()))
     return messages.types(every, [prefix])
 

@@ -61,13 +61,13 @@ function indent(line) {
 
 /** @param {any} value @param {string} base @param {number} limit @param {(text: string) => string} quote */
 function scalar(value, base, limit, quote) {
-  if (isFloat(base)) return float(value);
+  if (isFloat(base)) return floatText(value);
   if (typeof value !== "string") return String(value);
   return quote(value.length > limit ? `${value.slice(0, limit)}...` : value);
 }
 
 /** Format a number as Python does, which uses exponents sooner than JavaScript. @param {number} value */
-function float(value) {
+export function floatText(value) {
   if (Number.isNaN(value)) return ".nan";
   if (!Number.isFinite(value)) return value < 0 ? "-.inf" : ".inf";
   if (value === 0) return Object.is(value, -0) ? "-0.0" : "0.0";

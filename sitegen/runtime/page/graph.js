@@ -2,7 +2,7 @@
 // The ROS graph of the page: all endpoints, which of them match, and which workers are linked. Messages do not pass
 // through here; they travel through the ports that the graph gives to workers.
 
-import { incompatibility, sends } from "../protocol.js";
+import { gidOf, incompatibility, sends } from "../protocol.js";
 import { isEndpoint } from "./reports.js";
 
 /** @import { Endpoint, FromWorker, Mismatch, ToWorker } from "../protocol.js" */
@@ -163,9 +163,9 @@ export class Graph extends EventTarget {
 
   /** All endpoints, in the order of their creation. */
   endpoints() {
-    return [...this.#participants.values()].flatMap(({ program, endpoints, missed }) =>
+    return [...this.#participants.values()].flatMap(({ id, program, endpoints, missed }) =>
       [...endpoints.values()].map((endpoint) => ({
-        ...endpoint, program, missed: missed.get(endpoint.id) ?? 0,
+        ...endpoint, gid: gidOf(id, endpoint.id), program, missed: missed.get(endpoint.id) ?? 0,
       })),
     );
   }

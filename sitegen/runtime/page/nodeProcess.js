@@ -3,10 +3,11 @@
 
 import { engine } from "../engine.js";
 import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
+import { compile } from "./compile.js";
 import { obstacle } from "./isolation.js";
 import { place } from "../place.js";
 import { faultOf } from "./reports.js";
-import { startWorker } from "./workerGroup.js";
+import { startWorker } from "../worker.js";
 
 /** @import { FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
 /** @import { Graph } from "./graph.js" */
@@ -39,6 +40,10 @@ export class NodeProcess extends EventTarget {
   #early = [];
   /** The files of a Python node that the visitor has changed, by path. @type {Record<string, string>} */
   #edits = {};
+  /** Those that the visitor chose. @type {string[] | undefined} */
+  #arguments;
+  /** The exit code of the last run; undefined if it was terminated, or still runs. @type {number | undefined} */
+  code = undefined;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #grace;
 
@@ -57,6 +62,8 @@ export class NodeProcess extends EventTarget {
     this.since = Date.now();
     /** The size of its WebAssembly memory in bytes; 0 if unknown. */
     this.memory = 0;
+    /** Whether the one who started it tells its exit code. */
+    this.quiet = false;
     /** How it reads its standard input; undefined if it does not. @type {Keyboard | undefined} */
     this.keyboard = undefined;
     this.#entry = entry;
@@ -86,6 +93,26 @@ export class NodeProcess extends EventTarget {
     return this.#entry.needs ?? [];
   }
 
+  /** What page.json says of it. */
+  get entry() {
+    return this.#entry;
+  }
+
+  /** Whether it takes arguments. */
+  get configurable() {
+    return Boolean(this.#entry.builds || this.#entry.python);
+  }
+
+  /** The arguments of its next start. */
+  get arguments() {
+    return this.#arguments ?? this.#entry.arguments;
+  }
+
+  /** Use other arguments from the next start on; undefined restores its own. @param {string[] | undefined} words */
+  override(words) {
+    this.#arguments = words;
+  }
+
   /** Start the program, or start it again as soon as it has stopped. */
   start() {
     if (this.#state === "stopping") this.#startAgain = true;
@@ -94,6 +121,7 @@ export class NodeProcess extends EventTarget {
       this.#fail(`did not build: ${this.#entry.fault}`);
       return;
     }
+    this.code = undefined;
     this.#setState("starting");
     const { builds = {}, python, ros2wasm } = this.#entry;
     if (ros2wasm) {
@@ -117,8 +145,8 @@ export class NodeProcess extends EventTarget {
     this.#launch("cpp/cppNode", async (id, worker) => {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
-      const { executable: name, arguments: args } = this.#entry;
-      return { op: "start", id, engine: built, module, name, arguments: args, lines };
+      const { executable: name } = this.#entry;
+      return { op: "start", id, engine: built, module, name, arguments: this.arguments, lines };
     });
   }
 
@@ -129,7 +157,8 @@ export class NodeProcess extends EventTarget {
       return;
     }
     const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
-    const { executable: name, arguments: args } = this.#entry;
+    const { executable: name } = this.#entry;
+    const args = this.arguments;
     const program = { ...entry, bundles };
     // Programs share an interpreter as stacks of it, which JSPI sets aside.
     const group = engine === "jspi" ? entry.group : undefined;
@@ -269,13 +298,17 @@ export class NodeProcess extends EventTarget {
       case "ready":
         this.dispatchEvent(new CustomEvent("ready", { detail: message.more }));
         break;
+      case "answer":
       case "words":
       case "checked":
         this.dispatchEvent(new CustomEvent(message.op, { detail: message }));
         break;
       case "exit":
+        this.code = message.error && !message.code ? 1 : message.code;
         if (message.error) {
           this.#fail(message.error);
+        } else if (message.code !== 0 && this.quiet) {
+          this.#end("failed");
         } else if (message.code !== 0 && (this.#state !== "stopping" || this.#entry.python)) {
           this.#fail(`exited with code ${message.code}`);
         } else {
@@ -358,15 +391,4 @@ export class NodeProcess extends EventTarget {
 function dismiss(worker) {
   if (worker instanceof Worker) worker.terminate();
   else worker.leave();
-}
-
-/** Fetch and compile a program. @param {string} url */
-async function compile(url) {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url} could not be loaded (${response.status})`);
-  // Servers that do not know the media type of WebAssembly prevent compiling during the download.
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) {
-    return WebAssembly.compileStreaming(response);
-  }
-  return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -61,8 +61,11 @@ const CHECKS = {
   memory: ({ bytes }) => isCount(bytes),
   reading: ({ keyboard }) => KEYBOARDS.includes(keyboard),
   ready: ({ more }) => typeof more === "boolean",
+  answer: ({ text }) => isText(text),
   words: ({ text, words }) => isText(text) && isList(words, isText),
   checked: ({ text, line, error }) => isText(text) && isCount(line) && isText(error),
+  // Only workers of the page itself have something to tell; who asked for it knows what.
+  tell: () => true,
   // Python has exit codes of any size.
   exit: ({ code, error }) => ["number", "bigint"].includes(typeof code) && isText(error),
 };

@@ -30,6 +30,10 @@ export class Sharing {
   #told = false;
   /** The nodes that start if the visitor agrees. @type {Set<string>} */
   #asked = new Set();
+  /** The nodes that start when their widgets have restored their options. @type {Set<string>} */
+  #later = new Set();
+  /** The widgets that restore their state. @type {(void | Promise<void>)[]} */
+  #restoring = [];
   #trusted;
 
   /** @param {PageEntry} page @param {string} fragment of the page's address */
@@ -79,9 +83,22 @@ export class Sharing {
     const chosen = this.#page.widgets.some(({ kind, target }) => STARTING.includes(kind) && target === name);
     if (!this.#given.run || !chosen) return Boolean(entry?.autostart);
     if (!this.#given.run.includes(name)) return false;
-    if (this.#trusted || entry?.autostart) return true;
-    this.#asked.add(name);
+    const changed = this.#hasOptions(name);
+    if (!changed && (this.#trusted || entry?.autostart)) return true;
+    (this.#trusted ? this.#later : this.#asked).add(name);
     return false;
+  }
+
+  /** Whether the link starts a node with other arguments, which its buttons show. @param {string} name */
+  #hasOptions(name) {
+    return this.#page.widgets.some(({ kind, target, element }) =>
+      kind === "buttons" && target === name && this.#given.show[this.#names.get(element) ?? ""]?.options);
+  }
+
+  /** Start the nodes that had to wait for their widgets. @param {Map<string, NodeHandle>} nodes */
+  async begin(nodes) {
+    await Promise.all(this.#restoring);
+    for (const name of this.#later) nodes.get(name)?.start();
   }
 
   /** Ask the visitor whether to start the nodes of the link that wait. @param {Map<string, NodeHandle>} nodes */
@@ -95,8 +112,8 @@ export class Sharing {
 
   /**
    * Make the state of a widget part of links; see Ros in protocol.js.
-   * @param {{id: string}} element @param {Record<string, "string" | "boolean" | "object">} shape
-   * @param {() => Shared} read @param {(state: Shared, odd: () => void) => void} restore
+   * @param {{id: string}} element @param {Record<string, "string" | "boolean" | "number" | "object">} shape
+   * @param {() => Shared} read @param {(state: Shared, odd: () => void) => void | Promise<void>} restore
    */
   keep(element, shape, read, restore) {
     const name = this.#names.get(element.id) ?? "";
@@ -107,10 +124,10 @@ export class Sharing {
     const known = Object.entries(given).filter(([key, value]) =>
       Object.hasOwn(shape, key) && typeof value === shape[key] && value !== null);
     if (known.length < Object.keys(given).length) this.#odd = true;
-    restore(Object.fromEntries(known), () => {
+    this.#restoring.push(restore(Object.fromEntries(known), () => {
       this.#odd = true;
       this.tell();
-    });
+    }));
   }
 
   /**

@@ -4,12 +4,14 @@
 import { place } from "../place.js";
 
 /** @import { WidgetEntry } from "../protocol.js" */
-/** @typedef {(element: any, ros: any, options: any) => () => void} Mount */
+/** @typedef {(element: any, ros: any, options: any) => (() => void) & {ready?: Promise<unknown>}} Mount */
 
 export class Widgets {
   /** The unmount functions, by the id of the element. @type {Map<string, () => void>} */
   #unmounts = new Map();
   #known;
+  /** Called with the element of a panel that was mounted. @type {(element: HTMLElement) => void} */
+  mounted = () => {};
 
   /** @param {Record<string, Mount>} known the widgets that are loaded already, by kind */
   constructor(known) {
@@ -28,7 +30,11 @@ export class Widgets {
     /** @type {Mount} */
     const mount = this.#known[kind] ?? (await import(place(`widgets/${kind}.js`))).mount;
     this.unmount(element);
-    this.#unmounts.set(element, mount(document.getElementById(element), ros, { node: target, ...options }));
+    const unmount = mount(document.getElementById(element), ros, { node: target, ...options });
+    this.#unmounts.set(element, unmount);
+    if (!(kind in this.#known)) this.mounted(/** @type {HTMLElement} */ (document.getElementById(element)));
+    // A panel of the author's loads its own module.
+    await unmount.ready;
   }
 
   /** Unmount the widget in an element, or all widgets. @param {string} [element] its id */

@@ -2,14 +2,9 @@
 // Start workers, for one node or for a group of Python nodes that share an interpreter.
 
 import { sharedByte } from "../interrupt.js";
-import { moduleWorkers, place } from "../place.js";
+import { startWorker } from "../worker.js";
 
 /** @import { ToWorker } from "../protocol.js" */
-
-/** @param {string} file of the worker, below workers/ @param {string} name for debuggers */
-export function startWorker(file, name) {
-  return new Worker(place(`workers/${file}.js`), { type: moduleWorkers ? "module" : "classic", name });
-}
 
 export class WorkerGroups {
   /** By name. @type {Map<string, {worker: Worker, byte?: Uint8Array, members: Set<Member>}>} */

@@ -12,13 +12,15 @@ const RECEIVER = { publisher: "subscription", client: "service" };
 
 export class Endpoints {
   #worker;
+  #apart;
   /** @type {Map<number, Local>} */
   #locals = new Map();
   #nextId = 1;
 
-  /** @param {number} worker its id */
-  constructor(worker) {
+  /** @param {number} worker its id @param {boolean} apart whether they do not match each other */
+  constructor(worker, apart) {
     this.#worker = worker;
+    this.#apart = apart;
   }
 
   /** @param {number} id */
@@ -39,7 +41,7 @@ export class Endpoints {
     const endpoint = { id: this.#nextId++, ...description };
     const local = new Local(endpoint, actionsOf(endpoint.id));
     this.#locals.set(endpoint.id, local);
-    for (const other of this.#locals.values()) this.#meet(local, other);
+    if (!this.#apart) for (const other of this.#locals.values()) this.#meet(local, other);
     return endpoint;
   }
 

@@ -1,6 +1,7 @@
 // @ts-check
 // An endpoint of this worker: which endpoints match it, what it sends and which messages wait at it.
 
+import { Admission } from "./admission.js";
 import { Queue } from "./queue.js";
 import { Reader } from "./reader.js";
 import { Status } from "./status.js";
@@ -17,7 +18,9 @@ import { Writer } from "./writer.js";
  *   changed(): void,
  *   send(remote: Remote, sample: Sample, last: boolean): void,
  *   credit(writer: number, records: number, bytes: number): void,
- * }} Actions what an endpoint calls: after an event; to send a message, as Writer says; to give a publisher credits
+ *   refuse(writer: number, what: string): void,
+ * }} Actions what an endpoint calls: after an event; to send a message, as Writer says; to give a publisher credits; to
+ *   tell that it drops what a writer had no right to send
  */
 
 export class Local {
@@ -31,13 +34,15 @@ export class Local {
   reader;
   /** Of a service or a client. @type {Queue | undefined} */
   #queue;
+  #admission;
   /** The number of requests that a client has sent. */
   requests = 0;
 
   /** @param {Endpoint} endpoint @param {Actions} actions */
-  constructor(endpoint, { changed, send, credit }) {
+  constructor(endpoint, { changed, send, credit, refuse }) {
     this.endpoint = endpoint;
     const { kind, qos } = endpoint;
+    this.#admission = new Admission(kind, refuse);
     this.status = new Status(changed);
     if (kind === "publisher") {
       this.writer = new Writer(qos, this.status, send);
@@ -49,12 +54,13 @@ export class Local {
     }
   }
 
-  /** @param {Remote} remote */
+  /** Return whether the program missed a message, of those that were early. @param {Remote} remote */
   match(remote) {
     this.remotes.push(remote);
     this.status.add("matched", 1, 1);
     this.reader?.match(remote);
     this.writer?.match(remote);
+    return this.#admission.match(remote.gid).map((sample) => this.#add(sample)).some(Boolean);
   }
 
   /** @param {number} gid of the other endpoint */
@@ -62,6 +68,7 @@ export class Local {
     const at = this.remotes.findIndex((remote) => remote.gid === gid);
     if (at < 0) return;
     this.remotes.splice(at, 1);
+    this.#admission.unmatch(gid);
     this.reader?.unmatch(gid);
     this.writer?.unmatch(gid);
     this.status.add("matched", 0, -1);
@@ -72,8 +79,26 @@ export class Local {
     this.status.add(policy === "TYPE" ? "type" : "incompatible", 1, 0, policy);
   }
 
-  /** Add a message that arrived. Return whether the program missed a message. @param {Received} sample */
+  /** A client has sent a request. @param {number} sequence @param {number} server its gid */
+  ask(sequence, server) {
+    this.#admission.ask(sequence, server);
+  }
+
+  /**
+   * Add a message that arrived, if its writer may send it. Return whether the program missed a message.
+   * @param {Received} sample
+   */
   push(sample) {
+    return this.#admission.admits(sample) && this.#add(sample);
+  }
+
+  /** A publisher has asserted its liveliness. @param {number} gid */
+  hear(gid) {
+    if (this.#admission.knows(gid)) this.reader?.hear(gid);
+  }
+
+  /** @param {Received} sample */
+  #add(sample) {
     this.#queue?.push(sample);
     if (!this.reader) return false;
     const { missed } = this.reader;

@@ -30,17 +30,20 @@ export class Participant {
   #announced;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #report;
+  /** Workers of which something was refused. @type {Set<number>} */
+  #refused = new Set();
   /** The number of events so far, of all endpoints: unless it has changed, there is no new one. */
   events = 0;
 
   /**
    * @param {number} id of this worker in the page
    * @param {(message: FromWorker) => void} post to the page
+   * @param {boolean} [apart] whether its own endpoints do not match each other: they stand for others, elsewhere
    */
-  constructor(id, post) {
+  constructor(id, post, apart = false) {
     this.#id = id;
     this.#post = post;
-    this.#endpoints = new Endpoints(id);
+    this.#endpoints = new Endpoints(id, apart);
     this.#links = new Links(id, (peer) => this.#listenerOf(peer));
     this.#surroundings = new Surroundings(post);
     this.#announced = new Announced(post);
@@ -75,9 +78,10 @@ export class Participant {
    * Send a copy of `message` to all subscriptions that match the publisher `id`. Return false if the publisher keeps
    * all messages and its history is full.
    * @param {number} id @param {Uint8Array} message
+   * @param {boolean} [latched] whether it was sent long ago, so that it is for transient local subscriptions only
    */
-  publish(id, message) {
-    return this.#endpoints.get(id)?.writer?.publish(message) ?? true;
+  publish(id, message, latched) {
+    return this.#endpoints.get(id)?.writer?.publish(message, latched) ?? true;
   }
 
   /** Whether a reliable subscription has not yet got all messages of the publisher `id`. @param {number} id */
@@ -102,7 +106,10 @@ export class Participant {
     if (!local) return 0;
     const sequence = ++local.requests;
     const server = local.remotes[0];
-    if (server) this.#ask(id, server, { sequence, timestamp: now(), message });
+    if (server) {
+      local.ask(sequence, server.gid);
+      this.#ask(id, server, { sequence, timestamp: now(), message });
+    }
     return sequence;
   }
 
@@ -214,7 +221,8 @@ export class Participant {
         break;
       case "match": {
         const { local, peer, remote: id, qos } = message;
-        this.#endpoints.get(local)?.match({ gid: gidOf(peer, id), peer, id, qos });
+        const missed = this.#endpoints.get(local)?.match({ gid: gidOf(peer, id), peer, id, qos });
+        if (missed) this.#reportMissed();
         this.#links.flush(peer);
         break;
       }
@@ -250,6 +258,7 @@ export class Participant {
         const { peer, id: there } = splitGid(writer);
         this.#links.tell(peer, { op: "credit", writer: there, reader: id, records, bytes });
       },
+      refuse: (writer, what) => this.#refuse(splitGid(writer).peer, what),
     };
   }
 
@@ -261,7 +270,7 @@ export class Participant {
         this.#endpoints.get(writer)?.writer?.credit(gidOf(peer, reader), records, bytes);
         this.#links.flush(peer);
       },
-      hear: (writer, reader) => this.#endpoints.get(reader)?.reader?.hear(gidOf(peer, writer)),
+      hear: (writer, reader) => this.#endpoints.get(reader)?.hear(gidOf(peer, writer)),
       wake: () => this.wake(),
       complain: (text) => this.#post({ op: "complain", peer, text }),
     };
@@ -296,6 +305,13 @@ export class Participant {
     const local = this.#endpoints.get(reader);
     const missed = local?.push({ writer: gidOf(peer, writer), sequence, timestamp, received, message });
     if (missed) this.#reportMissed();
+  }
+
+  /** Tell once that a worker sent what it had no right to send. @param {number} peer @param {string} what */
+  #refuse(peer, what) {
+    if (this.#refused.has(peer)) return;
+    this.#refused.add(peer);
+    this.#post({ op: "complain", peer, text: `sent ${what}; it was dropped` });
   }
 
   #reportMissed() {

@@ -55,8 +55,7 @@ export class Reader {
     const { manual, lease } = remote.qos;
     if (lease === Infinity) return;
     source.lease = new Watch(manual ? lease : Infinity, () => this.#setAlive(source, false), false);
-    // Its messages may arrive before the news of the match.
-    if (!manual || source.last > 0) this.#live(source);
+    if (!manual) this.#live(source);
   }
 
   /** @param {number} gid of the publisher */

@@ -72,16 +72,18 @@ export class Writer {
   /**
    * Send a copy of `message` to all readers that have room, and keep one for the others. Return false, without doing
    * anything, if the history is full and must not lose messages.
-   * @param {Uint8Array} message
+   * @param {Uint8Array} message @param {boolean} [latched] whether it is for transient local readers only
    */
-  publish(message) {
+  publish(message, latched = false) {
     this.#expire();
     if (this.#exceeds(0) && this.#mustKeep()) return false;
     const size = message.length;
     const sample = { sequence: ++this.#sequence, timestamp: now(), size, message };
     let keep = this.#qos.transientLocal;
     for (const flow of this.#flows) {
-      if (flow.next === sample.sequence && hasRoom(flow)) {
+      if (latched && flow.next === sample.sequence && !flow.remote.qos.transientLocal) {
+        flow.next += 1;
+      } else if (flow.next === sample.sequence && hasRoom(flow)) {
         this.#pass(flow, sample, false);
       } else {
         keep = true;

@@ -7,6 +7,9 @@ import {
   StateEffect, StateField, syntaxHighlighting, tags,
 } from "../vendor/codemirror.js";
 
+// In the same bundle, since both need CodeMirror.
+export { wrongLine } from "./pythonSyntax.js";
+
 const LOOK = EditorView.theme({
   "&": { color: "var(--text)", backgroundColor: "var(--surface)", height: "100%", fontSize: "0.875rem" },
   // Above the line numbers, which would cover an outline.

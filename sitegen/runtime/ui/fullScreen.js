@@ -8,7 +8,7 @@ const FILLING = "ros-filling";
 
 /** @param {HTMLElement} element of the widget */
 export function fullScreenButton(element) {
-  const press = button("⛶", "ros-icon", () => {
+  const press = button("", "ros-full", () => {
     const panel = element.closest(".ros-panel") ?? element;
     if (document.fullscreenElement) document.exitFullscreen();
     else if (panel.classList.contains(FILLING)) panel.classList.remove(FILLING);
@@ -19,4 +19,12 @@ export function fullScreenButton(element) {
   press.setAttribute("aria-label", say("Full screen"));
   press.title = say("Full screen");
   return press;
+}
+
+/** Let the panel of a widget fill the screen by a button in its bar, unless it has one. @param {HTMLElement} element */
+export function addFullScreen(element) {
+  // Lines have it among their tools, and the buttons of a notebook have nothing to fill it with.
+  const bar = element.querySelector(":scope:not(.ros-prompt, .ros-notebook) > .ros-bar");
+  if (!bar || element.closest(".ros-panel")?.querySelector(".ros-full")) return;
+  (bar.querySelector(":scope > .ros-controls:not([role])") ?? bar).append(fullScreenButton(element));
 }

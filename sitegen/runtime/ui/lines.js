@@ -1,6 +1,7 @@
 // @ts-check
 // The output of a node, as in a terminal: the newest line stays in view unless the visitor scrolls up.
 
+import { place } from "../place.js";
 import { button, create } from "./elements.js";
 import { createRow } from "./logPrefix.js";
 import { Tail } from "./tail.js";
@@ -8,6 +9,8 @@ import { say } from "./words.js";
 
 /** @import { Line, NodeHandle, NodeState } from "../protocol.js" */
 
+/** @import { LineTools } from "./lineTools.js" */
+/** @typedef {{find?: string, folded?: boolean}} ToolState what the visitor looks for, and whether lines are folded */
 /** @typedef {Partial<Record<NodeState, string>>} Hints shown in each state while there is no output */
 
 /**
@@ -16,17 +19,18 @@ import { say } from "./words.js";
  * @param {NodeHandle} node
  * @param {number} limit
  * @param {Hints} hints
- * @returns {() => void} remove them
+ * @returns {Lines} `close` removes them
  */
 export function showLines(element, node, limit, hints) {
   // The id of a second console of a node ends with ":2", and so does its name with 2.
   const [, number = ""] = element.id.split(":");
   const lines = new Lines(node, limit, hints, `${node.name} ${number}`.trim());
   element.append(...lines.elements);
-  return () => lines.close();
+  return lines;
 }
 
 class Lines {
+  #label;
   #node;
   #limit;
   #hints;
@@ -37,12 +41,10 @@ class Lines {
     // The button disappears, so move the keyboard focus to the log.
     this.#log.focus({ preventScroll: true });
   });
-  #raw = button(say("Raw"), "ros-raw", () => {
-    const raw = this.#log.classList.toggle("ros-unformatted");
-    this.#raw.setAttribute("aria-pressed", String(raw));
-    this.#tail.follow();
-  });
-  elements = [this.#log, this.#hint, this.#newest, this.#raw];
+  #more = button("⋯", "ros-line-more", () => (this.#tools ? this.#closeTools() : this.#openTools().then((tools) => tools?.focus())));
+  /** @type {LineTools | undefined} */
+  #tools;
+  elements = [this.#log, this.#hint, this.#newest, this.#more];
   #tail = new Tail(this.#log, () => {
     this.#newest.hidden = this.#tail.following;
   });
@@ -59,22 +61,62 @@ class Lines {
     this.#node = node;
     this.#limit = limit;
     this.#hints = hints;
+    this.#label = label;
     this.#log.setAttribute("role", "log");
     this.#log.setAttribute("aria-label", label);
     this.#log.tabIndex = 0;
     this.#newest.hidden = true;
-    this.#raw.hidden = true;
-    this.#raw.title = say("Show lines as the program wrote them");
-    this.#raw.setAttribute("aria-pressed", "false");
+    this.#more.hidden = true;
+    this.#more.title = say("Find, copy, save, fold");
+    this.#more.setAttribute("aria-label", say("Tools for the lines of {}", label));
+    this.#more.setAttribute("aria-expanded", "false");
     this.#listen();
     this.#showHint();
   }
 
+  /** What links carry of the tools. @returns {ToolState} */
+  get state() {
+    return this.#tools?.state ?? {};
+  }
+
+  /** @param {ToolState} state as `state` returned it */
+  async restore({ find = "", folded = false }) {
+    if (!find && !folded) return;
+    const tools = await this.#openTools();
+    tools?.find(find);
+    tools?.fold(folded);
+  }
+
   close() {
     this.#listening.abort();
+    this.#tools?.close();
     this.#resized.disconnect();
     cancelAnimationFrame(this.#frame);
     for (const element of this.elements) element.remove();
+  }
+
+  /** Most visitors never need them, so pages load this module when someone does. */
+  async #openTools() {
+    const { LineTools } = await import(place("ui/lineTools.js"));
+    if (this.#tools || this.#listening.signal.aborted) return this.#tools;
+    const changed = () => {
+      this.#tail.follow();
+      this.#showHint();
+    };
+    this.#tools = /** @type {LineTools} */ (new LineTools({ log: this.#log, name: this.#label, changed },
+      () => this.#closeTools()));
+    this.#log.before(this.#tools.element);
+    this.#more.hidden = false;
+    this.#more.setAttribute("aria-expanded", "true");
+    return this.#tools;
+  }
+
+  #closeTools() {
+    this.#tools?.close();
+    this.#tools = undefined;
+    this.#more.setAttribute("aria-expanded", "false");
+    this.#more.hidden = !this.#log.hasChildNodes();
+    this.#more.focus({ preventScroll: true });
   }
 
   #listen() {
@@ -110,15 +152,17 @@ class Lines {
     dropOldest(this.#log, surplus, !this.#tail.following);
     this.#log.append(fresh);
     this.#hint.hidden = true;
-    if (this.#name) this.#raw.hidden = false;
+    this.#more.hidden = false;
+    this.#tools?.look();
     this.#tail.follow();
   }
 
   #clear() {
     this.#waiting = [];
     this.#name = "";
-    this.#raw.hidden = true;
     this.#log.replaceChildren();
+    this.#more.hidden = !this.#tools;
+    this.#tools?.look();
     this.#tail.following = true;
     this.#newest.hidden = true;
     this.#showHint();
@@ -126,7 +170,7 @@ class Lines {
 
   #showHint() {
     this.#hint.textContent = this.#hints[this.#node.state] ?? "";
-    this.#hint.hidden = this.#log.hasChildNodes();
+    this.#hint.hidden = this.#log.hasChildNodes() || this.#log.hidden;
   }
 }
 

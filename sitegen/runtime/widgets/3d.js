@@ -20,7 +20,7 @@ import { World } from "./3d/world.js";
  * Show a 3D view.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{frame?: string, displays?: Record<string, any>[], view?: View, background?: string, tools?: string[],
+ * @param {{frame?: string, displays?: Record<string, any>[], view?: View, top?: boolean, background?: string, tools?: string[],
  *   resources?: Record<string, string>}} options `displays` each have a `kind` and its options; without them, the view
  *   shows what there is. `resources` maps the URLs of meshes to addresses
  * @returns {() => void} unmount
@@ -65,6 +65,7 @@ function show(element, ros, options, stage, title) {
   const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save, fullScreenButton(element));
   stage.element.append(tools.note);
   stage.background = options.background ?? "";
+  if (options.top) stage.top = true;
   if (options.view) stage.view = options.view;
   press();
   element.replaceChildren(create("div", "ros-bar", title, controls), stage.element, list.element);

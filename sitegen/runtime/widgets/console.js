@@ -29,13 +29,15 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
   element.replaceChildren(create("div", "ros-bar", title, create("div", "ros-controls", clear)));
   const beside = (/** @type {string} */ kind) => element.parentElement?.querySelector(`[data-ros-widget="${kind}"]`);
   const start = beside("buttons") ? say("Press Start to run {}", name) : say("Not running");
-  const endLines = showLines(element, node, limit, {
+  const shown = showLines(element, node, limit, {
     stopped: beside("editor") ? say("Press Run to run {}", name) : start,
     starting: say("Starting…"),
     running: say("Running, no output yet"),
     stopping: say("Stopping…"),
     failed: say("Failed"),
   });
+
+  ros.keep(element, { find: "string", folded: "boolean" }, () => shown.state, (state) => void shown.restore(state));
 
   let endKeyboard = () => {};
   node.addEventListener("reading", async () => {
@@ -46,7 +48,7 @@ export function mount(element, ros, { node: name, lines: limit = 1000 }) {
 
   return () => {
     listening.abort();
-    endLines();
+    shown.close();
     endKeyboard();
     element.replaceChildren();
   };

@@ -2,10 +2,9 @@
 // An editor for the source of a Python node. Changes stay in the visitor's browser, and are part of shared links.
 
 import { button, create, enable, setText } from "../ui/elements.js";
-import { codeView } from "../ui/codeView.js";
+import { codeView, wrongLine } from "../ui/codeView.js";
 import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
-import { wrongLine } from "../ui/pythonSyntax.js";
 import { say } from "../ui/words.js";
 
 /** @import { Checked, Line, NodeHandle, Ros } from "../protocol.js" */

@@ -8,6 +8,7 @@ import { Tail } from "../ui/tail.js";
 import { say } from "../ui/words.js";
 import { Entries, readEntry } from "./log/entries.js";
 import { Filters } from "./log/filters.js";
+import { Levels } from "./log/levels.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Entry } from "./log/entries.js" */
@@ -47,6 +48,7 @@ class Log {
   elements;
   #tail = new Tail(this.#rows);
   #entries;
+  #levels;
   /** Entries that are not drawn yet, or "all" if they do not belong at the end. @type {Entry[] | "all"} */
   #fresh = [];
   #frame = 0;
@@ -56,16 +58,18 @@ class Log {
     this.#ros = ros;
     this.#limit = limit;
     this.#entries = new Entries(limit);
+    // Who asks a node for more lines wants to see them.
+    this.#levels = new Levels(ros, (severity) => this.filters.admitFrom(severity));
     const clear = button(say("Clear"), "ros-clear", () => {
       this.#entries.clear();
       this.redraw();
     });
-    const controls = create("div", "ros-controls ros-filters", ...this.filters.controls, clear);
+    const controls = create("div", "ros-controls ros-filters", ...this.filters.controls, this.#levels.press, clear);
     const bar = create("div", "ros-bar", create("span", "ros-title", say("Log")), controls);
     this.#rows.setAttribute("role", "log");
     this.#rows.setAttribute("aria-label", say("log of all nodes"));
     this.#rows.tabIndex = 0;
-    this.elements = [bar, this.#rows, this.#hint];
+    this.elements = [bar, this.#levels.element, create("div", "ros-logged", this.#rows, this.#hint)];
     this.#draw();
   }
 
@@ -74,7 +78,9 @@ class Log {
     this.#draw();
     const subscribe = () => this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
     const unsubscribe = this.#ros.types[TYPE] ? subscribe() : () => {};
+    const endLevels = this.#levels.begin();
     return () => {
+      endLevels();
       unsubscribe();
       cancelAnimationFrame(this.#frame);
       this.#frame = 0;
@@ -92,6 +98,7 @@ class Log {
     const place = this.#entries.add(entry);
     if (!place) return;
     this.filters.offer(entry.node);
+    this.#levels.offer(entry.node);
     if (this.#fresh === "all" || place === "between" || this.#fresh.length >= this.#limit) {
       this.redraw();
     } else {

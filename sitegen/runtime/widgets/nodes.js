@@ -33,12 +33,21 @@ export function mount(element, ros) {
     look();
   });
   const bar = create("div", "ros-bar", create("span", "ros-title", say("Nodes")), all);
-  const entries = [...ros.nodes.values()].map((node) => createEntry(ros, node));
-  const list = create("ul", "ros-programs", ...entries.map((entry) => entry.element));
+  /** @type {Map<NodeHandle, Entry>} */
+  const entries = new Map();
+  const list = create("ul", "ros-programs");
+  // Programs that run once more come and go.
+  const gather = () => {
+    for (const node of ros.nodes.values()) if (!entries.has(node)) entries.set(node, createEntry(ros, node));
+    for (const node of [...entries.keys()]) if (ros.nodes.get(node.name) !== node) entries.delete(node);
+    arrange(list, [...entries.values()].map((entry) => entry.element));
+  };
+  gather();
   element.replaceChildren(bar, create("div", "ros-list", list));
 
   const look = () => {
-    for (const entry of entries) entry.show(hidden);
+    gather();
+    for (const entry of entries.values()) entry.show(hidden);
   };
   ros.keep(element, { hidden: "boolean" }, () => ({ hidden }), (state) => {
     if (state.hidden) all.querySelector("input")?.click();
@@ -48,7 +57,7 @@ export function mount(element, ros) {
     ros.graph.addEventListener("change", look);
     for (const node of ros.nodes.values()) node.addEventListener("state", look);
     const timer = setInterval(() => {
-      for (const entry of entries) entry.tell();
+      for (const entry of entries.values()) entry.tell();
     }, REFRESH);
     return () => {
       ros.graph.removeEventListener("change", look);

@@ -5,13 +5,13 @@ import { download } from "../ui/download.js";
 import { arrange, button, create, setNote } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
-import { fromFile, toFile } from "./parameters/file.js";
-import { list, nodesOf, set } from "./parameters/node.js";
+import { fromFile, toFile } from "../messages/parameters/file.js";
+import { list, nodesOf, set } from "../messages/parameters/node.js";
 import { Row } from "./parameters/row.js";
-import { parse } from "./parameters/value.js";
+import { parse } from "../messages/parameters/value.js";
 
 /** @import { Ros } from "../protocol.js" */
-/** @import { Parameter } from "./parameters/node.js" */
+/** @import { Parameter } from "../messages/parameters/node.js" */
 
 const EVENT = "rcl_interfaces/msg/ParameterEvent";
 const SERVICES = ["ListParameters", "GetParameters", "DescribeParameters", "SetParametersAtomically"];

@@ -22,11 +22,11 @@ export function mount(element, ros, { node: name, lines = 1000 }) {
   if (!node) throw new Error(`prompt: no node '${name}' on this page`);
   const prompt = new Prompt(ros, node);
   element.replaceChildren(prompt.bar, prompt.meter, prompt.needs);
-  const endLines = showLines(element, node, lines, {});
+  const shown = showLines(element, node, lines, {});
   element.append(prompt.line.element);
   return () => {
     prompt.close();
-    endLines();
+    shown.close();
     element.replaceChildren();
   };
 }

@@ -2,8 +2,9 @@
 // The services of the page, and a form to call one.
 
 import { isShown } from "../graphNames.js";
-import { arrange, button, create, pressAnywhere, setText, toggle } from "../ui/elements.js";
+import { create, setText, toggle } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
+import { Picks } from "../ui/picks.js";
 import { say } from "../ui/words.js";
 import { Call } from "./services/call.js";
 
@@ -12,10 +13,7 @@ import { Call } from "./services/call.js";
 const NONE = say("No services now. They appear when nodes start.");
 const ALL_HIDDEN = say("Only hidden services now.");
 
-/**
- * @typedef {{name: string, types: string[], servers: string[]}} Service
- * @typedef {{element: HTMLElement, pick: HTMLButtonElement, type: HTMLElement, servers: HTMLElement}} Row
- */
+/** @typedef {{name: string, types: string[], servers: string[]}} Service */
 
 /**
  * Show all services, or only those in `show`.
@@ -54,13 +52,11 @@ class ServiceList {
   #show;
   hidden = false;
   chosen = "";
-  /** @type {Map<string, Row>} */
-  #rows = new Map();
+  #picks = new Picks((name) => this.choose(name));
   #all = toggle(say("Show hidden"), (on) => {
     this.hidden = on;
     this.look();
   });
-  #body = create("ul", "ros-picks");
   #hint = create("p", "ros-hint");
   call;
   elements;
@@ -72,14 +68,14 @@ class ServiceList {
     this.call = new Call(ros);
     const bar = create("div", "ros-bar", create("span", "ros-title", say("Services")));
     if (!show) bar.append(this.#all);
-    const list = create("div", "ros-list", this.#body, this.#hint);
+    const list = create("div", "ros-list", this.#picks.element, this.#hint);
     this.elements = [bar, create("div", "ros-split", list, this.call.element)];
   }
 
   /** @param {string} name of the service to call */
   choose(name) {
     this.chosen = name;
-    for (const [service, { pick }] of this.#rows) pick.setAttribute("aria-pressed", String(service === name));
+    this.#picks.choose(name);
     this.look();
   }
 
@@ -91,23 +87,16 @@ class ServiceList {
   look() {
     const known = this.#ros.graph.services();
     const services = listed(known, this.#show, this.hidden);
-    const names = new Set(services.map(({ name }) => name));
-    for (const name of this.#rows.keys()) if (!names.has(name)) this.#rows.delete(name);
-    arrange(this.#body, services.map((service) => this.#update(service)));
+    this.#picks.update(services.map(({ name, types, servers }) => ({
+      name,
+      type: types.join(", "),
+      about: servers.length ? say("served by {}", servers.join(", ")) : say("no server now"),
+      idle: !servers.length,
+    })));
     this.#hint.hidden = services.length > 0;
     setText(this.#hint, known.length ? ALL_HIDDEN : NONE);
     const service = known.find(({ name }) => name === this.chosen);
     this.call.show(this.chosen, service?.types[0] ?? "", service?.servers.length ?? 0);
-  }
-
-  /** Return the row of a service. @param {Service} service */
-  #update({ name, types, servers }) {
-    const row = this.#rows.get(name) ?? createRow(name, name === this.chosen, () => this.choose(name));
-    this.#rows.set(name, row);
-    setText(row.type, types.join(", "));
-    setText(row.servers, servers.length ? say("served by {}", servers.join(", ")) : say("no server now"));
-    row.element.classList.toggle("ros-idle", !servers.length);
-    return row.element;
   }
 }
 
@@ -117,15 +106,4 @@ function listed(services, show, hidden) {
     return show.map((name) => services.find((s) => s.name === name) ?? { name, types: [], servers: [] });
   }
   return services.filter(({ name }) => hidden || isShown(name));
-}
-
-/** @param {string} name @param {boolean} chosen @param {() => void} choose @returns {Row} */
-function createRow(name, chosen, choose) {
-  const pick = button(name, "ros-pick", choose);
-  pick.setAttribute("aria-pressed", String(chosen));
-  const type = create("small", "");
-  const servers = create("small", "");
-  const element = create("li", "", pick, type, servers);
-  pressAnywhere(element, pick);
-  return { element, pick, type, servers };
 }

@@ -2,7 +2,7 @@
 // build consists of, the engine of this browser, and headers.js.
 //
 // A cache holds files of one build only: each is checked against its hash before it is kept, so old and new
-// never meet. A new build waits until no page of the old one is open, or until a visitor asks for it.
+// never meet, and again before it is served, because any page of this server can write to the cache. A new build waits until no page of the old one is open, or until a visitor asks for it.
 
 const SCOPE = self.registration.scope;
 const OURS = `sitegen:${SCOPE}:`;
@@ -52,13 +52,33 @@ function addressOf(name) {
 async function answer(name) {
   const cache = await caches.open(CACHE);
   try {
-    return (await cache.match(addressOf(name))) ?? (await fetched(cache, name));
+    return (await kept(cache, name)) ?? (await fetched(cache, name));
   } catch (error) {
     // Not reached, or of another build: then that is the one to have.
     self.registration.update().catch(() => {});
     console.warn(String(error));
     return Response.error();
   }
+}
+
+/** A file from the cache, if it is there and unchanged. @param {Cache} cache @param {string} name */
+async function kept(cache, name) {
+  const response = await cache.match(addressOf(name));
+  if (!response) return undefined;
+  const content = await response.arrayBuffer();
+  if ((await hashOf(content)) !== BUILD.files[name]) return undefined;
+  return new Response(content, { headers: headersOf(name, response) });
+}
+
+/** @param {ArrayBuffer} content */
+async function hashOf(content) {
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", content));
+  return Array.from(digest.subarray(0, 16), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+/** The headers that are kept with a file. @param {string} name @param {Response} response */
+function headersOf(name, response) {
+  return { [HASH]: BUILD.files[name] ?? "", "content-type": response.headers.get("content-type") ?? "" };
 }
 
 /** A page that the build does not have. @param {Request} request @param {string} name */
@@ -78,10 +98,8 @@ async function fetched(cache, name) {
   const response = await fetch(addressOf(name), { cache: "no-cache", credentials: "same-origin" });
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
   const content = await response.arrayBuffer();
-  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", content));
-  const hash = Array.from(digest.subarray(0, 16), (byte) => byte.toString(16).padStart(2, "0")).join("");
-  if (hash !== BUILD.files[name]) throw new Error(`${name} belongs to another build of this site`);
-  const headers = { [HASH]: hash, "content-type": response.headers.get("content-type") ?? "" };
+  if ((await hashOf(content)) !== BUILD.files[name]) throw new Error(`${name} belongs to another build of this site`);
+  const headers = headersOf(name, response);
   await cache.put(addressOf(name), new Response(content, { headers }));
   return new Response(content, { headers });
 }

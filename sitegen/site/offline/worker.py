@@ -20,6 +20,8 @@ RETIRED = (HERE / "retired.js").read_bytes()
 # cached with the first page that needs them.
 WHOLE = 8_000_000
 LATER = ("nodes/", "ros2wasm/", "media/", "runtime/vendor/pyodide/")
+# Of a larger bag, a page loads the parts that it plays, which no cache has.
+BAGS = "bags/"
 # Files that are useless without a network.
 LEFT_OUT = {".nojekyll", "CNAME", "feed.xml", "robots.txt", "sitemap.xml"}
 SOURCE = re.compile(r'\s(?:src|poster)="([^"]+)"')
@@ -36,7 +38,9 @@ def artifacts(site: Site, made: Iterable[Artifact]) -> list[Artifact]:
     if not site.offline:
         return [Artifact(PATH, _written({"isolate": True}, "passing.js"))]
     contents = {
-        artifact.path: _bytes(artifact) for artifact in made if artifact.path not in LEFT_OUT
+        artifact.path: _bytes(artifact)
+        for artifact in made
+        if artifact.path not in LEFT_OUT and not _is_large_bag(artifact)
     }
     return [Artifact(PATH, _worker(site, contents))]
 
@@ -90,6 +94,13 @@ def _inside(path: str, address: str) -> str:
 
 def _hash(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:32]
+
+
+def _is_large_bag(artifact: Artifact) -> bool:
+    if not artifact.path.startswith(BAGS):
+        return False
+    source = artifact.source
+    return (len(source) if isinstance(source, bytes) else source.stat().st_size) > WHOLE
 
 
 def _bytes(artifact: Artifact) -> bytes:

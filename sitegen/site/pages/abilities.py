@@ -8,15 +8,29 @@ from sitegen.model import Page, Widget
 # words are in the texts of themes.
 ABILITIES = {
     "edit": {"editor"},
-    "type": {"prompt"},
+    "type": {"prompt", "notebook", "jupyter"},
+    "command": {"terminal"},
     "robot": {"robot"},
     "see": {"3d"},
     "drive": {"joints", "teleop"},
-    "set": {"parameters"},
+    "set": {"parameters", "lifecycle"},
+    "bag": {"bag"},
     "start": {"buttons"},
     "publish": {"publish", "camera"},
-    "call": {"services"},
-    "look": {"topics", "nodes", "graph", "log", "plot", "value", "image"},
+    "call": {"services", "actions"},
+    "look": {
+        "topics",
+        "nodes",
+        "graph",
+        "tf",
+        "log",
+        "plot",
+        "value",
+        "image",
+        "diagnostics",
+        "own",
+        "connect",
+    },
 }
 # A longer list would not be read.
 MOST = 3

@@ -11,6 +11,7 @@ from markupsafe import Markup
 
 from sitegen.errors import Problems
 from sitegen.model import Cell, Layout, Markdown, Page, Part, Site, Source, Widget
+from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.pages.source import shown
 from sitegen.site.prose import Prose
 
@@ -151,6 +152,11 @@ def _panel(
                 message = f"the editor of '{widget.target}' starts and stops it; remove the buttons"
                 problems.add(widget.location, "buttons", message)
     sources = [part for part in parts if isinstance(part, Source)]
-    title = parts[0].target or (widgets[0].kind.capitalize() if widgets else "")
+    title = parts[0].target or (_name(widgets[0]) if widgets else "")
     html = "".join(shown(source, site, problems) for source in sources)
     return Panel(title, tuple(slots[id(widget)] for widget in widgets), Markup(html))
+
+
+def _name(widget: Widget) -> str:
+    """Return the name of a panel: the one that its author gave it, or its kind."""
+    return str(widget.options["title"]) if widget.kind == OWN else widget.kind.capitalize()

@@ -32,7 +32,9 @@ def modules(
     started = (name for name, node in entry["nodes"].items() if node["autostart"])
     workers = (programs[page.nodes[name].program].worker for name in started)
     paths = [*(f"runtime/workers/{worker}.js" for worker in workers), *assets.preloads(site, page)]
-    return [address(page, path) for path in dict.fromkeys(paths)]
+    own = [widget["options"].get("module") for widget in entry["widgets"]]
+    own.append(entry.get("script", {}).get("module"))
+    return [*(address(page, path) for path in dict.fromkeys(paths)), *filter(None, own)]
 
 
 def programs(entry: Mapping[str, Any] | None) -> list[Early]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from sitegen.model import Page, Programs, Python, Site
+from sitegen.model import Page, Programs, Python, Site, Widget
 from sitegen.site import assets
+from sitegen.site.ownpanels import KIND as OWN
+from sitegen.site.ownpanels import OwnPanels
 from sitegen.site.pages.blocks import slots_of
 from sitegen.site.prose import address
 
@@ -16,6 +19,10 @@ from sitegen.site.prose import address
 STARTING = {"buttons", "editor", "prompt"}
 # The widget that loads meshes.
 VIEW = "3d"
+# The widget that joins gateways.
+CONNECT = "connect"
+# The widget that plays bags by name.
+TERMINAL = "terminal"
 
 
 def page_entry(
@@ -24,19 +31,27 @@ def page_entry(
     programs: Programs,
     edited: Mapping[str, Mapping[str, str]],
     resources: Mapping[str, str],
+    bags: Mapping[str, str],
+    own: OwnPanels,
 ) -> dict[str, Any]:
     """Return the page's PageEntry.
 
     `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
-    3D views load, by URL.
+    3D views load, by URL, `bags` those of the bags that it plays, by the path in site.yaml, and
+    `own` has those of its author's modules.
     """
     link = partial(address, page)
+    known = {name: link(path) for name, path in bags.items()}
     found = {url: link(path) for url, path in resources.items()}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
+    asked = {widget.target for widget in starting} - waiting
+    waiting |= {name for widget, _ in slots_of(page) for name in widget.runs} - asked
     # What is on the page only because other nodes need it has a button beside these.
     shown = {widget.target for widget, _ in slots_of(page)}
     waiting |= {need for node in page.nodes.values() for need in node.needs} - shown
+    described = (programs[node.program].types(node) for node in page.nodes.values())
+    types: dict[str, Any] = {name: one for each in described for name, one in each.items()}
     entry: dict[str, Any] = {
         "nodes": {
             name: {
@@ -55,20 +70,63 @@ def page_entry(
                     **widget.options,
                     **edited.get(slot.id, {}),
                     **({"resources": found} if found and widget.kind == VIEW else {}),
+                    **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
+                    **({"bags": known} if known and widget.kind == TERMINAL else {}),
+                    **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
+                    **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
             }
             for widget, slot in slots_of(page)
         ],
     }
-    if assets.takes_part(page):
-        nodes = page.nodes.values()
-        types = (programs[node.program].types(node) for node in nodes)
-        entry["types"] = {name: one for each in types for name, one in each.items()}
+    if page.script in own.modules:
+        entry["script"] = {"file": page.script, "module": link(own.modules[page.script])}
+    if own.interfaces:
+        entry["interfaces"] = link(own.interfaces)
+    if site.messages_from:
+        entry["messagesFrom"] = list(site.messages_from)
+    if assets.takes_part(site, page):
+        entry["types"] = {name: _without_hash(one) for name, one in types.items()}
+    if page.launch:
+        launch = page.launch
+        entry["launch"] = {
+            "package": launch.package,
+            "file": launch.file,
+            "nodes": list(launch.nodes),
+        }
     if page.start_from_links:
         entry["startFromLinks"] = True
     if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
         entry["isolate"] = address(page, "sw.js")
     return entry
+
+
+def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
+    """Return the options of the widget that joins gateways, with the hashes of the page's types."""
+    joined = page.connect
+    if joined is None:
+        return {}
+    given = {name: value for name, value in asdict(joined).items() if value not in (None, "", {})}
+    hashes = {
+        name.removesuffix("_Request"): one["hash"] for name, one in types.items() if "hash" in one
+    }
+    return {"connect": given, "hashes": hashes}
+
+
+def _without_hash(one: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in one.items() if name != "hash"}
+
+
+def _bag(widget: Widget) -> str:
+    """Return the path of the bag that a widget plays, or nothing."""
+    return str(widget.options.get("file") or "") if widget.kind == "bag" else ""
+
+
+def _module(
+    widget: Widget, modules: Mapping[str, str], link: Callable[[str], str]
+) -> dict[str, object]:
+    file = str(widget.options["file"])
+    return {"module": link(modules[file])} if file in modules else {}
 
 
 def written(entry: Mapping[str, Any]) -> bytes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+from collections.abc import Sequence
 
 from sitegen.site.engine import ENGINE
 
@@ -21,31 +22,48 @@ CHOICE = (
 )
 
 
-def policy(text: str, *, live: bool, fonts: bool, offline: bool, gltf: bool = False) -> str:
+def policy(
+    text: str,
+    *,
+    live: bool,
+    fonts: bool,
+    offline: bool,
+    gltf: bool = False,
+    frames: bool = False,
+    ros2wasm: bool = False,
+    gateways: Sequence[str] = (),
+) -> str:
     """Return the policy of a page whose HTML is `text`.
 
-    A `live` page runs nodes; an `offline` page works without a network. A `gltf` file contains its
-    buffers and textures as `data:`, or gives them to the browser as `blob:`.
+    A `live` page runs nodes; an `offline` page works without a network; widgets show `frames` of
+    the site. A `gltf` file contains its buffers and textures as `data:`, or gives them to the
+    browser as `blob:`. `gateways` are the addresses that it may join.
+
+    Workers of nodes are `blob:`, since those obey the policy of the page, and files do not. What
+    their scripts import counts as parts of workers, too. Nodes of `ros2wasm` evaluate text, as
+    Embind does.
     """
     inside = " blob:" if gltf else ""
     rules = ["default-src 'none'", "style-src 'self'", f"img-src 'self' data:{inside}"]
     if live:
         hashes = " ".join(f"'{_hash(script)}'" for script in (FILE_NOTE, CHOICE))
-        rules.append(f"script-src 'self' 'wasm-unsafe-eval' {hashes}")
+        evaluated = "'unsafe-eval'" if ros2wasm else "'wasm-unsafe-eval'"
+        rules.append(f"script-src 'self' {evaluated} {hashes}")
         connected = " data: blob:" if gltf else ""
-        rules += [f"connect-src 'self'{connected}", "worker-src 'self'"]
+        connected += "".join(f" {address}" for address in gateways if address != "self")
+        rules.append(f"connect-src 'self'{connected}")
     else:
         # The scripts of the theme: the colour switch, the search and its index.
         rules += ["script-src 'self'", "connect-src 'self'"]
-        if offline:
-            rules.append("worker-src 'self'")
+    if live or offline:
+        rules.append("worker-src 'self' blob:" if live else "worker-src 'self'")
     if offline:
         rules.append("manifest-src 'self'")
     if fonts:
         rules.append("font-src 'self'")
     if "<video" in text or "<audio" in text:
         rules.append("media-src 'self'")
-    if "<iframe" in text:
+    if "<iframe" in text or frames:
         rules.append("frame-src 'self'")
     return "; ".join([*rules, "base-uri 'none'", "form-action 'none'"])
 

@@ -12,8 +12,12 @@ from typing import Any
 
 from markupsafe import Markup
 
+from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, nearest
+from sitegen.interfaces.catalogue import as_json, catalogue
 from sitegen.model import Artifact, Page, Programs, Site
+from sitegen.site.bags import bags
+from sitegen.site.ownpanels import own_panels
 from sitegen.site.pages import app, discovery, preview, search, tags
 from sitegen.site.pages.abilities import abilities
 from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
@@ -77,6 +81,10 @@ class Renderer:
     def _changed(self) -> Mapping[Path, str]:
         return changed_days(self.site)
 
+    @cached_property
+    def _interfaces(self) -> bytes:
+        return as_json(catalogue(self.site, cache=cache_folder()))
+
     def every_page(self) -> list[Rendered]:
         """Return all pages; if there are many, they are rendered in several processes."""
         pages, workers = self.site.pages, min(os.cpu_count() or 1, 8)
@@ -112,17 +120,19 @@ class Renderer:
         parts = blocks(self.site, page, prose, problems)
         shown = list(flat(parts))
         entry = None
-        if any(panel.slots for block in shown for panel in block.panels):
+        if page.script or any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
             # A page opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
             loaded = resources(site, page)
-            entry = page_entry(site, page, self._programs, files, loaded.paths)
+            played = bags(site, page)
+            own = own_panels(site, page, problems, lambda: self._interfaces)
+            entry = page_entry(site, page, self._programs, files, loaded.paths, played.paths, own)
         html, sheets = self._html(page, parts, prose, entry, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
-            artifacts += loaded.artifacts
+            artifacts += [*loaded.artifacts, *played.artifacts, *own.artifacts]
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
@@ -278,7 +288,14 @@ class Renderer:
             "programs": programs(entry),
             "offline": offline,
             "policy": policy(
-                html, live=live, fonts=own_fonts, offline=offline, gltf=_has_gltf(entry)
+                html,
+                live=live,
+                fonts=own_fonts,
+                offline=offline,
+                gltf=_has_gltf(entry),
+                frames=any(widget.kind == "jupyter" for widget, _ in slots_of(page)),
+                ros2wasm=_has_ros2wasm(entry),
+                gateways=page.connect.addresses if page.connect else (),
             ),
             "file_note": Markup("" if alone else FILE_NOTE),
             "choice": Markup(CHOICE),
@@ -306,6 +323,11 @@ def _has_gltf(entry: Mapping[str, Any] | None) -> bool:
     widgets = entry["widgets"] if entry else ()
     urls = (url for widget in widgets for url in widget["options"].get("resources", ()))
     return any(url.lower().endswith((".gltf", ".glb")) for url in urls)
+
+
+def _has_ros2wasm(entry: Mapping[str, Any] | None) -> bool:
+    """Return whether a page has nodes that the ROS2WASM project compiled."""
+    return entry is not None and any("ros2wasm" in node for node in entry["nodes"].values())
 
 
 def _chunk(indexes: range) -> list[Rendered]:

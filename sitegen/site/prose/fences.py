@@ -1,4 +1,4 @@
-"""Handle fenced blocks: highlight code, and draw diagrams."""
+"""Handle fenced blocks: highlight code and commands, and draw diagrams."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import escape
 
-from sitegen.site.prose.highlight import code
+from sitegen.site.prose.highlight import code, commands
 
 # The options after the language: ```cpp title="talker.cpp" linenums="1" hl_lines="2 4-6"
 OPTIONS = {
@@ -42,6 +42,12 @@ def _code(
     return code(source, language, title=title, numbers=tuple(numbers), marked=marked)
 
 
+def _commands(
+    source: str, language: str, name: str, options: Mapping[str, str], *_: object, **__: object
+) -> str:
+    return commands(source, title=options.get("title", ""))
+
+
 def _diagram(source: str, *_: object, **__: object) -> str:
     return f'<div class="mermaid">{escape(source)}</div>'
 
@@ -59,4 +65,4 @@ def _fence(name: str, form: Callable[..., str]) -> dict[str, Any]:
 
 
 # The last format that matches is used.
-FENCES = [_fence("*", _code), _fence("mermaid", _diagram)]
+FENCES = [_fence("*", _code), _fence("mermaid", _diagram), _fence("ros2", _commands)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Collection, Iterator, Sequence
 
 from markupsafe import escape
@@ -97,6 +98,31 @@ def code(
     name = f' class="language-{escape(language)}"' if language else ""
     # It may be wider than the page: with the focus, it can be scrolled by the keyboard.
     return f'<div class="code">{head}<pre tabindex="0"><code{name}>{body}</code></pre></div>'
+
+
+def commands(text: str, *, title: str = "") -> str:
+    """Return a block of commands for a terminal, each with a button that the page's terminal shows.
+
+    A line that ends with a backslash goes on in the next one; comments and empty lines are none.
+    """
+    lines = text.rstrip("\n").split("\n")
+    shown = "".join(_words("\n".join(lines) + "\n", "bash")).split("\n")
+    body, begun, html = [], "", ""
+    for index, (line, words) in enumerate(zip(lines, shown, strict=False)):
+        begun += f"{line}\n"
+        html += f"{words}\n"
+        if line.endswith("\\") and index + 1 < len(lines):
+            continue
+        command = re.sub(r"\A\s*\$ ", "", begun).strip()
+        if command and not command.startswith("#"):
+            run = f'data-ros-run="{escape(command)}" hidden'
+            button = f'<button type="button" class="run" {run}></button>'
+            html = f'<span class="command">{button}{html}</span>'
+        body.append(html)
+        begun = html = ""
+    head = f'<p class="code-title">{escape(title)}</p>' if title else ""
+    inner = f'<code class="language-ros2">{"".join(body)}</code>'
+    return f'<div class="code">{head}<pre tabindex="0">{inner}</pre></div>'
 
 
 def _words(text: str, language: str) -> Iterator[str]:

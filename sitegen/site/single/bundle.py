@@ -8,16 +8,21 @@ import json
 import posixpath
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from sitegen.site.single.imports import imports
+from sitegen.site.single.imports import imports, references
 
 TYPES = {
+    ".css": "text/css",
     ".js": "text/javascript",
     ".json": "application/json",
     ".mjs": "text/javascript",
+    ".png": "image/png",
+    ".svg": "image/svg+xml",
     ".wasm": "application/wasm",
     ".zip": "application/zip",
 }
 OTHER = "application/octet-stream"
+# The modules of an author's panels.
+OWN = "panels/"
 
 # Returns the contents of a file inside `dist/`.
 Read = Callable[[str], bytes]
@@ -68,9 +73,10 @@ def _add(path: str, parts: dict[str, bytes], read: Read) -> None:
     if path in parts:
         return
     content = read(path)
-    if path.endswith(".js"):
+    if path.endswith(".js") or (path.startswith(OWN) and path.endswith(".mjs")):
         text, pieces, end = content.decode(), [], 0
-        for specifier in imports(text):
+        named = references(text) if path.startswith(OWN) else imports(text)
+        for specifier in named:
             found = posixpath.normpath(posixpath.join(posixpath.dirname(path), specifier.name))
             _add(found, parts, read)
             pieces += [text[end : specifier.start], f'"sitegen:{found}"']

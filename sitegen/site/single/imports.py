@@ -1,4 +1,4 @@
-"""Find the imports of a theme's module, which are not in the module graph of esbuild."""
+"""Find the imports of modules that are not in the module graph of esbuild."""
 
 from __future__ import annotations
 
@@ -26,3 +26,16 @@ def imports(text: str) -> Iterator[Specifier]:
         if kind[:2] == ("Literal", "String") and before in ("from", "import") and value[1:2] == ".":
             yield Specifier(value[1:-1], start, start + len(value))
         before = value
+
+
+def references(text: str) -> Iterator[Specifier]:
+    """Yield all names of files of the site in a module of an author's panel."""
+    # Only sites with such a panel need the parser.
+    from sitegen.site.ownpanels.module import parsed
+
+    source = text.encode()
+    for one in parsed(source).references:
+        if one.name.startswith("."):
+            # An offset in bytes is one in the text before which all is decoded.
+            start, end = (len(source[:at].decode()) for at in (one.start, one.end))
+            yield Specifier(one.name, start, end)

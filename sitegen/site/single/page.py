@@ -29,6 +29,8 @@ HERE = "site:/"
 POLICY = "sitegen:policy"
 # Python itself, and the workers that load it.
 PYTHON = "runtime/vendor/pyodide/"
+# Modules that workers load when they need them.
+LATER = ("runtime/messages/filter/", "runtime/bag/")
 PYTHON_WORKERS = "runtime/workers/python/"
 # Files that are useless without a server.
 DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
@@ -195,11 +197,26 @@ class _Writer(HTMLParser):
                 archives = [self._path(address) or "" for address in node["python"]["bundles"]]
                 python += archives
                 node["python"]["bundles"] = [f"sitegen:{path}" for path in archives]
-        meshes = []
+        meshes, own = [], []
         for widget in run["widgets"]:
             for url, address in widget["options"].get("resources", {}).items():
                 meshes.append(self._path(address) or "")
                 widget["options"]["resources"][url] = f"sitegen:{meshes[-1]}"
+            if widget["kind"] == "bag" and "file" in widget["options"]:
+                meshes.append(self._path(widget["options"]["file"]) or "")
+                widget["options"]["file"] = f"sitegen:{meshes[-1]}"
+            for name, address in widget["options"].get("bags", {}).items():
+                meshes.append(self._path(address) or "")
+                widget["options"]["bags"][name] = f"sitegen:{meshes[-1]}"
+            if "module" in widget["options"]:
+                own.append(self._path(widget["options"]["module"]) or "")
+                widget["options"]["module"] = f"sitegen:{own[-1]}"
+        if "script" in run:
+            own.append(self._path(run["script"]["module"]) or "")
+            run["script"]["module"] = f"sitegen:{own[-1]}"
+        if "interfaces" in run:
+            meshes.append(self._path(run["interfaces"]) or "")
+            run["interfaces"] = f"sitegen:{meshes[-1]}"
         if python:
             python += (path for path in self.artifacts if path.startswith(PYTHON))
         modules = [path for path in self.artifacts if path.startswith("runtime/")]
@@ -208,7 +225,7 @@ class _Writer(HTMLParser):
         scripts = [path for path in programs if path.endswith(".js")]
         wasm = [path for path in programs if path.endswith(".wasm")]
         # Each worker has its own bundle, including modules that it loads on demand.
-        later = [path for path in modules if path.startswith("runtime/messages/filter/")]
+        later = [path for path in modules if path.startswith(LATER)]
         begun = [path for path in workers if path.endswith("Node.js")]
         starts = {
             path: list(dict.fromkeys(python))
@@ -217,13 +234,16 @@ class _Writer(HTMLParser):
             for path in begun
         }
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
-        paths += dict.fromkeys(meshes)
+        paths += dict.fromkeys([*meshes, *own])
         return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
 
     def _policy(self) -> str:
         def listed(hashes: list[str]) -> str:
             return " ".join(f"'{one}'" for one in dict.fromkeys(hashes))
 
+        joined = self.page.connect.addresses if self.page.connect else ()
+        # A file has no server of its own.
+        gateways = "".join(f" {address}" for address in joined if address != "self")
         return "; ".join(
             [
                 "default-src 'none'",
@@ -232,7 +252,7 @@ class _Writer(HTMLParser):
                 "img-src data: blob:",
                 "media-src data:",
                 "font-src data:",
-                "connect-src data: blob:",
+                f"connect-src data: blob:{gateways}",
                 "worker-src blob:",
                 "base-uri 'none'",
                 "form-action 'none'",

@@ -91,7 +91,7 @@ def test_names_are_those_of_ros(page: Page) -> None:
     names = Panel(page, "names")
     names.start()
     names.expect_state("stopped")
-    here = names.console.inner_text().split("--")
+    here = "\n".join(names.lines()).split("--")
     native = "\n".join(Native().run("names.py", *arguments)).split("--")
     assert len(native) == len(arguments) + 1
     assert [words(text) for text in here] == [words(text) for text in native]

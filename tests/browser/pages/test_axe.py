@@ -25,6 +25,18 @@ PAGES = [
 ] + [(EVERYTHING, "tags/"), (EVERYTHING, "tags/start/")]
 
 
+def cases() -> list[object]:
+    """Each page in both looks; the documentation, whose pages are alike, in one of them in turn."""
+    found: list[object] = []
+    for number, (folder, path) in enumerate(PAGES):
+        for turn, look in enumerate(LOOKS):
+            other = path.startswith("docs/") and number % len(LOOKS) != turn
+            marks = [pytest.mark.exhaustive] if other else []
+            name = f"{folder.name}/{path}-{'-'.join(look)}"
+            found.append(pytest.param(look, folder, path, marks=marks, id=name))
+    return found
+
+
 @pytest.fixture(scope="module", params=LOOKS, ids=lambda look: "-".join(look))
 def tab(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Tab]:
     """A tab of one look. The test's own code may do what the page's policy forbids pages."""
@@ -52,7 +64,7 @@ def serious(tab: Tab) -> list[str]:
     ]
 
 
-@pytest.mark.parametrize(("folder", "path"), PAGES, ids=lambda part: str(part).split("/")[-2:][0])
+@pytest.mark.parametrize(("tab", "folder", "path"), cases(), indirect=["tab"])
 def test_nothing_serious(folder: Path, path: str, tab: Tab, built: Built, serve: Serve) -> None:
     tab.goto(serve(built(folder)) + path)
     tab.wait_for_load_state("networkidle")

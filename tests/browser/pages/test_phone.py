@@ -164,8 +164,43 @@ def demo11(visitor: Visitor) -> None:
     page.mouse.up()
 
 
+def demo12(visitor: Visitor) -> None:
+    page = visitor.page
+    player = page.get_by_role("region", name="Player")
+    time = player.locator(".ros-bag-time")
+    # A bag is loaded when someone looks at it.
+    page.locator(".ros-bag").scroll_into_view_if_needed()
+    expect(page.locator(".ros-bag-row")).to_have_count(1)
+    expect(page.locator(".ros-turtle")).to_be_attached()
+    visitor.press(player.get_by_role("button", name="Play", exact=True), time, "0:01.")
+    visitor.press(player.get_by_role("button", name="Pause", exact=True), time)
+
+
+def demo13(visitor: Visitor) -> None:
+    page = visitor.page
+    run = page.get_by_role("button", name="Run cell 1", exact=True)
+    visitor.press(run, page.locator(".ros-output").first.locator("> :last-child"), "'notebook'")
+
+
+def demo14(visitor: Visitor) -> None:
+    page = visitor.page
+    screen = page.locator(".ros-screen")
+    for command, printed in [
+        ("ros2 run turtlesim turtlesim_node &", "Spawning turtle"),
+        ("ros2 node list", "/turtlesim"),
+    ]:
+        page.get_by_role("button", name=f"Run {command}", exact=True).tap()
+        expect(screen).to_be_in_viewport(ratio=0.9)
+        expect(screen).to_contain_text(printed)
+    # What the phone's keyboard lacks.
+    page.keyboard.type("ros2 ser")
+    page.get_by_role("button", name="Tab", exact=True).tap()
+    expect(screen).to_contain_text("ros2 service")
+
+
 VISITS = (
     *(demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09, demo10, demo11),
+    *(demo12, demo13, demo14),
 )
 
 

@@ -38,10 +38,10 @@ pages:
 """
 
 
-@pytest.fixture(params=["light", "dark"])
-def phone(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Page]:
+@pytest.fixture
+def phone(browser: Browser) -> Iterator[Page]:
     context = browser.new_context(
-        color_scheme=request.param,
+        color_scheme="light",
         viewport={"width": 390, "height": 844},
         has_touch=True,
         is_mobile=True,
@@ -65,6 +65,8 @@ def test_a_demo_is_for_fingers_and_eyes(phone: Page, built: Built, serve: Serve,
     assert small_targets(phone) == []
     assert pale_placeholders(phone) == []
     assert alike(phone) == []
+    phone.emulate_media(color_scheme="dark")
+    assert pale_placeholders(phone) == []
 
 
 @pytest.mark.chromium

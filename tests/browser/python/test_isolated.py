@@ -130,6 +130,7 @@ def test_an_isolated_page_without_shared_memory_says_so(
     assert text.endswith("; it does not support shared memory either")
 
 
+@pytest.mark.exhaustive
 @pytest.mark.chromium
 def test_without_jspi_programs_print_what_native_rclpy_prints(
     hidden: Path, tab: Page, serve: Serve
@@ -233,6 +234,7 @@ def test_an_author_who_edits_has_isolated_pages(isolated: Path) -> None:
         assert answer.headers["Cross-Origin-Embedder-Policy"] == "require-corp"
 
 
+@pytest.mark.exhaustive
 def test_webkit_runs_python_in_shared_memory(window: Window, isolated: Path, serve: Serve) -> None:
     window.goto(serve(isolated))
     window.wait_until(lambda: window.evaluate("() => crossOriginIsolated"))

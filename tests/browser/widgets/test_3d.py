@@ -452,3 +452,8 @@ def test_a_browser_without_webgl_is_told_so(stage: Tab) -> None:
     panel = show(stage, "3d", {})
     expect(panel).to_contain_text("WebGL is not available")
     stage.evaluate("unmount()")
+
+
+def test_a_view_begins_from_above_if_asked(stage: Tab) -> None:
+    panel = show(stage, "3d", {"top": True, "displays": [{"kind": "grid"}]})
+    expect(panel.get_by_role("button", name="Top")).to_have_attribute("aria-pressed", "true")

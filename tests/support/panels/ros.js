@@ -113,7 +113,7 @@ export const ros = {
   /** Let a message come to all that subscribe. */
   emit(topic, message, size = 24, timestamp = performance.timeOrigin + performance.now()) {
     for (const { topic: name, bytes, callback } of [...ros.subscriptions]) {
-      const info = { size, sequence: 1, timestamp, received: timestamp };
+      const info = { size, sequence: 1, timestamp, received: timestamp, writer: 1 };
       if (name === topic) callback(bytes ? new Uint8Array(size) : message, info);
     }
   },

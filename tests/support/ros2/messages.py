@@ -2,12 +2,14 @@
 
 `messages.py make SEED TYPE…` prints lines "type bytes"; `messages.py compare` reads lines
 "type bytes bytes" and prints what differs between the two; `messages.py default TYPE…` prints
-messages as their class makes them.
+messages as their class makes them; `messages.py show` reads lines "type bytes" and prints repr() of
+each message, as JSON.
 """
 
 from __future__ import annotations
 
 import importlib
+import json
 import random
 import struct
 import sys
@@ -137,6 +139,10 @@ if __name__ == "__main__":
         print(*make(int(words[0]), words[1:]), sep="\n")
     elif command == "default":
         print(*default(words), sep="\n")
+    elif command == "show":
+        for line in sys.stdin:
+            name, data = line.split()
+            print(json.dumps(repr(deserialize_message(bytes.fromhex(data), class_of(name)))))
     else:
         for line in sys.stdin:
             name, native, ours = line.split()

@@ -1,10 +1,20 @@
 // @ts-check
 // What widgets say, in German: by the English text that stands in the code.
 
+import { bags } from "./de/bags.js";
+import { connections } from "./de/connections.js";
+import { instruments } from "./de/instruments.js";
+import { panels } from "./de/panels.js";
+import { terminal } from "./de/terminal.js";
 import { views } from "./de/views.js";
 
 /** @type {Record<string, string>} */
 export const words = {
+  ...bags,
+  ...connections,
+  ...instruments,
+  ...panels,
+  ...terminal,
   ...views,
 
   // How nodes are, and what is done with them.
@@ -226,6 +236,19 @@ export const words = {
   "The hub refused notifications. Switch it off and on, then connect again.": "Der Hub lässt niemanden zuhören. Schalten Sie ihn aus und an, und verbinden Sie noch einmal.",
   "The browser does not allow Bluetooth here. Open this page in its own tab, not embedded in another page.": "Der Browser erlaubt Bluetooth hier nicht. Öffnen Sie diese Seite für sich, nicht in einer anderen.",
   "The connection was lost: the hub is off or too far away. Connect again.": "Die Verbindung ist abgerissen: Der Hub ist aus oder zu weit weg. Verbinden Sie noch einmal.",
+
+  // Notebooks.
+  "Run all": "Alle ausführen",
+  "Restart": "Neu starten",
+  "Start Python again, without the variables": "Python neu starten, ohne die Variablen",
+  "Cells": "Zellen",
+  "Output": "Ausgabe",
+  "Python cell {}": "Python-Zelle {}",
+  "Run cell {}": "Zelle {} ausführen",
+  "Ctrl-Enter in the cell does the same": "Strg-Enter in der Zelle tut dasselbe",
+  "Starting Python": "Python startet",
+  "1 kernel": "1 Kernel",
+  "{} kernels": "{} Kernel",
 
   // The Python prompt.
   "Interrupt": "Unterbrechen",

@@ -37,12 +37,16 @@ export function pointsOf({ root, world, redraw }, options) {
         former.attach(current.points);
         kept.push({ cloud: current, until: performance.now() + options.decay * 1000 });
         while (kept.reduce((sum, { cloud }) => sum + countOf(cloud), 0) > MOST_POINTS) forget(1);
-      } else {
-        current?.close();
+        current = undefined;
       }
-      current = createPoints(positions, colorsOf(positions, values, options));
+      const colors = colorsOf(positions, values, options);
+      if (current) {
+        current.move(positions, colors);
+      } else {
+        current = createPoints(positions, colors);
+        root.add(current.points);
+      }
       current.style(look(options));
-      root.add(current.points);
       redraw();
     },
     update(/** @type {number} */ now) {

@@ -86,7 +86,7 @@ export class DisplayList {
       this.look();
     });
     const row = {
-      element: create("li", "", label, more, note, settings.element),
+      element: create("li", "", label, more, note, settings.element, ...(shown.controls ? [shown.controls] : [])),
       box,
       changed,
       look() {

@@ -2,8 +2,10 @@
 // The kinds of displays, by the names that they have in site.yaml.
 
 import { kind as axes } from "./displays/axes.js";
+import { kind as camera } from "./displays/camera.js";
 import { kind as grid } from "./displays/grid.js";
 import { kind as imu } from "./displays/imu.js";
+import { kind as interactiveMarkers } from "./displays/interactive_markers.js";
 import { kind as laserScan } from "./displays/laser_scan.js";
 import { kind as map } from "./displays/map.js";
 import { kind as markers } from "./displays/markers.js";
@@ -23,6 +25,6 @@ import { kind as wrench } from "./displays/wrench.js";
 
 /** @type {Record<string, Kind>} */
 export const KINDS = {
-  grid, axes, tf, robot, markers, laser_scan: laserScan, point_cloud: pointCloud, map,
-  path, odometry, pose, pose_array: poseArray, point, polygon, range, wrench, imu,
+  grid, axes, tf, robot, markers, interactive_markers: interactiveMarkers, laser_scan: laserScan, point_cloud: pointCloud, map,
+  path, odometry, pose, pose_array: poseArray, point, polygon, range, wrench, imu, camera,
 };

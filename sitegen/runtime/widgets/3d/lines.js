@@ -9,6 +9,7 @@ import {
 export class Lines {
   #root;
   #object = /** @type {any} */ (undefined);
+  #wide = false;
 
   /** @param {any} root the group that shows them */
   constructor(root) {
@@ -22,24 +23,28 @@ export class Lines {
    *   (linear, 0 to 1) of both ends of each segment; the width in metres, or 0 for one pixel
    */
   show(points, { color = new Color(0xffffff), colors, width = 0, opacity = 1 }) {
-    this.clear();
+    if (!points.length || (this.#object && this.#wide !== width > 0)) this.clear();
     if (!points.length) return;
-    const look = {
-      color: colors ? 0xffffff : color, vertexColors: Boolean(colors), opacity, transparent: opacity < 1,
-    };
-    if (width > 0) {
-      const geometry = new LineSegmentsGeometry();
-      geometry.setPositions(points);
-      if (colors) geometry.setColors(colors);
-      this.#object = new LineSegments2(geometry, new LineMaterial({ ...look, worldUnits: true, linewidth: width }));
+    const geometry = width > 0 ? wideGeometry(points, colors) : thinGeometry(points, colors);
+    if (this.#object) {
+      this.#object.geometry.dispose();
+      this.#object.geometry = /** @type {any} */ (geometry);
     } else {
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(points, 3));
-      if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3));
-      this.#object = new LineSegments(geometry, new LineBasicMaterial(look));
+      this.#wide = width > 0;
+      this.#object = this.#wide
+        ? new LineSegments2(/** @type {any} */ (geometry), new LineMaterial({ worldUnits: true }))
+        : new LineSegments(geometry, new LineBasicMaterial());
+      this.#object.frustumCulled = false;
+      this.#root.add(this.#object);
     }
-    this.#object.frustumCulled = false;
-    this.#root.add(this.#object);
+    // The material stays: a new one for each message would be compiled each time.
+    const { material } = this.#object;
+    if (material.vertexColors !== Boolean(colors)) material.needsUpdate = true;
+    material.vertexColors = Boolean(colors);
+    material.color.set(colors ? 0xffffff : color);
+    material.opacity = opacity;
+    material.transparent = opacity < 1;
+    if (this.#wide) material.linewidth = width;
   }
 
   clear() {
@@ -49,6 +54,22 @@ export class Lines {
     this.#object.material.dispose();
     this.#object = undefined;
   }
+}
+
+/** @param {Float32Array} points @param {Float32Array | undefined} colors */
+function wideGeometry(points, colors) {
+  const geometry = new LineSegmentsGeometry();
+  geometry.setPositions(points);
+  if (colors) geometry.setColors(colors);
+  return geometry;
+}
+
+/** @param {Float32Array} points @param {Float32Array | undefined} colors */
+function thinGeometry(points, colors) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(points, 3));
+  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3));
+  return geometry;
 }
 
 /**

@@ -20,7 +20,9 @@ import { seconds } from "../tf/transforms.js";
  * @typedef {{
  *   receive?(message: any, type: string): void, frameOf?(message: any): {frame_id: string, stamp: any} | undefined,
  *   set?(options: Record<string, any>): void, update?(now: number): void, clear?(): void, close?(): void,
- * }} Display `receive` draws a message into the display's group, which is placed in the frame of its header, or in what
+ *   begin?(): void, end?(): void, controls?: HTMLElement,
+ * }} Display `controls` stand with its options. `begin` and `end` are called when it is subscribed to its topic, and no
+ *   longer. `receive` draws a message into the display's group, which is placed in the frame of its header, or in what
  *   `frameOf` returns; without that, the display places its parts itself in `update`, which is called before each frame
  * @typedef {{
  *   root: InstanceType<typeof Group>, world: World, ros: Ros,
@@ -84,6 +86,11 @@ export class Shown {
     return this.#kind;
   }
 
+  /** What the visitor can do with what it shows, beside its options. */
+  get controls() {
+    return this.#display.controls;
+  }
+
   /** The topic that it shows; "" if it has none. @returns {string} */
   get topic() {
     return this.#kind.types.length ? String(this.options.topic ?? "") : "";
@@ -120,11 +127,13 @@ export class Shown {
     this.#subscribed = wanted;
     const qos = latched ? { transientLocal: true, depth: 10, reliable: true } : { depth: 10 };
     this.#unsubscribe = this.#world.ros.subscribe(this.topic, type, (message) => this.#receive(message, type), qos);
+    this.#display.begin?.();
     if (!this.drawn) this.tell(offers.length ? say("no messages yet") : say("{}: no publishers", this.topic));
   }
 
   /** Stop receiving messages. */
   end() {
+    if (this.#subscribed) this.#display.end?.();
     this.#unsubscribe();
     this.#unsubscribe = () => {};
     this.#subscribed = "";

@@ -4,6 +4,7 @@
 import { Group } from "../../vendor/three.js";
 import { place } from "../../place.js";
 import { Transforms } from "../tf/transforms.js";
+import { infoOf } from "./displays/camera.js";
 import { KINDS } from "./kinds.js";
 import { Shown } from "./shown.js";
 
@@ -58,6 +59,11 @@ export class World {
     for (const { kind, enabled = true, ...own } of displays ?? [{ kind: "grid" }, { kind: "tf" }]) {
       this.add(kind, own, enabled);
     }
+  }
+
+  /** The drawing, for displays that the visitor's pointer moves. */
+  get stage() {
+    return this.#stage;
   }
 
   /** Add a display. @param {string} kind @param {Record<string, any>} options @param {boolean} [enabled] */
@@ -186,6 +192,8 @@ export class World {
       if (!kind || !publishers.length || this.displays.length >= MOST_SHOWN) continue;
       // A text can be anything; a description of a robot has a usual name.
       if (kind === "robot" && !name.endsWith("/robot_description")) continue;
+      // An image without a camera has no place in the scene.
+      if (kind === "camera" && !this.ros.graph.topics().some((each) => each.name === infoOf(name) && each.publishers.length)) continue;
       if (!this.displays.some(({ topic }) => topic === name)) this.add(kind, { topic: name });
     }
   }

@@ -35,6 +35,14 @@ export class Filters {
       (!wanted || text.toLowerCase().includes(wanted));
   }
 
+  /** Admit entries of this severity, if they were not. @param {string} severity */
+  admitFrom(severity) {
+    const order = LEVELS.map(([, name]) => /** @type {string} */ (name));
+    if (order.indexOf(severity) >= order.indexOf(this.#severity.value)) return;
+    this.#severity.value = severity;
+    this.#severity.dispatchEvent(new Event("input"));
+  }
+
   /** Offer to show only the entries of `node`. @param {string} node */
   offer(node) {
     if (![...this.#node.options].some(({ value }) => value === node)) this.#node.append(new Option(node));

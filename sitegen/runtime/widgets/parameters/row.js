@@ -3,9 +3,9 @@
 
 import { create, setNote, setText } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
-import { BOOL, DOUBLE, INTEGER, NOT_SET, nameOf, parse, plainOf, textOf, valueOf } from "./value.js";
+import { BOOL, DOUBLE, INTEGER, NOT_SET, nameOf, parse, plainOf, textOf, valueOf } from "../../messages/parameters/value.js";
 
-/** @import { Parameter } from "./node.js" */
+/** @import { Parameter } from "../../messages/parameters/node.js" */
 
 let lastId = 0;
 

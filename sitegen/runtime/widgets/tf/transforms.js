@@ -150,7 +150,7 @@ export function seconds({ sec, nanosec }) {
 }
 
 /** The name of a frame as tf2 has it. @param {string} name */
-function plain(name) {
+export function plain(name) {
   return name.startsWith("/") ? name.slice(1) : name;
 }
 

@@ -3,6 +3,7 @@
 
 import { shape } from "../../ui/drawing.js";
 import { create, setText } from "../../ui/elements.js";
+import { SHAPES } from "../../ui/grades.js";
 import { say } from "../../ui/words.js";
 
 /**
@@ -11,13 +12,6 @@ import { say } from "../../ui/words.js";
  */
 
 const WORDS = { good: say("good"), caution: say("caution"), danger: say("danger"), plain: "" };
-/** Different for those who do not see colours: a disc, a triangle, an octagon. @type {Record<Level, string>} */
-const SHAPES = {
-  good: "M 12 3 a 9 9 0 1 0 0.01 0 z",
-  caution: "M 12 2.5 L 22.5 21 L 1.5 21 z",
-  danger: "M 8 2.5 L 16 2.5 L 21.5 8 L 21.5 16 L 16 21.5 L 8 21.5 L 2.5 16 L 2.5 8 z",
-  plain: "",
-};
 
 /** The threshold that applies to a value. @param {number} value @param {Threshold[]} thresholds */
 export function stateOf(value, thresholds) {

@@ -3,6 +3,7 @@
 
 import { cppHost } from "./cppHost.js";
 import { keyboardHost } from "./keyboardHost.js";
+import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
 import { place } from "../../place.js";
 import { Printer } from "../printer.js";
@@ -13,6 +14,8 @@ import { Printer } from "../printer.js";
 const DEPTH = 100;
 // For programs without a line table.
 const ADVICE = "    (run 'sitegen build --debug' to see where)";
+
+confine();
 
 /** @param {FromWorker} message */
 const post = (message) => postMessage(message);

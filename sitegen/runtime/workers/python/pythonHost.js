@@ -92,6 +92,11 @@ function keyboard(printer, typed, post) {
       printer.flush();
       post({ op: "ready", more });
     },
+    /** Send an answer of a notebook's kernel. @param {string} text in JSON */
+    answer(text) {
+      printer.flush();
+      post({ op: "answer", text });
+    },
     /** @param {string} text @param {string[]} words the completions of the text */
     complete: (text, words) => post({ op: "words", text, words }),
   };

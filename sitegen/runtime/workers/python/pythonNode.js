@@ -4,6 +4,8 @@
 
 import { engine } from "../../engine.js";
 import { heard } from "../../interrupt.js";
+import { startWorker } from "../../worker.js";
+import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
 import { Answers } from "./calls.js";
 import { Printer } from "../printer.js";
@@ -18,7 +20,8 @@ import { answersOf } from "./remoteParticipant.js";
 const stacks = engine === "jspi";
 // Load Python while the page is still mounting its widgets.
 const python = stacks ? new Python() : undefined;
-const still = stacks ? undefined : new Worker(new URL("pythonSync.js", import.meta.url), { type: "module" });
+const still = stacks ? undefined : startWorker("python/pythonSync", self.name);
+confine();
 
 serve(/** @type {Way} */ (/** @type {unknown} */ (self)));
 
@@ -42,7 +45,7 @@ function serve(way) {
       byte = data.byte;
       if (still) watch(still, data, new Answers(answersOf(participant, typed)), post, end);
       else run(data, participant).catch((error) => end(1, describe(error)));
-    } else if (data.op === "line" || data.op === "complete" || data.op === "keys") {
+    } else if (data.op === "line" || data.op === "complete" || data.op === "ask" || data.op === "keys") {
       typed.push(data);
       participant?.wake();
     } else if (data.op === "check") {

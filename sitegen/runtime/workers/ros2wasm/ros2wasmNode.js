@@ -2,6 +2,8 @@
 // The worker of a node that the ROS2WASM project compiled. Its script runs unchanged in another worker, which this one
 // represents in the graph.
 
+import { startScript } from "../../worker.js";
+import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
 import { Printer } from "../printer.js";
 import { Complaints } from "./complaints.js";
@@ -37,8 +39,7 @@ function run({ id, name, program }) {
   const graph = new Participant(id, post);
   participant = graph;
   const complaints = new Complaints((text) => printer.print("warn", `${name}: ${text}`));
-  // A classic worker, because the scripts assign to undeclared variables.
-  const own = new Worker(program.script, { name });
+  const own = startScript(scriptOf(program.script), name);
   worker = own;
   const answer = (/** @type {{topic: string, message: string}} */ message) => own.postMessage(message);
   script = new Script(graph, name, program, answer, printer, complaints);
@@ -48,9 +49,28 @@ function run({ id, name, program }) {
   };
   own.onerror = (event) => {
     event.preventDefault();
-    end(1, event.message || "its script could not be loaded");
+    // What importScripts throws for a script that is missing.
+    const lost = !event.message || event.message.includes("NetworkError");
+    end(1, lost ? "its script could not be loaded" : event.message);
   };
   post({ op: "running" });
+}
+
+/**
+ * Return the script of a classic worker that runs a node: its script assigns to undeclared variables. It finds its files
+ * as if it was the script of the worker, and other scripts only where the policy of the page allows it.
+ * @param {string} address of the node's script
+ */
+function scriptOf(address) {
+  const script = JSON.stringify(address);
+  // The address of a blob: has no folder.
+  const whole = address.startsWith("blob:") ? "name" : `new URL(name, ${script}).href`;
+  return `var Module = { locateFile: (name) => ${whole} };
+((load) => {
+  (${confine})();
+  self.importScripts = (...names) => load(...names.map((name) => ${whole}));
+})(importScripts);
+importScripts(${script});`;
 }
 
 let flushing = false;

@@ -3,6 +3,6 @@
 try:
     import numpy
 except ImportError:
-    from rclpy_backend.arrays import fixed_array as numpy
+    from rclpy_backend.arrays import fixed_array as numpy  # type: ignore[no-redef]
 
 __all__ = ["numpy"]

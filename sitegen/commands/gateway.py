@@ -1,0 +1,123 @@
+"""Start the gateway, or say what is missing for it."""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import importlib
+import sys
+import time
+from typing import TYPE_CHECKING
+
+from sitegen.errors import SiteError
+from sitegen.gateway.addresses import EVERYWHERE, HERE, own_names
+from sitegen.report import Report
+
+if TYPE_CHECKING:
+    from sitegen.gateway.native import Native
+
+# How often the graph is read at the start (four times in a second).
+DISCOVERY = 6
+
+
+def gateway(arguments: argparse.Namespace, report: Report) -> None:
+    """Run the gateway until it is stopped."""
+    _need_packages()
+    _need_ros()
+    from sitegen.gateway import server
+    from sitegen.gateway.config import load
+    from sitegen.gateway.log import Log
+    from sitegen.gateway.native import Native
+    from sitegen.gateway.tls import context
+
+    rules = load(arguments.config)
+    files = server.site_files(arguments.site)
+    tls = context(arguments.tls, arguments.bind) if arguments.tls else None
+
+    write = Log(report.say).write
+
+    async def run() -> None:
+        native = Native(domain=arguments.domain)
+        await native.start()
+        await _discover(native)
+        await _log(native)
+        try:
+            guard = server.guard(rules, native, write)
+            shared = server.Gateway(rules, native, server.handlers(), write, files, guard)
+            secure = tls.context if tls else None
+            await server.run(shared, arguments.bind, arguments.port, tls=secure, ready=ready)
+        finally:
+            await native.stop()
+
+    def ready(port: int) -> None:
+        for line in (*lines(arguments.bind, port, secure=bool(tls)), *(tls.advice if tls else ())):
+            report.say(line.replace("PORT", str(port)))
+        if arguments.bind not in HERE and rules.allow is None:
+            text = "everyone on the network can reach everything on the graph"
+            report.say(f"{text}; write 'allow' in gateway.yaml to choose", "warning")
+
+    asyncio.run(run())
+
+
+async def _log(native: Native) -> None:
+    """Publish to /rosout, as all nodes do: clients tell by its type that this is ROS 2."""
+    from sitegen.gateway.native import Qos, load_type, to_cdr
+
+    kind = load_type("rcl_interfaces/msg/Log")
+    qos = Qos(depth=1, transient_local=True)
+    publisher = await native.join(None).advertise("/rosout", "rcl_interfaces/msg/Log", qos)
+    message = kind(level=20, name=native.name, msg="the gateway of sitegen has started")
+    message.stamp.sec, message.stamp.nanosec = divmod(time.time_ns(), 10**9)
+    await publisher.publish(to_cdr(message))
+
+
+async def _discover(native: Native) -> None:
+    """Wait until no more endpoints come: the first client would miss them."""
+    native.watch(lambda come, gone: None)
+    known = -1
+    for _ in range(DISCOVERY):
+        await asyncio.sleep(0.25)
+        await native.refresh()
+        if known == (known := len(native.endpoints)) and known:
+            return
+
+
+def lines(bind: str, port: int, *, secure: bool) -> list[str]:
+    """Return what to tell when the gateway listens."""
+    scheme = "wss" if secure else "ws"
+    here = f"{scheme}://localhost:{port}/"
+    if bind in HERE:
+        where = f"{here} for this computer only; others: --bind 0.0.0.0"
+    elif bind in EVERYWHERE:
+        where = f"{here}, for others {scheme}://{own_names(bind)[-1]}:{port}/"
+    else:
+        where = f"{scheme}://{f'[{bind}]' if ':' in bind else bind}:{port}/"
+    return [f"{where} (press Ctrl-C to stop)"]
+
+
+def _need_packages() -> None:
+    for name in ("aiohttp", "cbor2", "cryptography", "icalendar", "mcap", "recurring_ical_events"):
+        try:
+            importlib.import_module(name)
+        except ImportError:
+            message = f"the gateway needs {name}, which is not installed"
+            raise SiteError([f"{message}: pip install 'ros-sitegen[gateway]'"]) from None
+
+
+def _need_ros() -> None:
+    try:
+        importlib.import_module("rclpy")
+    except ModuleNotFoundError as error:
+        if error.name == "rclpy":
+            how = "source its setup.bash in this shell, or: pip install 'ros-rclpy[fastrtps]'"
+            raise SiteError([f"the gateway needs ROS 2 beside it: {how}"]) from None
+        raise SiteError([_broken(error)]) from None
+    except ImportError as error:
+        raise SiteError([_broken(error)]) from None
+
+
+def _broken(error: ImportError) -> str:
+    version = ".".join(str(part) for part in sys.version_info[:2])
+    why = (str(error).splitlines() or ["it cannot be imported"])[0]
+    hint = "install sitegen for the Python that ROS 2 was made for"
+    return f"rclpy does not work with this Python {version}: {why}; {hint}"

@@ -1,0 +1,58 @@
+"""Collect the definitions of all interfaces that scripts of a site can use."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+from sitegen.interfaces import typesupport
+from sitegen.interfaces.descriptions import described
+from sitegen.interfaces.generator import shares
+from sitegen.interfaces.messages import MessageType, types
+from sitegen.model import Site
+from sitegen.shipped import ROS
+
+# For the tests of client libraries.
+LEFT_OUT = {"test_msgs"}
+# The action of ROS's tutorials and of roslib's examples, and one that differs in a name only.
+TUTORIAL, SIMILAR = (
+    f"{one}/action/Fibonacci" for one in ("action_tutorials_interfaces", "example_interfaces")
+)
+
+
+def catalogue(site: Site, *, cache: Path) -> dict[str, MessageType]:
+    """Return the message types of ROS, sitegen and the workspace, by name.
+
+    A script may use any interface, not only those of the nodes on its page. See MessageType in
+    protocol.js.
+
+    Raises: SiteError if definitions of the workspace are wrong.
+    """
+    own = [name for name, package in site.packages.items() if package.interfaces]
+    prefix = described(site, own, cache=cache)
+    found = types(_names(prefix), [prefix])
+    return {**_tutorial(found), **found}
+
+
+def as_json(found: dict[str, MessageType]) -> bytes:
+    """Return message types as the text of a file."""
+    return json.dumps(found, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
+
+
+def _tutorial(found: dict[str, MessageType]) -> dict[str, MessageType]:
+    """Return the types of the action of ROS's tutorials, which no wheel contains."""
+    own = {name: one for name, one in found.items() if name.startswith(f"{SIMILAR}_")}
+    renamed: dict[str, MessageType] = json.loads(json.dumps(own).replace(SIMILAR, TUTORIAL))
+    renamed[f"{TUTORIAL}_Feedback"]["fields"][0]["name"] = "partial_sequence"
+    return renamed
+
+
+def _names(prefix: Path) -> Iterator[str]:
+    for share in shares([ROS, prefix]):
+        if share.name in LEFT_OUT:
+            continue
+        for description in sorted(share.glob("*/*.json")):
+            for message in typesupport.read_description(description):
+                if not message.name.endswith("_Event"):
+                    yield message.name

@@ -1,0 +1,180 @@
+// Written by `sitegen types`: the modules that scripts and panels of this site can import. Write it again when the
+// interfaces have changed.
+
+declare module "sitegen" {
+  type Messages = import("./ros").Messages;
+  type Services = import("./ros").Services;
+  type Actions = import("./ros").Actions;
+  type Qos = Partial<import("./ros").Qos>;
+  type Sent<Type> = import("./ros").Sent<Type>;
+  type MessageInfo = import("./ros").MessageInfo;
+  /** Of a type that the page has a definition of; `any` for others. */
+  type Of<Known, Type> = Type extends keyof Known ? Known[Type] : any;
+
+  /** The page's own node in the graph, which is hidden. */
+  export const ros: Node;
+
+  export interface Node {
+    /** Empty for the page's own node. */
+    readonly name: string;
+    /** The definitions of all interfaces, by name. */
+    readonly types: import("./ros").Ros["types"];
+    /** The programs of the page, by their names in site.yaml. */
+    readonly programs: Map<string, import("./ros").NodeHandle>;
+    readonly tf: Tf;
+    /** A topic; without a type, it has that of the graph. "~" stands for the name of this node. */
+    topic<Type extends string>(name: string, type?: Type, qos?: Qos): Topic<Of<Messages, Type>>;
+    service<Type extends string>(name: string, type?: Type): Service<
+      Of<Services, Type> extends { request: infer Request } ? Request : any,
+      Of<Services, Type> extends { response: infer Response } ? Response : any>;
+    action<Type extends string>(name: string, type?: Type): Action<
+      Of<Actions, Type> extends { goal: infer Request } ? Request : any,
+      Of<Actions, Type> extends { feedback: infer Feedback } ? Feedback : any,
+      Of<Actions, Type> extends { result: infer Result } ? Result : any>;
+    /** The parameters of a node. */
+    parameters(node: string): Parameters;
+    nodes(): string[];
+    topics(): ReturnType<import("./ros").Graph["topics"]>;
+    services(): ReturnType<import("./ros").Graph["services"]>;
+    actions(): { name: string, types: string[], servers: string[] }[];
+    /** What comes into the graph and leaves it, beginning with what is there. */
+    events(options?: StreamOptions): Stream<GraphEvent>;
+    /** Another node of the page, with a name of its own. */
+    node(name: string): Node;
+    /** Leave the graph; the page's own node stays. */
+    close(): void;
+  }
+
+  export interface GraphEvent {
+    change: "come" | "gone";
+    kind: "node" | "publisher" | "subscription" | "service" | "client";
+    node: string;
+    name: string;
+    type: string;
+  }
+
+  /** Of what a loop has not come to yet, the newest `most` are kept; `signal` ends the stream. */
+  export interface StreamOptions {
+    most?: number;
+    signal?: AbortSignal;
+  }
+  export interface Stream<Value> extends AsyncIterableIterator<Value> {}
+  /** `timeout` in ms. */
+  export interface WaitOptions {
+    timeout?: number;
+    signal?: AbortSignal;
+  }
+
+  export interface Topic<Message> {
+    readonly name: string;
+    /** As given, or as the graph has it; "" if neither. */
+    readonly type: string;
+    messages(options?: StreamOptions & { qos?: Qos }): Stream<Message>;
+    next(options?: { signal?: AbortSignal }): Promise<Message>;
+    /** Call `callback` with each message, until the function that this returns is called. */
+    subscribe(callback: (message: Message, info: MessageInfo) => void, qos?: Qos): () => void;
+    /** Publish a message; missing fields are zero. */
+    publish(message: Sent<Message>): void;
+    /** Announce the publisher before its first message. */
+    advertise(): void;
+    unadvertise(): void;
+  }
+
+  export interface Service<Request, Response> {
+    readonly name: string;
+    readonly type: string;
+    /** Whether a node serves it now. */
+    readonly available: boolean;
+    wait(options?: WaitOptions): Promise<void>;
+    /** Call it when there is a server. `timeout` is 5000 by default. */
+    call(request?: Sent<Request>, options?: WaitOptions): Promise<Response>;
+    /** Serve it, until the function that this returns is called. */
+    serve(answer: (request: Request) => Sent<Response> | Promise<Sent<Response>>): () => void;
+  }
+
+  export interface Action<Request, Feedback, Result> {
+    readonly name: string;
+    readonly type: string;
+    readonly available: boolean;
+    wait(options?: WaitOptions): Promise<void>;
+    /** Send a goal when there is a server. */
+    send(request?: Sent<Request>, options?: WaitOptions): Promise<Goal<Feedback, Result>>;
+    /**
+     * Serve it: `execute` returns the result, or is an async generator that yields feedback and returns the result. A goal
+     * whose `signal` was aborted is canceled, one that throws is aborted.
+     */
+    serve(
+      execute: (task: Task<Request, Feedback>) => Sent<Result> | Promise<Sent<Result>> |
+        AsyncGenerator<Sent<Feedback>, Sent<Result>>,
+      options?: { accept?: (request: Request) => boolean, cancel?: (task: Task<Request, Feedback>) => boolean },
+    ): () => void;
+  }
+
+  export type GoalState = "sending" | "accepted" | "executing" | "canceling" | "succeeded" | "canceled" | "aborted" |
+    "rejected" | "lost" | "unknown";
+
+  export interface Goal<Feedback, Result> {
+    readonly id: string;
+    readonly state: GoalState;
+    feedback(options?: StreamOptions): Stream<Feedback>;
+    /** It rejects with a GoalError if the goal does not succeed. */
+    result(): Promise<Result>;
+    /** It rejects if the server refuses. */
+    cancel(): Promise<void>;
+  }
+
+  export class GoalError extends Error {
+    readonly state: GoalState;
+    /** What the server sent, if anything. */
+    readonly result: any;
+  }
+
+  export interface Task<Request, Feedback> {
+    readonly id: string;
+    readonly request: Request;
+    /** Aborted when the goal is to be canceled. */
+    readonly signal: AbortSignal;
+    publish(feedback: Sent<Feedback>): void;
+  }
+
+  export type Parameter = boolean | number | bigint | string | Uint8Array | boolean[] | (number | bigint)[] | string[];
+
+  export interface Parameters {
+    readonly node: string;
+    names(): Promise<string[]>;
+    get(name: string): Promise<Parameter | undefined>;
+    all(): Promise<Record<string, Parameter | undefined>>;
+    /** It rejects with the reason if the node refuses. */
+    set(name: string, value: Parameter): Promise<void>;
+    /** Set several together. */
+    set(values: Record<string, Parameter>): Promise<void>;
+    describe(name: string): Promise<Of<Messages, "rcl_interfaces/msg/ParameterDescriptor">>;
+    changes(options?: StreamOptions): Stream<{ name: string, value: Parameter | undefined }>;
+  }
+
+  export interface Transform {
+    translation: { x: number, y: number, z: number };
+    rotation: { x: number, y: number, z: number, w: number };
+  }
+
+  /** Emits `change` after transforms have come. */
+  export interface Tf extends EventTarget {
+    frames(): string[];
+    /** Where the frame `source` is in the frame `target`, if that is known now. */
+    latest(target: string, source: string): Transform | undefined;
+    /** The same, as soon as it is known; at a `time` in s, interpolated. */
+    lookup(target: string, source: string, options?: WaitOptions & { time?: number }): Promise<Transform>;
+    follow(target: string, source: string, options?: { signal?: AbortSignal }): Stream<Transform>;
+  }
+}
+
+declare module "sitegen/rosbridge" {
+  /** The `transportFactory` of roslib 2: `new Ros({ transportFactory })`, then `connect("page:")`. */
+  export function transportFactory(url?: string): Promise<any>;
+  /** Let `new WebSocket(url)` of this page connect to its graph; returns what undoes that. */
+  export function serveWebSocket(url?: string): () => void;
+  /** A WebSocket whose server is the graph of the page. */
+  export class RosbridgeSocket extends WebSocket {
+    constructor(url?: string);
+  }
+}

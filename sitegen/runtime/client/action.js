@@ -1,0 +1,129 @@
+// @ts-check
+// An action, as scripts use it.
+
+import { ActionClient } from "../messages/actionClient.js";
+import { say } from "../ui/words.js";
+import { ActionServer, STATUS } from "./actionServer.js";
+import { Goal } from "./goal.js";
+
+/** @import { PageNode, Ros } from "../protocol.js" */
+/** @import { ServedGoal } from "./actionServer.js" */
+/** @import { Surroundings } from "./surroundings.js" */
+/**
+ * @typedef {{id: string, request: any, signal: AbortSignal, publish(feedback: any): void}} Task a goal that a client
+ *   sent; `signal` is aborted when it is to be canceled
+ */
+
+const SEND = "/_action/send_goal";
+
+export class Action {
+  #raw;
+  #graph;
+  #surroundings;
+  #type;
+  /** @type {ActionClient | undefined} */
+  #client;
+
+  /**
+   * @param {PageNode} raw @param {Ros["graph"]} graph @param {Surroundings} surroundings @param {string} name
+   * @param {string} type
+   */
+  constructor(raw, graph, surroundings, name, type) {
+    this.#raw = raw;
+    this.#graph = graph;
+    this.#surroundings = surroundings;
+    this.name = name;
+    this.#type = type;
+  }
+
+  /** The type, as given or as the graph has it; "" if neither. */
+  get type() {
+    return this.#type || this.#surroundings.typeOf("services", this.name + SEND).replace(/_SendGoal$/, "");
+  }
+
+  /** Whether a node serves it now. */
+  get available() {
+    return this.#surroundings.serversOf(this.name + SEND).length > 0;
+  }
+
+  /** Resolve when a node serves it. @param {{timeout?: number, signal?: AbortSignal}} [options] */
+  async wait({ timeout = Infinity, signal } = {}) {
+    const fault = say("no server for {} within {} s", this.name, timeout / 1000);
+    await this.#surroundings.when(() => (this.available ? true : undefined), timeout, fault, signal);
+  }
+
+  /**
+   * Send a goal, when there is a server.
+   * @param {any} [request] @param {{timeout?: number, signal?: AbortSignal}} [options]
+   */
+  async send(request = {}, { timeout = 5000, signal } = {}) {
+    await this.wait({ timeout, signal });
+    const client = this.#connected();
+    return new Goal(client, client.send(request));
+  }
+
+  /**
+   * Serve it. `execute` gets each goal, and returns its result or a promise of it, or is an async generator that yields
+   * feedback and returns the result. A goal whose `signal` was aborted by then is canceled; one that throws is aborted.
+   * @param {(task: Task) => any} execute @param {{accept?: (request: any) => boolean,
+   *   cancel?: (task: Task) => boolean}} [options] both may refuse
+   * @returns {() => void} end
+   */
+  serve(execute, { accept = () => true, cancel = () => true } = {}) {
+    const { type } = this;
+    if (!type) throw new Error(say("give {} a type: the graph has no such action", this.name));
+    this.#surroundings.check(`${type}_SendGoal_Request`);
+    /** @type {Map<ServedGoal, {task: Task, abort: AbortController}>} */
+    const running = new Map();
+    const server = new ActionServer(this.#raw, this.name, type, {
+      accepted: ({ request }) => accept(request),
+      cancel: (goal) => {
+        const one = running.get(goal);
+        if (!one || !cancel(one.task)) return false;
+        one.abort.abort(new Error(say("the goal was canceled")));
+        return true;
+      },
+      execute: async (goal) => {
+        const abort = new AbortController();
+        const { id, request } = goal;
+        const task = { id, request, signal: abort.signal, publish: goal.publish.bind(goal) };
+        running.set(goal, { task, abort });
+        try {
+          const result = await resultOf(execute(task), goal);
+          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.succeeded, result ?? {});
+        } catch (error) {
+          if (!abort.signal.aborted) console.error(error);
+          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.aborted, {});
+        }
+        running.delete(goal);
+      },
+    });
+    return () => {
+      for (const { abort } of running.values()) abort.abort(new Error(say("closed")));
+      server.close();
+    };
+  }
+
+  #connected() {
+    if (this.#client) return this.#client;
+    const ros = /** @type {Ros} */ (/** @type {unknown} */ ({
+      graph: this.#graph, types: this.#raw.types, subscribe: this.#raw.subscribe.bind(this.#raw),
+      call: this.#raw.call.bind(this.#raw),
+    }));
+    const client = new ActionClient(ros, this.name, this.type);
+    if (client.missing) throw new Error(say("this page has no definition of {}", client.missing));
+    client.watch();
+    this.#client = client;
+    return client;
+  }
+}
+
+/** Return what `work` returns, and publish what it yields. @param {any} work @param {ServedGoal} goal */
+async function resultOf(work, goal) {
+  if (typeof work?.next !== "function") return work;
+  for (;;) {
+    const { value, done } = await work.next();
+    if (done) return value;
+    goal.publish(value);
+  }
+}

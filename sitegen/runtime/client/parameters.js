@@ -1,0 +1,135 @@
+// @ts-check
+// The parameters of a node, as scripts use them.
+
+import { set } from "../messages/parameters/node.js";
+import { DOUBLE, INTEGER, plainOf, STRING } from "../messages/parameters/value.js";
+import { say } from "../ui/words.js";
+import { Stream } from "./stream.js";
+
+/** @import { PageNode, Ros } from "../protocol.js" */
+/** @import { Surroundings } from "./surroundings.js" */
+
+const SRV = "rcl_interfaces/srv";
+const [BOOL, LISTS] = [1, 4];
+/** The fields of rcl_interfaces/msg/ParameterValue, by type. */
+const FIELDS = ["", "bool_value", "integer_value", "double_value", "string_value", "byte_array_value",
+  "bool_array_value", "integer_array_value", "double_array_value", "string_array_value"];
+
+export class Parameters {
+  #raw;
+  #surroundings;
+
+  /** @param {PageNode} raw @param {Surroundings} surroundings @param {string} node its full name */
+  constructor(raw, surroundings, node) {
+    this.#raw = raw;
+    this.#surroundings = surroundings;
+    this.node = node;
+  }
+
+  /** Return the names of all parameters. @returns {Promise<string[]>} */
+  async names() {
+    const { result } = await this.#call("list_parameters", "ListParameters", { prefixes: [], depth: 0n });
+    return result.names;
+  }
+
+  /** Return the value of a parameter, undefined if it is not set. @param {string} name @returns {Promise<any>} */
+  async get(name) {
+    const [value] = await this.#values([name]);
+    return value && plainParameter(value);
+  }
+
+  /** Return all parameters by name. @returns {Promise<Record<string, any>>} */
+  async all() {
+    const names = await this.names();
+    const values = await this.#values(names);
+    return Object.fromEntries(names.map((name, index) => [name, plainParameter(values[index])]));
+  }
+
+  /**
+   * Set a parameter, or several together: `set({ speed: 2, name: "a" })`. A number becomes an integer or a double as the
+   * parameter is. Reject with the reason if the node refuses.
+   * @param {string | Record<string, any>} name @param {any} [value]
+   */
+  async set(name, value) {
+    const wanted = typeof name === "string" ? { [name]: value } : name;
+    const names = Object.keys(wanted);
+    const now = await this.#values(names);
+    const parameters = names.map((one, index) => ({ name: one, value: parameterOf(wanted[one], now[index]?.type) }));
+    const fault = await set(/** @type {Ros} */ (/** @type {unknown} */ ({ call: this.#raw.call.bind(this.#raw) })),
+      this.node, parameters);
+    if (fault) throw new Error(say("{} refused: {}", this.node, fault));
+  }
+
+  /** Return the rcl_interfaces/msg/ParameterDescriptor of a parameter. @param {string} name @returns {Promise<any>} */
+  async describe(name) {
+    const { descriptors } = await this.#call("describe_parameters", "DescribeParameters", { names: [name] });
+    return descriptors[0];
+  }
+
+  /**
+   * Iterate over changes: `{name, value}`, with an undefined value for a parameter that was removed.
+   * @param {{most?: number, signal?: AbortSignal}} [options]
+   */
+  changes(options) {
+    return new Stream((push) => this.#raw.subscribe("/parameter_events", "rcl_interfaces/msg/ParameterEvent", (event) => {
+      if (event.node !== this.node) return;
+      for (const { name, value } of [...event.new_parameters, ...event.changed_parameters]) {
+        push({ name, value: plainParameter(value) });
+      }
+      for (const { name } of event.deleted_parameters) push({ name, value: undefined });
+    }, { reliable: true, depth: 1000 }), options);
+  }
+
+  /** @param {string[]} names @returns {Promise<any[]>} */
+  async #values(names) {
+    return (await this.#call("get_parameters", "GetParameters", { names })).values;
+  }
+
+  /** @param {string} service @param {string} type @param {any} request */
+  async #call(service, type, request) {
+    const name = `${this.node}/${service}`;
+    await this.#surroundings.when(() => (this.#surroundings.serversOf(name).length ? true : undefined), 5000,
+      say("{} has no parameters, or is not running", this.node));
+    return this.#raw.call(name, `${SRV}/${type}`, request);
+  }
+}
+
+/** Return a ParameterValue as JavaScript has it; integers are numbers if these are exact. @param {any} value */
+export function plainParameter(value) {
+  const plain = plainOf(value);
+  if (typeof plain === "bigint") return exact(plain);
+  if (plain instanceof BigInt64Array) return Array.from(plain, exact);
+  return plain instanceof Float64Array ? Array.from(plain) : plain;
+}
+
+/** Return a ParameterValue. @param {any} plain @param {number} [type] the parameter's so far */
+export function parameterOf(plain, type = 0) {
+  if (plain === null || plain === undefined) return { type: 0 };
+  if (plain instanceof Uint8Array) return { type: 5, byte_array_value: plain };
+  const list = Array.isArray(plain) || ArrayBuffer.isView(plain);
+  const items = list ? Array.from(/** @type {any} */ (plain)) : [plain];
+  const kind = items.length ? kindOf(items, type) : Math.max(type, 6) - 5;
+  const scalar = items.length ? kind : [1, 2, 3, 4][kind - 1] ?? STRING;
+  const field = FIELDS[list ? scalar + LISTS + 1 : scalar] ?? "";
+  const values = scalar === INTEGER ? items.map((item) => BigInt(item)) : items;
+  return { type: list ? scalar + LISTS + 1 : scalar, [field]: list ? values : values[0] };
+}
+
+/** @param {any[]} items not empty @param {number} type the parameter's so far */
+function kindOf(items, type) {
+  const kinds = new Set(items.map((item) => typeof item));
+  if (kinds.size === 1 && kinds.has("boolean")) return BOOL;
+  if (kinds.size === 1 && kinds.has("string")) return STRING;
+  if ([...kinds].every((kind) => kind === "bigint")) return INTEGER;
+  if (![...kinds].every((kind) => kind === "number")) {
+    throw new Error(say("a parameter is a boolean, a number, a text, or a list of one of these"));
+  }
+  const double = type === DOUBLE || type === DOUBLE + LISTS + 1;
+  return !double && items.every(Number.isSafeInteger) ? INTEGER : DOUBLE;
+}
+
+/** @param {bigint} value */
+function exact(value) {
+  const number = Number(value);
+  return Number.isSafeInteger(number) ? number : value;
+}

@@ -1,0 +1,101 @@
+// @ts-check
+// What the graph of the page tells about names: their types, and when they come.
+
+import { say } from "../ui/words.js";
+
+/** @import { Ros } from "../protocol.js" */
+
+export class Surroundings {
+  #ros;
+
+  /** @param {Ros} ros */
+  constructor(ros) {
+    this.#ros = ros;
+  }
+
+  /**
+   * The type of a topic or a service, "" if the graph has none.
+   * @param {"topics" | "services"} kind @param {string} name
+   */
+  typeOf(kind, name) {
+    return this.#ros.graph[kind]().find((one) => one.name === name)?.types[0] ?? "";
+  }
+
+  /**
+   * The quality of service with which a subscription to a topic gets most of what its publishers offer now; `known` if
+   * there are any.
+   * @param {string} name @returns {{reliable: boolean, transientLocal: boolean, known: boolean}}
+   */
+  qosOf(name) {
+    const publishers = this.#ros.graph.endpoints().filter((one) => one.kind === "publisher" && one.name === name);
+    const all = (/** @type {"reliable" | "transientLocal"} */ key) =>
+      publishers.length > 0 && publishers.every(({ qos }) => qos[key]);
+    return { reliable: all("reliable"), transientLocal: all("transientLocal"), known: publishers.length > 0 };
+  }
+
+  /** The nodes that serve a service. @param {string} name */
+  serversOf(name) {
+    return this.#ros.graph.services().find((one) => one.name === name)?.servers ?? [];
+  }
+
+  /** Throw an Error if the page has no definition of a type. @param {string} type */
+  check(type) {
+    if (!this.#ros.types[type]) throw new Error(say("this page has no definition of {}", type));
+  }
+
+  /**
+   * Call `begin` with the type of a topic or a service: `type`, or else, when the graph has it, that. Return a function
+   * that ends what `begin` returns, or the wait.
+   * @param {"topics" | "services"} kind @param {string} name @param {string} type
+   * @param {(type: string) => () => void} begin @returns {() => void}
+   */
+  whenTyped(kind, name, type, begin) {
+    const known = type || this.typeOf(kind, name);
+    if (known) return begin(known);
+    /** @type {(() => void) | undefined} */
+    let end;
+    const stop = this.watch(() => {
+      const found = this.typeOf(kind, name);
+      if (!found) return;
+      stop();
+      end = begin(found);
+    });
+    return () => {
+      stop();
+      end?.();
+    };
+  }
+
+  /**
+   * Resolve when `found` returns something else than undefined, with that; reject after `timeout` ms.
+   * @template Found
+   * @param {() => Found | undefined} find @param {number} timeout @param {string} fault @param {AbortSignal} [signal]
+   * @returns {Promise<Found>}
+   */
+  when(find, timeout, fault, signal) {
+    return new Promise((resolve, reject) => {
+      const look = () => {
+        const found = find();
+        if (found !== undefined) done(() => resolve(found));
+      };
+      const timer = timeout === Infinity ? undefined : setTimeout(() => done(() => reject(new Error(fault))), timeout);
+      const aborted = () => done(() => reject(signal?.reason));
+      const stop = this.watch(look);
+      const done = (/** @type {() => void} */ settle) => {
+        clearTimeout(timer);
+        stop();
+        signal?.removeEventListener("abort", aborted);
+        settle();
+      };
+      signal?.addEventListener("abort", aborted);
+      if (signal?.aborted) aborted();
+      else look();
+    });
+  }
+
+  /** Call `changed` after changes of the graph. @param {() => void} changed @returns {() => void} stop */
+  watch(changed) {
+    this.#ros.graph.addEventListener("change", changed);
+    return () => this.#ros.graph.removeEventListener("change", changed);
+  }
+}

@@ -1,0 +1,16 @@
+// @ts-check
+// The time as messages have it.
+
+import { now } from "../protocol.js";
+
+/** The time now, as builtin_interfaces/msg/Time. */
+export function stamp() {
+  const ms = now();
+  const sec = Math.floor(ms / 1000);
+  return { sec, nanosec: Math.min(999_999_999, Math.round((ms - sec * 1000) * 1e6)) };
+}
+
+/** Return a time in ns. @param {{sec: number, nanosec: number}} stamp */
+export function nanoseconds({ sec, nanosec }) {
+  return BigInt(sec) * 1_000_000_000n + BigInt(nanosec);
+}

@@ -1,0 +1,76 @@
+// @ts-check
+// Programs that run once more, as `ros2 run` starts them: new processes, which are gone when they end.
+
+/** @import { NodeEntry } from "../protocol.js" */
+/** @import { Graph } from "./graph.js" */
+/** @import { NodeProcess } from "./nodeProcess.js" */
+
+// Each is a worker with memory of its own.
+const MOST = 50;
+
+export class Instances {
+  #nodes;
+  #graph;
+  #add;
+  /** @type {Set<string>} */
+  #names = new Set();
+
+  /**
+   * @param {Map<string, NodeProcess>} nodes of the page, by name @param {Graph} graph
+   * @param {(name: string, entry: NodeEntry) => NodeProcess} add adds a node to the page
+   */
+  constructor(nodes, graph, add) {
+    this.#nodes = nodes;
+    this.#graph = graph;
+    this.#add = add;
+  }
+
+  /** Whether a node was started by `run`. @param {string} name */
+  has(name) {
+    return this.#names.has(name);
+  }
+
+  /**
+   * Start a program of the page once more; see Ros in protocol.js. Throws an Error if the page has no such program.
+   * @param {string | {package: string, executable: string}} program
+   * @param {{arguments?: string[], name?: string}} [options]
+   */
+  run(program, { arguments: words = [], name: wanted } = {}) {
+    const all = [...this.#nodes.values()].filter(({ name }) => !this.has(name));
+    const node = typeof program === "string" ? this.#nodes.get(program) : all.find(
+      (one) => one.package === program.package && one.executable === program.executable);
+    if (!node) {
+      const named = typeof program === "string" ? program : `${program.package}/${program.executable}`;
+      throw new Error(`this page has no program ${named}`);
+    }
+    if (this.#names.size >= MOST) throw new Error(`${MOST} programs run already`);
+    const name = this.#free(wanted ?? node.executable);
+    const { python, needs: _, ...entry } = node.entry;
+    // Beside the others of its group, its modules would be theirs.
+    const alone = python && { ...python, group: undefined };
+    const instance = this.#add(name, { ...entry, ...(alone && { python: alone }), arguments: words, autostart: false });
+    this.#names.add(name);
+    instance.quiet = true;
+    instance.addEventListener("state", () => {
+      if (instance.state === "stopped" || instance.state === "failed") this.#remove(name);
+    });
+    instance.start();
+    this.#graph.dispatchEvent(new Event("change"));
+    return instance;
+  }
+
+  /** @param {string} name */
+  #remove(name) {
+    this.#nodes.delete(name);
+    this.#names.delete(name);
+    this.#graph.dispatchEvent(new Event("change"));
+  }
+
+  /** Return a name that no node of the page has. @param {string} wanted */
+  #free(wanted) {
+    for (let number = 1; ; number++) {
+      const name = number === 1 ? wanted : `${wanted}-${number}`;
+      if (!this.#nodes.has(name)) return name;
+    }
+  }
+}

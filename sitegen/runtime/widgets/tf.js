@@ -1,0 +1,78 @@
+// @ts-check
+// The tree of frames, who publishes each and how often, and the transform between two of them.
+
+import { create, setText } from "../ui/elements.js";
+import { whileSeen } from "../ui/looking.js";
+import { say } from "../ui/words.js";
+import { FrameEcho } from "./tf/echo.js";
+import { FrameSources } from "./tf/sources.js";
+import { FrameTable } from "./tf/table.js";
+import { Transforms } from "./tf/transforms.js";
+import { FrameTree } from "./tf/tree.js";
+
+/** @import { MessageInfo, Ros } from "../protocol.js" */
+
+const TF = "tf2_msgs/msg/TFMessage";
+// Rates and transforms are read as often as people read them (ms).
+const PERIOD = 250;
+/** More frames than these are not drawn. */
+const MOST = 200;
+
+/**
+ * Show the frames, and the pose of `frame` in `reference`.
+ * @param {HTMLElement} element
+ * @param {Ros} ros
+ * @param {{reference?: string | null, frame?: string | null}} options
+ * @returns {() => void} unmount
+ */
+export function mount(element, ros, { reference, frame }) {
+  const transforms = new Transforms();
+  const sources = new FrameSources(ros);
+  const tree = new FrameTree();
+  const table = new FrameTable();
+  const echo = new FrameEcho(reference ?? "", frame ?? "");
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Frames")), tree.buttons);
+  const hint = create("p", "ros-hint");
+  const note = create("p", "ros-note");
+  element.replaceChildren(bar, tree.element, hint, note, table.element, echo.element);
+
+  let drawn = -1;
+  const draw = () => {
+    const frames = transforms.frames().slice(0, MOST);
+    if (drawn !== transforms.version) {
+      drawn = transforms.version;
+      tree.draw(frames, transforms);
+      echo.offer(transforms.frames());
+      setText(note, transforms.frames().length > MOST ? say("the first {} frames", MOST) : "");
+    }
+    hint.hidden = frames.length > 0;
+    setText(hint, ros.types[TF] ? say("No transforms on /tf now.") : say("no node on this page uses {}", TF));
+    table.show(frames, transforms, sources);
+    echo.show(transforms);
+  };
+  ros.keep(element, { reference: "string", frame: "string" }, () => echo.kept(), (state) => echo.restore(state));
+  const unlook = whileSeen(element, () => {
+    draw();
+    const timer = setInterval(draw, PERIOD);
+    if (!ros.types[TF]) return () => clearInterval(timer);
+    const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ message, /** @type {MessageInfo} */ info) => {
+      for (const stamped of message.transforms) {
+        transforms.add(stamped, fixed);
+        sources.add(stamped, info);
+      }
+    };
+    const ends = [
+      ros.subscribe("/tf", TF, take(false), { depth: 1000 }),
+      ros.subscribe("/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
+    ];
+    return () => {
+      clearInterval(timer);
+      for (const end of ends) end();
+    };
+  });
+  return () => {
+    unlook();
+    tree.close();
+    element.replaceChildren();
+  };
+}

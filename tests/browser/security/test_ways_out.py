@@ -1,0 +1,190 @@
+"""A node tries every way out of its worker that browsers have."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+
+import pytest
+from browser import Scripted, Serve
+from paths import ROOT, SUPPORT
+from playwright.sync_api import Browser
+
+from sitegen.commands.build import build
+from sitegen.report import Report
+
+SITE = """\
+site: {title: Ways out}
+workspace: .
+nodes:
+  compiled: {package: cpp_hello, executable: talker}
+  script: {ros2wasm: script.js, types: {/chatter: std_msgs/msg/String}}
+  python: {package: py_ways, executable: ways}
+pages:
+  - {path: /, title: Nodes, content: [console: compiled, console: script, console: python]}
+"""
+PYTHON = """\
+import asyncio
+
+import js
+
+OTHER = "<other>"
+
+
+async def closed(way):
+    try:
+        await way()
+    except Exception as error:
+        return True
+    return False
+
+
+async def ways():
+    names = ["caches", "indexedDB", "BroadcastChannel", "importScripts", "Worker", "SharedWorker"]
+    found = [name for name in names if hasattr(js, name)]
+    found += [f"navigator.{name}" for name in ("storage", "locks") if hasattr(js.navigator, name)]
+    if not await closed(lambda: js.fetch(OTHER)):
+        found.append("fetch")
+    return found
+
+
+def main():
+    print("open:", *asyncio.run(ways()))
+"""
+# Driven by WebDriver, Firefox loses a worker of a worker now and then. WebKitGTK runs no Python
+# in a plain page.
+NODES = {
+    "chromium": ["compiled", "script", "python"],
+    "firefox": ["compiled", "python"],
+    "webkit": ["compiled", "script"],
+}
+# Start nodes, and return what their consoles say is open.
+RUN = """async (names) => {
+  const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  const consoles = names.map((name) => document.querySelector(`[role=log][aria-label="${name}"]`));
+  for (const name of names) ros.nodes.get(name).start();
+  const said = () => consoles.map((one) => one.textContent.match(/open:[^\\[\\n]*/)?.[0]);
+  for (let tries = 0; tries < 600 && said().includes(undefined); tries += 1) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  return said().map((open, at) => open?.trim() ?? consoles[at].textContent);
+}"""
+
+
+@pytest.fixture
+def page(browser_name: str, request: pytest.FixtureRequest) -> Iterator[Scripted]:
+    """A page of any browser, whose console may show what was refused."""
+    if browser_name == "webkit":
+        yield request.getfixturevalue("window")
+        return
+    browser: Browser = request.getfixturevalue("browser")
+    context = browser.new_context()
+    yield context.new_page()
+    context.close()
+
+
+class Elsewhere:
+    """A server of somebody else, which lets every page read it."""
+
+    def __init__(self) -> None:
+        self.asked: list[str] = []
+
+    @contextmanager
+    def serving(self) -> Iterator[str]:
+        asked = self.asked
+
+        class Handler(BaseHTTPRequestHandler):
+            def do_GET(self) -> None:
+                asked.append(self.path)
+                self.send_response(200)
+                self.send_header("Access-Control-Allow-Origin", "*")
+                self.send_header("Content-Type", "text/javascript")
+                self.end_headers()
+
+            do_POST = do_OPTIONS = do_GET
+
+            def log_message(self, format: str, *args: object) -> None:
+                pass
+
+        server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+        # A browser may keep its connections.
+        server.block_on_close = False
+        thread = Thread(target=server.serve_forever)
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}/"
+        finally:
+            server.shutdown()
+            thread.join()
+            server.server_close()
+
+
+def hostile(folder: Path, other: str) -> Path:
+    """Build a site whose nodes are written to get out to another server, and return it."""
+    shutil.copytree(ROOT / "demos/demo01/src", folder / "src")
+    ways = (SUPPORT / "peers/waysOut.js").read_text().replace("<other>", other)
+    package = folder / "src/py_ways"
+    package.mkdir(parents=True)
+    (package / "py_ways").mkdir()
+    (package / "py_ways/__init__.py").write_text("")
+    (package / "py_ways/ways.py").write_text(PYTHON.replace("<other>", other))
+    (package / "package.xml").write_text(
+        "<package format='3'><name>py_ways</name><version>1.0.0</version><description/>"
+        "<maintainer email='a@b.c'>a</maintainer><license>Apache-2.0</license>"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+    (package / "setup.py").write_text(
+        "from setuptools import setup\n"
+        "setup(name='py_ways', version='1.0.0', packages=['py_ways'],\n"
+        "      entry_points={'console_scripts': ['ways = py_ways.ways:main']})\n"
+    )
+    (package / "setup.cfg").write_text("")
+    (folder / "script.js").write_text(
+        f"{ways}\ntryAll().then((open) => postMessage({{ command: 'console', message: open }}));\n"
+    )
+    (folder / "site.yaml").write_text(SITE)
+    dist = folder / "dist"
+    build(folder, output=dist, report=Report())
+    # Somebody compiled it elsewhere, and put this into its script.
+    says = "postMessage({ op: 'lines', lines: [{ severity: 'stdout', text: open }] })"
+    for glue in (dist / "nodes").glob("**/talker.*.js"):
+        glue.write_text(f"{ways}\ntryAll().then((open) => {says});\n{glue.read_text()}")
+    return dist
+
+
+@pytest.mark.firefox(always=True)
+@pytest.mark.webkit(always=True)
+def test_no_program_reaches_another_server_or_the_storage_of_the_site(
+    page: Scripted, serve: Serve, tmp_path: Path, browser_name: str
+) -> None:
+    names = NODES[browser_name]
+    elsewhere = Elsewhere()
+    with elsewhere.serving() as other:
+        page.goto(serve(hostile(tmp_path / "site", other)))
+        found = page.evaluate(RUN, names)
+    assert found == ["open:"] * len(names)
+    assert elsewhere.asked == []
+
+
+@pytest.mark.chromium
+def test_the_list_of_ways_is_real(page: Scripted, serve: Serve, tmp_path: Path) -> None:
+    """In a worker without a policy and with all of the browser, most of these ways are open."""
+    elsewhere = Elsewhere()
+    with elsewhere.serving() as other:
+        ways = (SUPPORT / "peers/waysOut.js").read_text().replace("<other>", other)
+        (tmp_path / "worker.js").write_text(f"{ways}\ntryAll().then((open) => postMessage(open));")
+        (tmp_path / "index.html").write_text("<!DOCTYPE html><link rel=icon href=data:,>")
+        page.goto(serve(tmp_path))
+        found = page.evaluate(
+            """() => new Promise((resolve) => {
+              new Worker("worker.js", { type: "module" }).onmessage = ({ data }) => resolve(data);
+            })"""
+        )
+    names = set(found.removeprefix("open: ").split())
+    assert {"fetch", "import", "xhr", "worker", "indexedDB", "BroadcastChannel"} <= names, found
+    assert elsewhere.asked != [], json.dumps(found)

@@ -1,0 +1,151 @@
+"""Scripts of pages: what is wrong with them, and their types for the editor."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from paths import ROOT
+from playwright.sync_api import Page
+from served import Serving
+
+from sitegen import config
+from sitegen.__main__ import main
+from sitegen.errors import SiteError
+
+SITE = """\
+site: {title: Mine}
+pages:
+  - path: /
+    title: Mine
+    script: scripts/mine.js
+    content: [{markdown: Text}]
+"""
+SCRIPT = """\
+// @ts-check
+import { ros } from "sitegen";
+import { transportFactory } from "sitegen/rosbridge";
+
+const chatter = ros.topic("/chatter", "std_msgs/msg/String");
+for await (const { data } of chatter.messages()) console.log(data.length);
+chatter.publish({ data: "a" });
+const { sum } = await ros.service("/add", "example_interfaces/srv/AddTwoInts").call({ a: 1n });
+/** @type {bigint} */
+const checked = sum;
+const goal = await ros.action("/f", "example_interfaces/action/Fibonacci").send({ order: 3 });
+for await (const { sequence } of goal.feedback()) console.log(sequence[0], checked);
+const { translation } = await ros.tf.lookup("world", "map");
+export default [translation.x, (await goal.result()).sequence, transportFactory];
+"""
+WRONG = {
+    "import { ros } from 'sitegn';": "'sitegn' is not a path",
+    "import { ros } from 'sitegen/ros';": "no module 'sitegen/ros'; did you mean 'sitegen",
+    "import 'https://x.org/a.js';": "'https://x.org/a.js' is on another site",
+    "const a = ;": "syntax error",
+}
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "site.yaml").write_text(SITE)
+    (tmp_path / "scripts").mkdir()
+    (tmp_path / "scripts/mine.js").write_text(SCRIPT)
+    return tmp_path
+
+
+@pytest.mark.parametrize("text", WRONG)
+def test_what_is_wrong_is_said_with_its_line(
+    text: str, site: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (site / "scripts/mine.js").write_text(f"\n{text}\n")
+    assert main(["check", str(site)]) == 1
+    found = capsys.readouterr().err
+    assert "scripts/mine.js:2: script: " in found
+    assert WRONG[text] in found
+
+
+@pytest.mark.parametrize(
+    ("written", "fault"),
+    [
+        ("scripts/none.js", "site.yaml:5: pages[0].script: no file 'scripts/none.js'; did you"),
+        ("site.yaml", "site.yaml:5: pages[0].script: 'site.yaml' is not a module; name a '.js'"),
+        ("../a.js", "site.yaml:5: pages[0].script: '../a.js' is outside the site's folder"),
+    ],
+)
+def test_the_key_names_a_module(site: Path, written: str, fault: str) -> None:
+    (site / "site.yaml").write_text(SITE.replace("scripts/mine.js", written))
+    with pytest.raises(SiteError) as error:
+        config.load(site / "site.yaml")
+    assert error.value.lines[0].startswith(fault)
+
+
+@pytest.mark.parametrize(
+    "origin",
+    [
+        "*",
+        "school.example",
+        "https://*.school.example",
+        "https://school.example/",
+        "https://school.example/robot",
+        "https://user@school.example",
+        "https://school.example:0",
+        "https://school.example:99999",
+        "null",
+        "file://",
+    ],
+)
+def test_origins_are_exact(site: Path, origin: str) -> None:
+    key = f"title: Mine, messages_from: [{json.dumps(origin)}]"
+    (site / "site.yaml").write_text(SITE.replace("title: Mine}", f"{key}}}"))
+    with pytest.raises(SiteError) as error:
+        config.load(site / "site.yaml")
+    [line] = error.value.lines
+    assert f"'{origin}' is not an exact origin; write it like 'https://school.example'" in line
+
+
+def test_origins_are_as_browsers_write_them(site: Path) -> None:
+    given = ["https://School.example", "https://a.example:443", "http://a.example:8000"]
+    key = f"title: Mine, messages_from: {json.dumps(given)}"
+    (site / "site.yaml").write_text(SITE.replace("title: Mine}", f"{key}}}"))
+    found = config.load(site / "site.yaml").messages_from
+    assert found == ("https://school.example", "https://a.example", "http://a.example:8000")
+
+
+def test_scripts_have_types(site: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["types", str(site)]) == 0
+    said = capsys.readouterr().out
+    assert "wrote scripts/ros.d.ts" in said
+    assert "scripts/sitegen.d.ts" in said
+    if not shutil.which("node"):
+        pytest.skip("the compiler of types needs node")
+
+    def checked() -> str:
+        compiler = ROOT / "node_modules/typescript/bin/tsc"
+        flags = ["--allowJs", "--checkJs", "--noEmit", "--strict", "--module", "esnext"]
+        flags += ["--moduleResolution", "bundler", "--target", "es2023", "--types", ""]
+        flags += ["scripts/mine.js", "scripts/sitegen.d.ts"]
+        command = ["node", str(compiler), *flags]
+        done = subprocess.run(command, cwd=site, capture_output=True, text=True)
+        return done.stdout
+
+    assert checked() == ""
+    script = site / "scripts/mine.js"
+    script.write_text(SCRIPT.replace("{ data } of", "{ date } of").replace("(data.", "(date."))
+    assert "Property 'date' does not exist on type '{ data: string; }'" in checked()
+    script.write_text(SCRIPT.replace("{ a: 1n }", "{ a: 1 }"))
+    assert "Type 'number' is not assignable to type 'bigint'" in checked()
+
+
+def test_an_edited_script_runs_in_the_open_page(
+    tab: Page, site: Path, serving: Callable[[Path], Serving]
+) -> None:
+    (site / "scripts/mine.js").write_text("document.body.dataset.said = 'first';\n")
+    served = serving(site)
+    tab.goto(served.url)
+    tab.wait_for_selector("body[data-said=first]")
+    served.write("scripts/mine.js", "document.body.dataset.said = 'second';\n")
+    tab.wait_for_selector("body[data-said=second]")

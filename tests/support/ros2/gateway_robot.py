@@ -1,0 +1,155 @@
+"""A native node that does with a page's nodes what standard input says.
+
+Each line is a JSON list: the name of a function and its arguments; the answer is a line, too.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import threading
+import time
+from typing import Any
+
+import rclpy
+from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.action import ActionClient, ActionServer
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.parameter import Parameter
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
+from std_srvs.srv import SetBool
+from test_msgs.action import Fibonacci
+
+LATCHED = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+class Robot:
+    def __init__(self) -> None:
+        rclpy.init()
+        self.node = rclpy.create_node("robot")
+        self.node.declare_parameter("gain", 2.5)
+        self.heard: dict[str, list[str]] = {}
+        self.publishers: dict[str, Any] = {}
+        self.count = 0
+        self.chatter = self.node.create_publisher(String, "/robot/chatter", 100)
+        self.map = self.node.create_publisher(String, "/robot/map", LATCHED)
+        self.map.publish(String(data="map of the robot"))
+        self.listen("/page/chatter", False)
+        self.node.create_service(SetBool, "/robot/set", self._set)
+        self.clients = {
+            SetBool: self.node.create_client(SetBool, "/page/set"),
+            GetParameters: self.node.create_client(GetParameters, "/station/get_parameters"),
+            SetParameters: self.node.create_client(SetParameters, "/station/set_parameters"),
+        }
+        ActionServer(self.node, Fibonacci, "/robot/fibonacci", self._execute)
+        self.action = ActionClient(self.node, Fibonacci, "/page/fibonacci")
+        self.node.create_timer(0.05, self._tick)
+        executor = MultiThreadedExecutor(4)
+        executor.add_node(self.node)
+        threading.Thread(target=executor.spin, daemon=True).start()
+
+    def _tick(self) -> None:
+        self.count += 1
+        self.chatter.publish(String(data=f"robot {self.count}"))
+
+    def _set(self, request: Any, response: Any) -> Any:
+        response.success, response.message = request.data, "from the robot"
+        return response
+
+    def _execute(self, goal: Any) -> Any:
+        numbers = [0, 1]
+        for _ in range(1, goal.request.order):
+            numbers.append(numbers[-1] + numbers[-2])
+        goal.succeed()
+        return Fibonacci.Result(sequence=numbers)
+
+    def listen(self, topic: str, latched: bool) -> None:
+        heard = self.heard.setdefault(topic, [])
+        qos = LATCHED if latched else QoSProfile(depth=1000)
+        self.node.create_subscription(String, topic, lambda m: heard.append(m.data), qos)
+
+    def texts(self, topic: str) -> list[str]:
+        return self.heard[topic]
+
+    def nodes(self) -> list[str]:
+        names = self.node.get_node_names_and_namespaces()
+        return sorted(f"{space.rstrip('/')}/{name}" for name, space in names)
+
+    def topic(self, name: str) -> dict[str, list[list[Any]]]:
+        found = {
+            "publishers": self.node.get_publishers_info_by_topic(name),
+            "subscriptions": self.node.get_subscriptions_info_by_topic(name),
+        }
+        return {
+            side: sorted(
+                [
+                    info.node_name,
+                    info.qos_profile.reliability.name,
+                    info.qos_profile.durability.name,
+                ]
+                for info in infos
+            )
+            for side, infos in found.items()
+        }
+
+    def services(self, node: str) -> list[str]:
+        return sorted(name for name, _ in self.node.get_service_names_and_types_by_node(node, "/"))
+
+    def call(self) -> str:
+        return str(self._ask(SetBool.Request(data=True), SetBool).message)
+
+    def speed(self) -> float:
+        answer = self._ask(GetParameters.Request(names=["speed"]), GetParameters)
+        return float(answer.values[0].double_value)
+
+    def set_speed(self, value: float) -> bool:
+        parameter = Parameter("speed", value=value).to_parameter_msg()
+        answer = self._ask(SetParameters.Request(parameters=[parameter]), SetParameters)
+        return bool(answer.results[0].successful)
+
+    def _ask(self, request: Any, kind: Any) -> Any:
+        client = self.clients[kind]
+        assert client.wait_for_service(10)
+        return self._result(client.call_async(request))
+
+    def goal(self, order: int) -> dict[str, Any]:
+        feedback: list[list[int]] = []
+        assert self.action.wait_for_server(10)
+        handle = self._result(
+            self.action.send_goal_async(
+                Fibonacci.Goal(order=order),
+                lambda m: feedback.append(list(m.feedback.sequence)),
+            )
+        )
+        result = self._result(handle.get_result_async())
+        return {"result": list(result.result.sequence), "feedback": len(feedback)}
+
+    def _result(self, future: Any) -> Any:
+        limit = time.monotonic() + 15
+        while not future.done():
+            assert time.monotonic() < limit, "no answer"
+            time.sleep(0.01)
+        return future.result()
+
+    def publish(self, topic: str, texts: list[str], depth: int) -> None:
+        publisher = self.publishers.get(topic)
+        if publisher is None:
+            publisher = self.node.create_publisher(String, topic, depth)
+            self.publishers[topic] = publisher
+        for text in texts:
+            publisher.publish(String(data=text))
+
+    def subscriptions(self, topic: str) -> int:
+        return int(self.node.count_subscribers(topic))
+
+
+def main() -> None:
+    robot = Robot()
+    print(json.dumps("ready"), flush=True)
+    for line in sys.stdin:
+        name, *arguments = json.loads(line)
+        print(json.dumps(getattr(robot, name)(*arguments)), flush=True)
+
+
+main()
