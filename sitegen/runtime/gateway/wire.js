@@ -30,6 +30,11 @@ export function parse(text) {
   }
 }
 
+/** Whether a text is the name of an interface, such as std_msgs/msg/String. @param {string} text */
+export function isType(text) {
+  return TYPE.test(text);
+}
+
 /** Return the endpoints of a list that are valid. @param {unknown} given @returns {RemoteEndpoint[]} */
 export function endpointsOf(given) {
   if (!Array.isArray(given) || given.length > MOST) return [];
@@ -49,7 +54,7 @@ export function idsOf(given) {
 export function typesOf(given) {
   const isText = (/** @type {unknown} */ text) => typeof text === "string" && text.length <= LONGEST;
   const valid = Object.entries(given ?? {}).slice(0, MOST).filter(([name, one]) =>
-    TYPE.test(name) && Array.isArray(one?.fields) && one.fields.every(
+    isType(name) && Array.isArray(one?.fields) && one.fields.every(
       (/** @type {any} */ field) => isText(field?.name) && isText(field?.type)));
   return Object.fromEntries(valid.map(([name, { fields }]) =>
     [name, { fields: fields.map((/** @type {any} */ { name, type }) => ({ name, type })), constants: [] }]));

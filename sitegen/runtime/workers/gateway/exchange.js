@@ -68,6 +68,7 @@ export class Exchange {
       this.#remotes.change(endpointsOf(message.come), idsOf(message.gone));
     } else if (message.op === "types") {
       this.#tell({ op: "types", types: typesOf(message.types) });
+      this.#remotes.learn();
     } else if (message.op === "open" || message.op === "close") {
       this.#owns.collect(message.id, message.op === "open");
     }

@@ -1,6 +1,8 @@
 // @ts-check
 // Endpoints in the page's graph that stand for remote ones, under the names of their nodes.
 
+import { isType } from "../../gateway/wire.js";
+
 /** @import { Participant } from "../../participant/participant.js" */
 /** @import { Endpoint, Qos } from "../../protocol.js" */
 /** @import { Scope } from "../../gateway/names.js" */
@@ -34,8 +36,14 @@ export class Remotes {
   /** Calls by their number at the gateway. @type {Map<number, {local: number, client: number, sequence: number}>} */
   #calls = new Map();
   #numbers = 0;
-  /** @type {Set<string>} */
+  /** Endpoints of types that the page cannot read yet, by id. @type {Map<number, RemoteEndpoint>} */
+  #awaiting = new Map();
+  /** The types of each question that the gateway has not answered; it answers in order. @type {string[][]} */
+  #questions = [];
+  /** Types that the gateway was asked for. @type {Set<string>} */
   #asked = new Set();
+  /** Types for which it has answered, with a definition or without. @type {Set<string>} */
+  #answered = new Set();
   /** Types that differ, which are told once. @type {Set<string>} */
   #different = new Set();
 
@@ -60,10 +68,25 @@ export class Remotes {
   /** @param {RemoteEndpoint[]} come @param {number[]} gone */
   change(come, gone) {
     for (const id of gone) this.#remove(id);
-    for (const endpoint of come) this.#add(endpoint);
-    this.#ask(come.filter(({ id }) => this.#all.has(id)).map(({ type }) => type));
+    for (const endpoint of come) {
+      if (!this.#admits(endpoint)) continue;
+      // Whoever sees an endpoint may use it at once, so its type is known before.
+      if (this.#isReadable(endpoint.type)) this.#add(endpoint);
+      else this.#awaiting.set(endpoint.id, endpoint);
+    }
+    this.#ask([...this.#awaiting.values()].map(({ type }) => type));
     const nodes = [...this.#all.values()].filter(({ endpoint }) => endpoint.kind === "node");
     this.#ways.tell({ op: "nodes", nodes: nodes.map(({ endpoint }) => this.#scope.inside(endpoint.node)).sort() });
+  }
+
+  /** The gateway has answered the oldest question for types. */
+  learn() {
+    for (const type of this.#questions.shift() ?? []) this.#answered.add(type);
+    for (const endpoint of [...this.#awaiting.values()]) {
+      if (!this.#isReadable(endpoint.type)) continue;
+      this.#awaiting.delete(endpoint.id);
+      this.#add(endpoint);
+    }
   }
 
   /** Ask for the messages of publishers that somebody in the page looks at, and of no others. */
@@ -117,9 +140,20 @@ export class Remotes {
   }
 
   /** @param {RemoteEndpoint} endpoint */
+  #admits({ id, kind, name }) {
+    if (this.#all.has(id) || this.#awaiting.has(id)) return false;
+    if (this.#all.size + this.#awaiting.size >= MOST) return false;
+    return this.#scope.admits({ kind, name: this.#scope.inside(name) });
+  }
+
+  /** Whether the page has a definition of a type, or there is none to be had. @param {string} type */
+  #isReadable(type) {
+    return Boolean(this.#hashes[type]) || this.#answered.has(type) || !isType(type);
+  }
+
+  /** @param {RemoteEndpoint} endpoint */
   #add(endpoint) {
     const { id, kind, node, type, hash } = endpoint;
-    if (this.#all.has(id) || this.#all.size >= MOST || !this.#scope.admits({ kind, name: this.#scope.inside(endpoint.name) })) return;
     const own = this.#hashes[type];
     if (hash && own && hash !== own) {
       if (!this.#different.has(type)) this.#ways.tell({ op: "differs", type, name: endpoint.name });
@@ -131,17 +165,20 @@ export class Remotes {
     this.#all.set(id, { id, endpoint, local, open: false });
   }
 
-  /** Ask for the definitions of types that the page has none of. @param {string[]} types */
+  /** Ask for the definitions of types, once for each. @param {string[]} types */
   #ask(types) {
-    const unknown = [...new Set(types)].filter((type) => type && !this.#hashes[type] && !this.#asked.has(type));
+    const unknown = [...new Set(types)].filter((type) => !this.#asked.has(type));
     for (const type of unknown) this.#asked.add(type);
     for (let at = 0; at < unknown.length; at += ASKED) {
-      this.#ways.say({ op: "describe", types: unknown.slice(at, at + ASKED) });
+      const question = unknown.slice(at, at + ASKED);
+      this.#questions.push(question);
+      this.#ways.say({ op: "describe", types: question });
     }
   }
 
   /** @param {number} id */
   #remove(id) {
+    this.#awaiting.delete(id);
     const remote = this.#all.get(id);
     if (!remote) return;
     this.#all.delete(id);
