@@ -19,19 +19,21 @@ serve:
 
 TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
 
+RUN := $(BIN)/python tests/support/run.py --at-once $(AT_ONCE)
+
 # All of it in Chromium with JSPI, and in each other browser and engine what differs there.
 test: $(TOOLS) lint
 	$(BIN)/python tests/support/programs.py
-	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile
+	$(RUN)
 
 # All of it in all browsers and engines, which takes much longer.
 test-all: $(TOOLS) lint
 	$(BIN)/python tests/support/programs.py --all
-	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --all
+	$(RUN) --all
 
 # All of it in Firefox, except for what only Chromium has.
 test-firefox: $(TOOLS)
-	$(BIN)/python -m pytest --numprocesses $(AT_ONCE) --dist loadfile --firefox
+	$(RUN) --firefox
 
 lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/ruff check .
@@ -43,7 +45,7 @@ bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs
 	$(BIN)/python -m bench
 
 clean:
-	rm -rf .venv node_modules dist sitegen/ros
+	rm -rf .venv .test node_modules dist sitegen/ros
 
 # Stamps: each is made again when what it depends on has changed.
 

@@ -79,18 +79,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Leave Firefox without JSPI to `--firefox`: Chromium without it runs the same programs.
 
     What is marked as `exhaustive` runs with `--all` only.
-
-    A test in Firefox or WebKitGTK that fails is run once more, and named at the end: they are
-    driven over WebDriver, where a few runs of a thousand fail on a busy machine. All others have
-    one run; a test that needs a second one gets its own mark, with the reason.
     """
     if not config.getoption("firefox"):
         items[:] = [item for item in items if not _is_firefox_without_jspi(item)]
     if not config.getoption("all"):
         items[:] = [item for item in items if not item.get_closest_marker("exhaustive")]
-    for item in items:
-        if _parameter(item, "browser_name") in ("firefox", "webkit"):
-            item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def _is_firefox_without_jspi(item: pytest.Item) -> bool:
