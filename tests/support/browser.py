@@ -46,6 +46,9 @@ FLAGS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    # Without its window, an access outside of a program's memory ends the whole page instead of
+    # being a trap; checks in the code, instead of the processor's, are traps in both.
+    "--disable-features=WebAssemblyTrapHandler",
     # Linux is where it has to be asked for.
     "--enable-blink-features=WebBluetooth",
 ]

@@ -15,16 +15,19 @@ pytestmark = [pytest.mark.firefox(always=True), pytest.mark.asyncify(always=True
 
 SITE = SITES / "faults"
 
+STACK_OVERFLOW = "stack overflow: too many nested calls, or too large local variables"
 # What the console of each node shows in the end, without the log's head, and the node's state.
 ENDS = {
     "throw": (["throw: robot::BatteryError: battery <b>low</b>"], "failed"),
     "throw_in_callback": (["throw_in_callback: std::out_of_range: no such wheel"], "failed"),
     "abort": (["abort: aborted"], "failed"),
-    "assert": (["assert: faults/src/fault.cpp:70: assertion failed: zero == 1"], "failed"),
+    "assert": (["assert: faults/src/fault.cpp:78: assertion failed: zero == 1"], "failed"),
     "trap": (["trap: unreachable"], "failed"),
     "trap_after_wait": (["trap_after_wait: unreachable"], "failed"),
     "out_of_memory": (["out_of_memory: out of memory (std::bad_alloc)"], "failed"),
-    "recursion": (["recursion: stack overflow: too many nested calls"], "failed"),
+    "recursion": ([f"recursion: {STACK_OVERFLOW}"], "failed"),
+    "large_variable": ([f"large_variable: {STACK_OVERFLOW}"], "failed"),
+    "large_frames": ([f"large_frames: {STACK_OVERFLOW}"], "failed"),
     "exit": (["exit: exited with code 3"], "failed"),
     "unknown_argument": (
         [

@@ -151,7 +151,6 @@ def has_ended(panel: WindowPanel, lines: list[str]) -> bool:
     return plain([line.removesuffix(f"\n{ADVICE}") for line in panel.lines()]) == lines
 
 
-@pytest.mark.exhaustive
 def test_each_end_is_told_and_leaves_nothing(window: Window, serve: Serve, built: Built) -> None:
     window.goto(serve(built(SITES / "faults")))
     panels = {name: WindowPanel(window, name) for name in ENDS}

@@ -6,7 +6,9 @@ get_filename_component(SITEGEN_CPP "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
 set(_settings
   MODULARIZE=1 EXPORT_ES6=1 USE_ES6_IMPORT_META=1 ENVIRONMENT=worker
-  ALLOW_MEMORY_GROWTH=1 TOTAL_STACK=1048576 EXIT_RUNTIME=1
+  # The stack is below the data and grows towards 0: one that overflows is an access outside of the
+  # memory, and overwrites no data (cppNode.js: describe). Data below 1 MiB has short addresses.
+  ALLOW_MEMORY_GROWTH=1 TOTAL_STACK=917504 GLOBAL_BASE=917504 EXIT_RUNTIME=1 TEXTDECODER=2
   # The page calls ros_main(), which calls main().
   INVOKE_RUN=0 EXPORTED_FUNCTIONS=_main,_ros_main,_ros_main_pointer)
 if(SITEGEN_ENGINE STREQUAL "jspi")
@@ -15,12 +17,13 @@ if(SITEGEN_ENGINE STREQUAL "jspi")
   set(_exceptions -fwasm-exceptions)
 else()
   set(_exceptions -fexceptions)
+  add_link_options("SHELL:--pre-js ${SITEGEN_CPP}/src/platform/stacks_asyncify.js")
   list(APPEND _settings ASYNCIFY=1 ASYNCIFY_IMPORTS=ros_wait ASYNCIFY_STACK_SIZE=65536)
 endif()
 # The defaults of g++ for a package that sets no standard; a standard that it sets takes precedence.
 add_compile_options(${_exceptions} $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++17>)
 add_link_options(
-  ${_exceptions}
+  ${_exceptions} LINKER:--stack-first
   "SHELL:--js-library ${SITEGEN_CPP}/src/platform/host.js" "SHELL:--pre-js ${SITEGEN_CPP}/src/platform/host_pre.js")
 foreach(_setting IN LISTS _settings)
   add_link_options("SHELL:-s ${_setting}")

@@ -14,6 +14,7 @@ import { Printer } from "../printer.js";
 const DEPTH = 100;
 // For programs without a line table.
 const ADVICE = "    (run 'sitegen build --debug' to see where)";
+const STACK_OVERFLOW = "stack overflow: too many nested calls, or too large local variables";
 
 confine();
 
@@ -53,6 +54,8 @@ onmessage = (event) => {
 async function run(node, graph) {
   let failure = "";
   let whence = "";
+  /** @type {any} */
+  let program;
   lines = node.lines;
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
@@ -62,7 +65,7 @@ async function run(node, graph) {
     if (status?.name === "ExitStatus") {
       end(status.status ?? 0, failure, whence);
     } else {
-      end(1, failure || describe(error), error instanceof Error ? error.stack : "");
+      end(1, failure || describe(error, program), error instanceof Error ? error.stack : "");
     }
   };
   /** @param {string} text @param {string} stack */
@@ -73,7 +76,7 @@ async function run(node, graph) {
   const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
   const args = [node.name, ...node.arguments];
   const { default: load } = await script;
-  const program = await load({
+  program = await load({
     ros: { ...cppHost(graph, printer, args, fail, ended, grown), ...keyboardHost(typed, printer, post) },
     noInitialRun: true,
     // The page has loaded the WebAssembly. A script in a single-file page could not resolve its name.
@@ -133,11 +136,12 @@ async function where(stack, address) {
   }
 }
 
-/** @param {unknown} error */
-function describe(error) {
+/** @param {unknown} error @param {any} [program] in which it happened */
+function describe(error, program) {
   if (!(error instanceof Error)) return String(error);
-  // Each browser has another message for this error.
-  if (/call stack|recursion/.test(error.message)) return "stack overflow: too many nested calls";
+  // Either the browser's stack is full, for which each has another message, or the program's own,
+  // which ends at address 0 (engine.cmake): it depends on how far the browser has optimized it.
+  if (/call stack|recursion/.test(error.message) || program?.stackSave?.() < 0) return STACK_OVERFLOW;
   // Emscripten adds advice that does not apply here.
   if (error.name === "RuntimeError") return error.message.replace(/ Build with .*$/, "");
   return `${error.name}: ${error.message}`;

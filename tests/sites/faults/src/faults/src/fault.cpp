@@ -47,6 +47,14 @@ static int deeper(int depth)
   return zero == 0 ? deeper(depth + 1) + here[zero] : depth;
 }
 
+// Its frames fill the stack of the program before that of the browser.
+static int wider(int depth)
+{
+  volatile char here[20'000];
+  here[0] = static_cast<char>(depth);
+  return zero == 0 ? wider(depth + 1) + here[zero] : depth;
+}
+
 static void roll(int wheel)
 {
   if (wheel == 0) {throw std::invalid_argument("no wheel");}
@@ -92,6 +100,11 @@ static const std::map<std::string, void (*)(NodePtr)> kFaults = {
       for (;;) {blocks.push_back(std::make_unique<Block>());}
     }},
   {"recursion", [](NodePtr) {zero = deeper(0);}},
+  {"large-frames", [](NodePtr) {zero = wider(0);}},
+  {"large-variable", [](NodePtr) {
+      volatile char points[4'000'000];
+      points[zero] = 1;
+    }},
   {"pour", [](NodePtr node) {
       auto publisher = node->create_publisher<std_msgs::msg::String>("/large", 10);
       std_msgs::msg::String message;
