@@ -5,7 +5,7 @@ PORT ?= 8000
 # How many tests run at once. Most wait for browsers most of the time.
 AT_ONCE ?= 2
 
-.PHONY: demo serve test test-all test-firefox lint bench clean
+.PHONY: demo serve check test test-all test-firefox lint bench clean
 
 demo: .venv/ready .venv/emscripten
 	$(BIN)/sitegen build
@@ -19,17 +19,19 @@ serve:
 
 TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
 
-RUN := $(BIN)/python tests/support/run.py --at-once $(AT_ONCE)
+RUN := $(BIN)/python tests/support/run.py --at-once $(AT_ONCE) --begun $(shell date +%s)
+
+# While working: the linters, and the tests nearest to what changed since main.
+check: $(TOOLS) lint
+	$(BIN)/python tests/support/changed.py --at-once $(AT_ONCE)
 
 # All of it in Chromium with JSPI, and in each other browser and engine what differs there.
 test: $(TOOLS) lint
-	$(BIN)/python tests/support/programs.py
-	$(RUN)
+	$(RUN) --compile
 
 # All of it in all browsers and engines, which takes much longer.
 test-all: $(TOOLS) lint
-	$(BIN)/python tests/support/programs.py --all
-	$(RUN) --all
+	$(RUN) --compile --all
 
 # All of it in Firefox, except for what only Chromium has.
 test-firefox: $(TOOLS)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+from imports import imported_names
 from paths import ROOT
 
 from sitegen.report import Report
@@ -48,13 +48,8 @@ def room(file: Path) -> str:
 
 def imported(file: Path) -> set[str]:
     """The rooms that a module imports from."""
-    names: set[str] = set()
-    for node in ast.walk(ast.parse(file.read_text())):
-        if isinstance(node, ast.ImportFrom) and node.module == "sitegen":
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("sitegen."):
-            names.add((node.module or "").split(".")[1])
-    return names - {"__version__"}
+    names = [name.split(".") for name in imported_names(file)]
+    return {name[1] for name in names if name[0] == "sitegen"} - {"__version__"}
 
 
 def generator_modules() -> list[Path]:

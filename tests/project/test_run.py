@@ -60,6 +60,12 @@ def test_what_fails_once_passes_and_is_named(tmp_path: Path) -> None:
     assert listed == line
     assert "= passed only when run again =====" in printed
     assert line in printed
+    stages = printed[printed.index("= stages =") :]
+    assert [row.split(" s  ")[1] for row in stages.splitlines()[1:]] == [
+        "tests",
+        "tests that were run again",
+    ]
+    assert (tmp_path / ".test/seconds.txt").read_text().split()[1] == "test_some.py"
 
 
 @pytest.mark.parametrize(
