@@ -13,7 +13,8 @@ from browser import WITHOUT_JSPI
 from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Browser, Page, expect
-from served import SITE, TEXT, Serving, edited_site, wait_until
+from served import SITE, TEXT, Serving, edited_site
+from waiting import until
 
 PAGE = """\
 ---
@@ -42,8 +43,8 @@ def test_an_edited_page_is_shown_at_once(
     # What is about another page leaves this one alone.
     tab.evaluate("window.still = true")
     served.write("site.yaml", SITE.replace("The other page.", "Edited."))
-    served.write("index.md", "# Welcome\n\nThe second text.\n")
-    tab.wait_for_timeout(500)
+    served.write("index.md", "# Welcome\n\nThe third text.\n")
+    expect(tab.locator("main")).to_contain_text("The third text.")
     assert tab.evaluate("window.still")
 
 
@@ -149,7 +150,7 @@ def test_an_edit_of_text_leaves_nodes_and_panels_alone(
     talker.expect_state("running")
     assert talker.lines()[0] == before
     seen = len(talker.lines())
-    wait_until(lambda: len(talker.lines()) > seen)
+    until(lambda: len(talker.lines()) > seen)
 
 
 def test_widgets_and_nodes_come_and_go_beside_those_that_run(
@@ -209,7 +210,7 @@ def test_a_problem_can_be_closed_and_opened_in_the_editor(
     with tab.expect_response("**/_sitegen/open") as response:
         problems.get_by_role("button", name="site.yaml:4").first.click(timeout=20_000)
     assert response.value.ok
-    wait_until(opened.is_file)
+    until(opened.is_file)
     assert opened.read_text() == f"{site / 'site.yaml'} 4\n"
     problems.get_by_role("button", name="Close").click()
     expect(problems).to_be_hidden()
@@ -244,6 +245,6 @@ def test_going_back_shows_what_was_edited_meanwhile(
     tab.goto(served.url)
     tab.goto(f"{served.url}other/")
     served.write("index.md", "# Welcome\n\nThe second text.\n")
-    wait_until(lambda: "index.md: built" in served.said.getvalue())
+    until(lambda: "index.md: built" in served.said.getvalue())
     tab.go_back()
     expect(tab.locator("main")).to_contain_text("The second text.")

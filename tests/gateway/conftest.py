@@ -1,4 +1,7 @@
-"""One robot for all tests of the gateway, and one gateway for a module of tests."""
+"""One robot and one gateway for a module of tests.
+
+Even idle, the robot takes a quarter of a processor, so it does not live on beside all other tests.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ import native
 import pytest
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def domain() -> int:
     """The domain of the robot: other tests, which have actions of the same name, have others."""
     return native.free_domain()
@@ -22,7 +25,7 @@ def graph(domain: int) -> Iterator[None]:
         yield
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def robot(domain: int) -> Iterator[gateways.Process]:
     """A native robot."""
     with ExitStack() as stack:

@@ -14,8 +14,9 @@ from typing import Any
 
 import aiohttp
 import pytest
-from joined import Gateway, Robot, until
+from joined import Gateway, Robot
 from native import Native
+from waiting import until
 
 # Reader, writer, sequence, size, timestamp.
 HEAD = struct.Struct("<IIIId")

@@ -7,13 +7,13 @@ import os
 import signal
 import socket
 import subprocess
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from native import Native
 from paths import SUPPORT
+from waiting import until
 
 ROBOT = SUPPORT / "ros2" / "gateway_robot.py"
 # The gateway, whose clock is some seconds ahead.
@@ -113,11 +113,3 @@ class Robot:
         """End it."""
         self._process.kill()
         self._process.communicate()
-
-
-def until(check: Callable[[], object], seconds: float = 30) -> None:
-    """Wait until something is true, at most for some seconds."""
-    limit = time.monotonic() + seconds
-    while not check():
-        assert time.monotonic() < limit, "it has not come true"
-        time.sleep(0.02)

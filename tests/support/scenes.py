@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from PIL import Image
 from playwright.sync_api import Locator
 from playwright.sync_api import Page as Tab
 from stage import show
+from waiting import until
 
 TYPES = sorted(
     {
@@ -50,6 +52,16 @@ def pixels(panel: Locator) -> Image.Image:
     canvas = panel.locator(".ros-scene canvas")
     data = canvas.screenshot()
     return Image.open(io.BytesIO(data)).convert("RGB")
+
+
+def expect_colors(panel: Locator, colors: Mapping[tuple[float, float], str]) -> None:
+    """Wait until points of the floor, in metres from the middle, have these colours."""
+
+    def found() -> dict[tuple[float, float], str]:
+        image = pixels(panel)
+        return {(x, y): at(image, x, y) for x, y in colors}
+
+    until(lambda: found() == colors, told=found)
 
 
 def at(image: Image.Image, x: float, y: float) -> str:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import io
 import shutil
-import time
-from collections.abc import Callable
 from pathlib import Path
 
 from paths import ROOT
@@ -20,13 +18,6 @@ pages:
   - {path: /, file: index.md}
   - {path: other/, title: Other, content: [{markdown: The other page.}]}
 """
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 20
-    while not condition():
-        assert time.monotonic() < end
-        time.sleep(0.02)
 
 
 class Serving:

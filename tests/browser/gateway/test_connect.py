@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 from browser import Built, serving
-from joined import Gateway, Robot, until
+from joined import Gateway, Robot
 from native import Native
 from playwright.sync_api import Browser, Page, expect
+from waiting import until
 
 SITE = """
 site: {{title: Robot}}

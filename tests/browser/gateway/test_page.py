@@ -9,11 +9,12 @@ from collections.abc import Iterator
 
 import pytest
 from browser import Built
-from joined import Gateway, Robot, until
+from joined import Gateway, Robot
 from native import Native
 from paths import SITES
 from playwright.sync_api import Browser, Locator, Page, expect
 from terminal import Terminal
+from waiting import until
 from websockets.sync.client import connect
 
 SITE = SITES / "gateway"

@@ -11,6 +11,7 @@ import pytest
 from browser import Serve
 from panel import Panel, expect_nothing_left, graph, numbers
 from playwright.sync_api import Browser, Page, expect
+from waiting import until
 
 # Firefox that is driven by WebDriver now and then loses a worker that starts one, and only then.
 pytestmark = pytest.mark.chromium
@@ -47,8 +48,10 @@ def test_topics_reach_both_ways(page: Page, url: str) -> None:
         Panel(page, name)
         for name in ("talker", "listener", "old_talker", "old_listener", "other_listener")
     )
-    for panel in (listener, old_listener, other_listener, old_talker):
+    # One after another, since the graph lists them in the order in which they came.
+    for count, panel in enumerate((listener, old_listener, other_listener, old_talker), 1):
         panel.start()
+        until(lambda count=count: len(graph(page)["all"]) == 3 * count)  # type: ignore[misc]
     # It says Hello, world! with a comma, which their page would have made a line end of.
     for panel in (listener, old_listener, other_listener):
         panel.wait_for("I heard: 'Hello, world! 9'")

@@ -16,6 +16,7 @@ from mcap.writer import CompressionType, IndexType, Writer
 from panel import Panel
 from playwright.sync_api import Browser, Locator, expect
 from playwright.sync_api import Page as Tab
+from waiting import until
 
 pytestmark = pytest.mark.firefox
 
@@ -136,8 +137,12 @@ def test_bags_without_an_index_are_played(
     panel = Panel(page, "hears")
     panel.wait_for("hello")
     expect(player(page).get_by_role("button", name="Play", exact=True)).to_be_visible()
-    page.wait_for_timeout(200)
-    assert len([one for one in panel.messages() if "'hello'" in one]) == 30
+
+    def heard() -> int:
+        return len([one for one in panel.messages() if "'hello'" in one])
+
+    until(lambda: heard() >= 30, told=heard)
+    assert heard() == 30
 
 
 def test_a_schema_in_another_language_is_no_obstacle(page: Tab, tmp_path: Path) -> None:

@@ -83,7 +83,6 @@ def test_a_panel_shows_a_type_that_no_node_knows(page: Tab) -> None:
 def test_steps_seeks_and_latched_messages(page: Tab) -> None:
     panel = Panel(page, "hears")
     panel.expect_started()
-    page.wait_for_timeout(300)  # subscriptions match
     seek(page, 3.001)
     panel.wait_for("an old map")
     press(page, "Step")

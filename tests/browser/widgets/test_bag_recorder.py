@@ -20,6 +20,7 @@ from playwright.sync_api import Browser, Locator, Request, expect
 from playwright.sync_api import Page as Tab
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from waiting import until
 
 # Who publishes what the visitor does.
 TOPICS = """async () => {
@@ -63,6 +64,12 @@ def record(tab: Tab) -> None:
     )
     press(tab, "Stop")
     expect(recorder(tab).get_by_role("status").first).to_contain_text("Recorded: ")
+
+
+def recorded(tab: Tab) -> int:
+    """The number of messages that the recorder shows while it records."""
+    [count] = re.findall(r"(\d+) messages", recorder(tab).get_by_role("status").first.inner_text())
+    return int(count)
 
 
 def save(tab: Tab, folder: Path, name: str = "Save") -> Path:
@@ -152,7 +159,8 @@ def test_events_of_services_are_recorded_on_request(page: Tab, tmp_path: Path) -
     press(page, "Record")
     expect(recorder(page).get_by_role("status").first).to_contain_text("on 4 topics")
     call(page, "/switch", "std_srvs/srv/SetBool", {"data": True})
-    page.wait_for_timeout(600)
+    count = recorded(page)
+    until(lambda: recorded(page) > count + 5)
     press(page, "Stop")
     expect(recorder(page).get_by_role("status").first).to_contain_text("Recorded: ")
     bag = save(page, tmp_path)
@@ -183,11 +191,11 @@ def test_what_was_recorded_is_played_again_byte_by_byte(page: Tab, tmp_path: Pat
     expect(player.locator(".ros-bag-row")).not_to_have_count(0)
     press(page, "Record")
     expect(recorder(page).get_by_role("status").first).to_contain_text("on 4 topics")
-    page.wait_for_timeout(500)
     player.get_by_role("button", name="Play", exact=True).click()
     expect(player.get_by_role("button", name="Pause", exact=True)).to_be_visible()
     expect(player.get_by_role("button", name="Play", exact=True)).to_be_visible()
-    page.wait_for_timeout(300)
+    count = sum(map(len, contents(first).values()))
+    until(lambda: recorded(page) >= count)
     press(page, "Stop")
     expect(recorder(page).get_by_role("listitem")).to_have_count(2)
     second = save(page, tmp_path)
@@ -272,7 +280,8 @@ def test_types_that_a_bag_brought_are_recorded_with_it(page: Tab, tmp_path: Path
     player.get_by_label("Speed").select_option("10")
     player.get_by_role("button", name="Play", exact=True).click()
     expect(player.locator(".ros-bag-time")).to_have_text("0:05.9 / 0:05.9")
-    page.wait_for_timeout(200)
+    count = recorded(page)
+    until(lambda: recorded(page) > count + 5)
     press(page, "Stop")
     expect(recorder(page).get_by_role("status").first).to_contain_text("Recorded: ")
     places = read(save(page, tmp_path), "/places")

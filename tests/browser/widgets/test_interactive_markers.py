@@ -14,7 +14,7 @@ from panel import Panel
 from paths import SITES
 from playwright.sync_api import Locator, expect
 from playwright.sync_api import Page as Tab
-from scenes import ABOVE, REACH, at, emit, pixels, view
+from scenes import ABOVE, REACH, at, emit, expect_colors, pixels, view
 from stage import add
 
 UPDATE = "visualization_msgs/msg/InteractiveMarkerUpdate"
@@ -37,11 +37,7 @@ def knob(tab: Tab, serve: Serve, built: Built) -> Iterator[Panel]:
 def seen(canvas: Locator, x: float, y: float, color: str) -> None:
     """Wait until the point of the floor has this colour."""
     panel = canvas.locator("xpath=ancestor::*[contains(@class, 'ros-scene')]/..")
-    for _ in range(200):
-        if at(pixels(panel), x, y) == color:
-            return
-        canvas.page.wait_for_timeout(100)
-    raise AssertionError(f"{at(pixels(panel), x, y)} instead of {color} at {x}, {y}")
+    expect_colors(panel, {(x, y): color})
 
 
 def place(canvas: Locator, x: float, y: float) -> tuple[float, float]:

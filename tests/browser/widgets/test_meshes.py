@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
-from scenes import at, emit, pixels, view
+from scenes import at, emit, expect_colors, pixels, view
 from stage import add
 
 # A square from -1 to 1, as two triangles.
@@ -84,9 +84,7 @@ def test_a_mesh_of_each_format_is_drawn(stage: Tab, tmp_path: Path, kind: str) -
     add(stage, "publisher", "/node", "/t", "visualization_msgs/msg/Marker")
     panel = view(stage, {"kind": "markers", "topic": "/t"}, resources={url: f"square.{kind}"})
     emit(stage, "/t", f"marker({{ type: 10, mesh_resource: '{url}' }})")
-    stage.wait_for_timeout(300)
-    image = pixels(panel)
-    assert [at(image, 0.8, 0.8), at(image, -0.8, 0.5), at(image, 1.3, 0)] == ["red", "red", "black"]
+    expect_colors(panel, {(0.8, 0.8): "red", (-0.8, 0.5): "red", (1.3, 0): "black"})
 
 
 def test_a_mesh_that_is_damaged_is_told(stage: Tab, tmp_path: Path) -> None:
@@ -120,16 +118,13 @@ def test_a_robot_stands_where_its_frames_are(stage: Tab, tmp_path: Path) -> None
     add(stage, "publisher", "/node", "/t", "std_msgs/msg/String", transientLocal=True)
     panel = view(stage, {"kind": "robot", "topic": "/t"}, resources=resources)
     emit(stage, "/t", json.dumps({"data": ROBOT}))
-    stage.wait_for_timeout(300)
     note = panel.locator(".ros-display-list .ros-note")
     expect(note).to_have_text("no transforms of base, mast")
     # Without transforms, it stands as the description says.
-    image = pixels(panel)
-    assert [at(image, 0, 0), at(image, 1.2, 0), at(image, 0.7, 0)] == ["red", "green", "black"]
+    expect_colors(panel, {(0, 0): "red", (1.2, 0): "green", (0.7, 0): "black"})
     emit(stage, "/tf", "{ transforms: [transform('map', 'base', [0, 1, 0])] }")
     expect(note).to_have_text("no transforms of mast")
-    image = pixels(panel)
-    assert [at(image, 0, 1), at(image, 1.2, 1), at(image, 0, 0)] == ["red", "green", "black"]
+    expect_colors(panel, {(0, 1): "red", (1.2, 1): "green", (0, 0): "black"})
     emit(stage, "/tf", "{ transforms: [transform('base', 'mast', [0, -2, 0])] }")
     expect(note).to_have_text("")
     assert at(pixels(panel), 0, -1) == "green"
