@@ -46,9 +46,6 @@ FLAGS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
-    # Without its window, an access outside of a program's memory ends the whole page instead of
-    # being a trap; checks in the code, instead of the processor's, are traps in both.
-    "--disable-features=WebAssemblyTrapHandler",
     # Linux is where it has to be asked for.
     "--enable-blink-features=WebBluetooth",
 ]
@@ -83,6 +80,23 @@ def _make_patient(browser: Browser) -> None:
 
     browser.new_context = patient(browser.new_context)  # type: ignore[method-assign]
     browser.new_page = patient(browser.new_page)  # type: ignore[method-assign]
+
+
+@contextmanager
+def whole(browser: Browser) -> Iterator[Browser]:
+    """Run all of Chromium beside the one without its window; another browser is all there is.
+
+    Without the window, a program that reads outside of its memory ends its page.
+    """
+    if browser.browser_type.name != "chromium":
+        yield browser
+        return
+    found = browser.browser_type.launch(executable_path=WHOLE_CHROMIUM, args=FLAGS)
+    _make_patient(found)
+    try:
+        yield found
+    finally:
+        found.close()
 
 
 @contextmanager

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import Serve
+from browser import Serve, whole
 from panel import Panel
 from paths import ROOT
-from playwright.sync_api import BrowserContext
+from playwright.sync_api import Browser, BrowserContext
 
 from sitegen.commands.build import build
 from sitegen.options import Options
@@ -66,6 +67,12 @@ ENDS = {
     ],
     "exit": ["exit: exited with code 3"],
 }
+
+
+@pytest.fixture(scope="module")
+def browser(browser: Browser) -> Iterator[Browser]:
+    with whole(browser) as found:
+        yield found
 
 
 @pytest.fixture(scope="module")

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from browser import Built, Serve
+from browser import Built, Serve, whole
 from panel import Panel, expect_nothing_left
 from paths import SITES
-from playwright.sync_api import BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 pytestmark = [pytest.mark.firefox(always=True), pytest.mark.asyncify(always=True)]
 
@@ -59,6 +59,12 @@ def plain(lines: list[str]) -> list[str]:
     """Lines of a console without what differs: the times, and how a browser calls a trap."""
     heads = [re.sub(r"^\[(\w+)\] \[[\d.]+\] \[fault\]: ", r"\1 ", line) for line in lines]
     return [re.sub(r": unreachable.*", ": unreachable", line, flags=re.I) for line in heads]
+
+
+@pytest.fixture(scope="module")
+def browser(browser: Browser) -> Iterator[Browser]:
+    with whole(browser) as found:
+        yield found
 
 
 @pytest.fixture
