@@ -31,10 +31,10 @@ class Outcomes:
 
     def __init__(self) -> None:
         self.reasons: dict[str, str] = {}
-        self.seconds: Counter[str] = Counter()
+        self.milliseconds: Counter[str] = Counter()
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        self.seconds[report.nodeid.partition("::")[0]] += round(report.duration * 1000)
+        self.milliseconds[report.nodeid.partition("::")[0]] += round(report.duration * 1000)
         if report.failed:
             self.reasons.setdefault(report.nodeid, _reason(report))
 
@@ -71,8 +71,8 @@ def run(at_once: int, options: list[str], stages: Stages) -> int:
     stages.end("tests")
     FOLDER.mkdir(exist_ok=True)
     AGAIN.write_text("")
-    slowest = outcomes.seconds.most_common()
-    TIMES.write_text("".join(f"{time / 1000:8.1f}  {file}\n" for file, time in slowest))
+    slowest = outcomes.milliseconds.most_common()
+    TIMES.write_text("".join(f"{taken / 1000:8.1f}  {file}\n" for file, taken in slowest))
     if status != pytest.ExitCode.TESTS_FAILED or not outcomes.reasons:
         return status
     if len(outcomes.reasons) > MOST:
