@@ -77,9 +77,10 @@ class Peer:
         try:
             await self._receive_all(socket, received)
         finally:
-            self.connected = False
             sender.cancel()
             await asyncio.gather(sender, return_exceptions=True)
+            # Last, so that whoever sees that a peer is gone cannot send to it any more.
+            self.connected = False
 
     async def _send_all(self, socket: Socket) -> None:
         while True:
