@@ -2,7 +2,8 @@
 
 `sitegen/ros/` is unpacked from pinned PyPI wheels, `sitegen/runtime/vendor/` is bundled from pinned
 npm packages, and `sitegen/bundles/` from the runtime and these. None of them is in the repository.
-Finally, the Python of pages compiles the modules of ROS and those of sitegen that run in pages.
+Finally, the Python of pages compiles the modules of ROS and those of sitegen that run in pages, and
+what they need of its own library.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ LOCK = ROOT / "package-lock.json"
 BUNDLER = ROOT / "vendor.mjs"
 LIBRARIES = ROOT / "sitegen" / "runtime" / "vendor"
 COMPILER = ROOT / "bytecode.mjs"
+# The library of Python in pages.
+LIBRARY = LIBRARIES / "pyodide" / "python_stdlib.zip"
 
 # The wheels are built for one platform, but the files taken from them are independent of it.
 DOWNLOAD = [
@@ -107,7 +110,7 @@ class VendorBuildHook(BuildHookInterface[Any]):
         stamp = bytecode.STORE.with_suffix(".digest")
         state = "".join(sorted(names)).encode() + COMPILER.read_bytes() + LOCK.read_bytes()
         digest = hashlib.sha256(state).hexdigest()
-        if stamp.exists() and stamp.read_text() == digest:
+        if LIBRARY.exists() and stamp.exists() and stamp.read_text() == digest:
             return
         with tempfile.TemporaryDirectory() as folder:
             sources = Path(folder) / "sources.zip"
@@ -115,7 +118,7 @@ class VendorBuildHook(BuildHookInterface[Any]):
                 archive.writestr("places.json", json.dumps(names))
                 for name, place in names.items():
                     archive.writestr(name, modules[place])
-            self._node(["node", COMPILER.name, str(sources), str(bytecode.STORE)])
+            self._node(["node", COMPILER.name, *map(str, (sources, bytecode.STORE, LIBRARY))])
         stamp.write_text(digest)
 
     def _node(self, command: list[str]) -> None:

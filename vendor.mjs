@@ -90,8 +90,8 @@ const WITHOUT_STYLES = {
   },
 };
 
-/** Python comes as it is: its parts find each other by their names. */
-const PYTHON = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"];
+/** Python comes as it is: its parts find each other by their names. bytecode.mjs adds its library. */
+const PYTHON = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
 
 const packages = new Set();
 for (const [name, contents] of Object.entries(BUNDLES)) {
