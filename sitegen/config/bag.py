@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,9 @@ KIND = "bag"
 SUFFIXES = (".mcap", ".db3")
 METADATA = "metadata.yaml"
 # The keys that only a player or only a recorder has.
-PLAYING = ("autostart", "loop", "rate", "clock", "remap", "exclude")
+PLAYING = ("autostart", "loop", "rate", "from", "to", "clock", "remap", "topics", "exclude")
+# These are about one bag.
+OWN = ("autostart", "from", "to")
 RECORDING = ("hidden", "limit")
 RATES = (0.01, 100.0)
 
@@ -36,13 +39,14 @@ def bag(value: Value, problems: Problems, page: Path) -> Widget | None:
     for name in ("autostart", "loop", "clock", "hidden"):
         if section.option(name) is True:
             options[name] = True
-    for name in ("exclude", "record"):
+    for name in ("topics", "exclude", "record"):
         if entry := section.get(name):
             options[name] = [item.text for item in entry.items()]
     if entry := section.get("remap"):
         options["remap"] = {name: one.text for name, one in entry.entries(problems).items()}
     if entry := section.get("rate"):
         options["rate"] = _rate(entry, problems)
+    options |= _part(section, problems)
     if entry := section.get("file"):
         options["file"] = _file(entry, problems, page)
     options["limit"] = section.option("limit")
@@ -58,9 +62,10 @@ def _check(section: Section, problems: Problems) -> None:
     if "ask" in entries and "record" not in entries:
         message = "needs 'record', the topics that are logged; add a list of them"
         problems.add(section.location("ask"), section.label("ask"), message)
-    if "record" in entries and not section.entries["record"].items():
-        message = "names no topics; leave the key out to record all"
-        problems.add(section.location("record"), section.label("record"), message)
+    for name, what in (("record", "record"), ("topics", "play")):
+        if name in entries and not entries[name].items():
+            message = f"names no topics; leave the key out to {what} all"
+            problems.add(section.location(name), section.label(name), message)
     plays = "file" in entries or "record" not in entries
     records = "record" in entries or "file" not in entries
     for name in entries:
@@ -70,9 +75,23 @@ def _check(section: Section, problems: Problems) -> None:
             )
             message = f"has no effect: this widget {what}; add '{other}' or remove the key"
             problems.add(section.location(name), section.label(name), message)
-    if "autostart" in entries and "file" not in entries and plays:
-        message = "needs 'file', the bag that starts by itself"
-        problems.add(section.location("autostart"), section.label("autostart"), message)
+    for name in OWN:
+        if name in entries and "file" not in entries and plays:
+            message = "needs 'file', the bag that it is about"
+            problems.add(section.location(name), section.label(name), message)
+
+
+def _part(section: Section, problems: Problems) -> dict[str, float]:
+    """Return the limits of the part that is played, in seconds."""
+    entries = {name: entry for name in ("from", "to") if (entry := section.get(name))}
+    part = {name: float(entry.text) for name, entry in entries.items()}
+    if part.get("from", 0) < 0:
+        message = f"must not be negative, found {entries['from'].text}"
+        problems.add(entries["from"].location, entries["from"].label, message)
+    elif part.get("to", inf) <= part.get("from", 0):
+        message = f"must be more than 'from', found {entries['to'].text}"
+        problems.add(entries["to"].location, entries["to"].label, message)
+    return part
 
 
 def _rate(entry: Value, problems: Problems) -> float | None:

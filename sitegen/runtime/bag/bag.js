@@ -11,7 +11,7 @@ import { salvaged } from "./salvage.js";
 /** @import { MessageType, Qos } from "../protocol.js" */
 /** @import { Said, Summary, Track } from "./orders.js" */
 /** @import { Readable } from "./source.js" */
-/** @typedef {{channelId: number, logTime: bigint, data: Uint8Array}} Message */
+/** @typedef {{channelId: number, sequence: number, logTime: bigint, publishTime: bigint, data: Uint8Array}} Message */
 
 const MOST_CHANNELS = 5000;
 const MOST_CHUNKS = 1_000_000;
@@ -127,14 +127,14 @@ export class Bag {
   }
 
   /**
-   * Yield the messages of some topics from a time on, in the order of their times.
-   * @param {bigint} from in ns @param {Set<number>} channels
+   * Yield the messages of some topics from a time to another, in the order of their times.
+   * @param {bigint} from in ns @param {Set<number>} channels @param {bigint} [to] in ns, the end if it is missing
    * @returns {AsyncGenerator<Message>}
    */
-  async *messages(from, channels) {
+  async *messages(from, channels, to = this.end) {
     const topics = this.#topicsOf(channels);
     if (topics.length === 0) return;
-    for await (const message of this.#reader.readMessages({ topics, startTime: from })) {
+    for await (const message of this.#reader.readMessages({ topics, startTime: from, endTime: to })) {
       if (channels.has(message.channelId)) yield message;
     }
   }
@@ -156,6 +156,18 @@ export class Bag {
       if (found.length >= depth) break;
     }
     return found;
+  }
+
+  /** Return the channels with their schemas, as they are in the file. */
+  channels() {
+    const { channelsById, schemasById } = this.#reader;
+    return [...channelsById.values()].map((channel) => ({ ...channel, schema: schemasById.get(channel.schemaId) }));
+  }
+
+  /** Return a time of the bag in ns. @param {number} seconds from its start, which may be outside of it */
+  timeAt(seconds) {
+    const time = this.start + BigInt(Math.round(seconds * 1e9));
+    return time < this.start ? this.start : time > this.end ? this.end : time;
   }
 
   /** @param {Set<number>} channels */

@@ -17,6 +17,9 @@
  * @typedef {{from: bigint, to: bigint, start: number, duration: number, count: number, size: number, library: string, compression: string,
  *   tracks: Track[], types: Record<string, MessageType>, notes: Said[]}} Summary
  *
+ * The part of a bag that is played, in seconds from its start; to its end if `to` is missing.
+ * @typedef {{from: number, to?: number}} Part
+ *
  * How a bag is played: which of its topics, names by which they are replaced, whether /clock is published (or how
  * often, in Hz), and whether it starts again at its end.
  * @typedef {Choice & {remap?: Record<string, string>, clock?: boolean | number, loop?: boolean,
@@ -29,7 +32,7 @@
  * @typedef {{op: "open", source: Source}
  *   | {op: "advertise", playing: Playing, known: Record<string, MessageType>}
  *   | {op: "play"} | {op: "pause"} | {op: "step"}
- *   | {op: "seek", time: number} | {op: "rate", rate: number} | {op: "loop", on: boolean}
+ *   | {op: "seek", time: number} | {op: "rate", rate: number} | {op: "loop", on: boolean} | {op: "part", part: Part}
  *   | {op: "choose", id: number, on: boolean}} ToPlayer
  * @typedef {{op: "opened", summary: Summary}
  *   | {op: "advertised", refused: {id: number, why: Said}[]}
@@ -54,6 +57,10 @@
  * recorded.
  * @typedef {{op: "mend", folder: string}} ToKeeper
  * @typedef {{op: "mended", names: string[]}} FromKeeper
+ *
+ * To what cuts a part out of a bag, and from it. `left` are the channels that are left out.
+ * @typedef {{op: "cut", source: Source, part: Part, left: number[]}} ToCutter
+ * @typedef {{op: "cut", content: Blob} | {op: "failed", said: Said}} FromCutter
  */
 
 /** @param {string} text @param {unknown[]} values @returns {Said} */

@@ -4,7 +4,7 @@
 import { say } from "../ui/words.js";
 
 /** @import { Companion, MessageType, Ros } from "../protocol.js" */
-/** @import { FromPlayer, Playing, Said, Source, Summary, ToPlayer } from "./orders.js" */
+/** @import { FromPlayer, Part, Playing, Said, Source, Summary, ToPlayer } from "./orders.js" */
 
 // Types that a player publishes itself.
 const CLOCK = {
@@ -73,6 +73,11 @@ export class Playback extends EventTarget {
   /** @param {boolean} on */
   setLoop(on) {
     this.#order({ op: "loop", on });
+  }
+
+  /** Play only a part of the bag. @param {Part} part */
+  setPart(part) {
+    this.#order({ op: "part", part });
   }
 
   /** Play a topic or leave it out. @param {number} id its channel @param {boolean} on */

@@ -215,19 +215,15 @@ async function rewritten(readable) {
   const parts = [];
   const writer = new BagWriter((bytes) => parts.push(new Uint8Array(bytes)));
   const reader = new McapStreamReader();
-  /** @type {Map<number, string>} */
+  /** The new ids by those in the file. @type {Map<number, number>} */
   const schemas = new Map();
-  const texts = new Map();
   /** @type {Map<number, number>} */
   const channels = new Map();
   const take = (/** @type {ReturnType<typeof reader.nextRecord>} */ record) => {
-    if (record?.type === "Schema" && schemas.size < MOST.schemas) {
-      schemas.set(record.id, record.name);
-      texts.set(record.id, record.encoding === "ros2msg" ? new TextDecoder().decode(record.data) : "");
+    if (record?.type === "Schema" && !schemas.has(record.id) && schemas.size < MOST.schemas) {
+      schemas.set(record.id, writer.addSchema(record));
     } else if (record?.type === "Channel" && !channels.has(record.id) && channels.size < MOST.channels) {
-      const { id, topic, schemaId, metadata } = record;
-      const qos = metadata.get("offered_qos_profiles") ?? "";
-      channels.set(id, writer.addChannel(topic, schemas.get(schemaId) ?? "", texts.get(schemaId) ?? "", qos));
+      channels.set(record.id, writer.addChannel({ ...record, schemaId: schemas.get(record.schemaId) ?? 0 }));
     } else if (record?.type === "Message") {
       const { channelId, sequence, logTime, publishTime, data } = record;
       const channel = channels.get(channelId);

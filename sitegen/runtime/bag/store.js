@@ -44,6 +44,15 @@ export async function removed(name) {
   await (await folder()).removeEntry(name);
 }
 
+/** Whether recordings can get other names in this browser. */
+export const renames = "FileSystemFileHandle" in globalThis && "move" in FileSystemFileHandle.prototype;
+
+/** @param {string} name @param {string} other which no recording has */
+export async function renamed(name, other) {
+  const handle = await (await folder()).getFileHandle(name);
+  await /** @type {FileSystemFileHandle & {move(name: string): Promise<void>}} */ (handle).move(other);
+}
+
 /**
  * Complete the recordings that were interrupted, and resolve with their names.
  * @param {Ros} ros @returns {Promise<string[]>}

@@ -46,19 +46,27 @@ export class BagWriter {
   }
 
   /** Add a topic and return its id. @param {string} topic @param {string} type @param {string} text @param {string} qos */
-  addChannel(topic, type, text, qos) {
-    const { schemas, channels } = this.#contents;
-    const data = new TextEncoder().encode(text);
-    let schema = [...schemas.values()].find(({ name }) => name === type);
-    if (!schema) {
-      schema = { id: schemas.size + 1, name: type, encoding: "ros2msg", data };
-      schemas.set(schema.id, schema);
-      this.#records.writeSchema(schema);
-    }
-    const channel = {
-      id: channels.size + 1, schemaId: schema.id, topic, messageEncoding: "cdr",
-      metadata: new Map([["offered_qos_profiles", qos]]),
-    };
+  addTopic(topic, type, text, qos) {
+    const { schemas } = this.#contents;
+    const known = [...schemas.values()].find(({ name }) => name === type)?.id;
+    const schemaId = known ?? this.addSchema({ name: type, encoding: "ros2msg", data: new TextEncoder().encode(text) });
+    const metadata = new Map([["offered_qos_profiles", qos]]);
+    return this.addChannel({ schemaId, topic, messageEncoding: "cdr", metadata });
+  }
+
+  /** Add a schema and return its id. @param {Omit<Schema, "id">} given */
+  addSchema({ name, encoding, data }) {
+    const { schemas } = this.#contents;
+    const schema = { id: schemas.size + 1, name, encoding, data };
+    schemas.set(schema.id, schema);
+    this.#records.writeSchema(schema);
+    return schema.id;
+  }
+
+  /** Add a channel and return its id. @param {Omit<Channel, "id">} given `schemaId` is 0 if it has none */
+  addChannel({ schemaId, topic, messageEncoding, metadata }) {
+    const { channels } = this.#contents;
+    const channel = { id: channels.size + 1, schemaId, topic, messageEncoding, metadata };
     channels.set(channel.id, channel);
     // Outside of chunks, whose messages can then be found without decompressing them.
     this.#records.writeChannel(channel);

@@ -9,9 +9,9 @@ import { RecorderView } from "./bag/recorder.js";
 
 /**
  * @typedef {{file?: string, autostart?: boolean, loop?: boolean, rate?: number | null, clock?: boolean,
- *   remap?: Record<string, string> | null, exclude?: string[] | null,
+ *   from?: number, to?: number, remap?: Record<string, string> | null, topics?: string[], exclude?: string[] | null,
  *   record?: string[] | null, hidden?: boolean, limit?: number, ask?: string | null}} Options `file` is the address of a
- *   bag; `limit` is in MB; with `ask`, what the visitor does is recorded, too, after consent
+ *   bag, `from` and `to` are seconds from its start; `limit` is in MB; with `ask`, what the visitor does is recorded, too, after consent
  */
 
 /**
@@ -26,6 +26,7 @@ export function mount(element, ros, options) {
   const records = Boolean(options.record) || !options.file;
   const player = new PlayerView(element, ros, options, plays);
   const recorder = records ? new RecorderView(ros, options, (source, name) => player.open(source, name)) : undefined;
+  if (options.file) player.keep(element);
   element.replaceChildren(player.element, ...(recorder ? [recorder.element] : []));
   // A bag is loaded when someone looks at it.
   const unlook = whileSeen(element, () => {

@@ -213,6 +213,21 @@ def test_a_bag_is_played_to_its_end(driven: Terminal) -> None:
         assert error in driven.run(f"ros2 bag play drive {options} 2>&1 | tail -1")
 
 
+def test_playing_ends_where_it_is_told(driven: Terminal) -> None:
+    line = "ros2 bag play drive --start-offset 5 --remap /words:=/heard -r 5"
+    for options, last in [
+        ("--playback-duration 0.5", 110),
+        ("--playback-until-sec 1700000005.25", 105),
+        ("--playback-duration 0.5 --playback-until-sec 1700000005.25", 110),
+        ("--playback-until-sec 1700000001", None),
+    ]:
+        driven.run("ros2 topic echo /heard std_msgs/msg/String --field data > heard &")
+        driven.run(f"{line} {options}")
+        driven.run("sleep 0.2; kill %1; wait")
+        words = [f"bag {one}" for one in range(100, last + 1)] if last else []
+        assert driven.run("grep bag heard") == "\n".join(words)
+
+
 def test_names_are_completed(driven: Terminal) -> None:
     driven.tab.keyboard.type("ros2 bag inf")
     driven.tab.keyboard.press("Tab")

@@ -102,6 +102,42 @@ def words(path: Path) -> list[str]:
     return [one.data for one in read(path, "/words")]
 
 
+def rename(tab: Tab, name: str, key: str = "Enter") -> None:
+    entry = recorder(tab).get_by_role("listitem").first
+    entry.get_by_role("button", name="Rename").click()
+    field = entry.get_by_role("textbox", name="Name of the recording")
+    field.fill(name)
+    field.press(key)
+
+
+def test_a_recording_gets_another_name(page: Tab) -> None:
+    record(page)
+    record(page)
+    first = recorder(page).locator(".ros-bag-entry .ros-name").first
+    said = recorder(page).locator(".ros-bag-recordings .ros-note")
+    before = first.inner_text()
+    rename(page, "Fahrt 2 (gut)", key="Escape")
+    expect(first).to_have_text(before)
+    rename(page, "Fahrt 2 (gut)")
+    expect(first).to_have_text("Fahrt 2 (gut).mcap")
+    renamed = recorder(page).get_by_role("button", name="Rename Fahrt 2 (gut).mcap")
+    expect(renamed).to_be_focused()
+    for wrong, why in [("a/b", "A name begins with"), ("", "A name begins with")]:
+        rename(page, wrong)
+        expect(said).to_contain_text(why)
+        recorder(page).get_by_role("textbox").press("Escape")
+        expect(said).to_have_text("")
+    other = recorder(page).locator(".ros-bag-entry .ros-name").last.inner_text()
+    rename(page, other)
+    expect(said).to_have_text("Another recording has this name.")
+    # Whoever goes on elsewhere keeps the old name.
+    recorder(page).get_by_role("textbox").blur()
+    expect(first).to_have_text("Fahrt 2 (gut).mcap")
+    page.reload()
+    expect(recorder(page).locator(".ros-bag-entry .ros-name")).to_have_count(2)
+    expect(recorder(page).get_by_text("Fahrt 2 (gut).mcap", exact=True)).to_be_visible()
+
+
 def test_each_message_is_in_the_bag_once_and_in_order(page: Tab, tmp_path: Path) -> None:
     record(page)
     bag = save(page, tmp_path)

@@ -1,17 +1,23 @@
 // @ts-check
-// The player of a bag: its buttons, and a timeline with the messages of each topic.
+// The player of a bag: its buttons, a timeline with the messages of each topic, and the part that is played.
 
 import { sourceAt } from "../../bag/address.js";
+import { isChosen } from "../../bag/choice.js";
+import { partOf } from "../../bag/cutting.js";
 import { Playback } from "../../bag/playback.js";
+import { download } from "../../ui/download.js";
 import { button, create, enable, setNote, setText, toggle } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
+import { PartView } from "./part.js";
 import { clockText, countText, sizeText } from "./texts.js";
 import { Timeline } from "./timeline.js";
 
-/** @import { Source } from "../../bag/orders.js" */
-/** @import { Ros } from "../../protocol.js" */
+/** @import { Part, Source } from "../../bag/orders.js" */
+/** @import { Ros, Shared } from "../../protocol.js" */
 /** @import { Options } from "../bag.js" */
 
+// What links keep of the bag of the site: seconds, and two of them such as "2-4.5".
+const SHAPE = /** @type {const} */ ({ time: "number", part: "string" });
 const RATES = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
 export class PlayerView {
@@ -19,8 +25,16 @@ export class PlayerView {
   #options;
   /** @type {Playback | undefined} */
   #playback;
-  /** Whether the bag of the site was asked for. */
+  /** @type {Source | undefined} */
+  #source;
+  /** Whether the bag of the site was asked for, and whether it is the one that is open. */
   #begun = false;
+  #own = false;
+  /** Topics that the visitor leaves out. @type {Set<number>} */
+  #left = new Set();
+  /** What a shared link says of the bag of the site. @type {Shared} */
+  #linked = {};
+  #odd = () => {};
   #autostart;
   #title = create("span", "ros-name");
   #about = create("span", "ros-type");
@@ -32,7 +46,8 @@ export class PlayerView {
   #note = create("p", "ros-note");
   #hint = create("p", "ros-bag-hint");
   #pick = create("input", "ros-bag-file");
-  #timeline = new Timeline((time) => this.#playback?.seek(time), (id, on) => this.#playback?.choose(id, on));
+  #timeline = new Timeline((time) => this.#playback?.seek(time), (id, on) => this.#select(id, on));
+  #part;
   #controls;
   element;
 
@@ -51,13 +66,32 @@ export class PlayerView {
     this.#pick.addEventListener("change", () => this.#choose(this.#pick.files?.[0]));
     this.#controls = create("div", "ros-controls ros-bag-controls", this.#play, this.#step, this.#loop, this.#rates(), this.#time);
     this.#note.setAttribute("role", "status");
-    this.element = create("section", "ros-bag-player", bar, this.#pick, this.#controls, this.#timeline.element, this.#hint, this.#note);
+    this.#part = new PartView((part) => this.#restrict(part), (part) => this.#save(part));
+    this.element = create("section", "ros-bag-player", bar, this.#pick, this.#controls, this.#timeline.element, this.#part.element, this.#hint, this.#note);
     this.element.setAttribute("aria-label", say("Player"));
     this.element.hidden = !shown;
     this.#dropOn(panel);
     setText(this.#title, say("Bag"));
     setText(this.#hint, say("Open a bag, or drop one here: a .mcap file, as 'ros2 bag record' writes it. It stays on this device."));
     this.#controls.hidden = true;
+    this.#part.element.hidden = true;
+  }
+
+  /** Make the time and the part of the bag of the site part of shared links. @param {{id: string}} panel */
+  keep(panel) {
+    this.#ros.keep(panel, SHAPE, () => this.#shared(), (state, odd) => {
+      this.#linked = state;
+      this.#odd = odd;
+    });
+  }
+
+  #shared() {
+    const { summary, state } = this.#playback ?? {};
+    if (!this.#own || !summary) return this.#linked;
+    const { from, to = summary.duration } = this.#part.part;
+    const given = this.#given(summary.duration);
+    const part = from === given.from && to === given.to ? "" : `${from}-${to}`;
+    return { time: Math.round((state?.time ?? 0) * 1000) / 1000, part };
   }
 
   #rates() {
@@ -94,7 +128,7 @@ export class PlayerView {
     this.#begun = true;
     // Of the name in the site, its digest is left out.
     const name = decodeURIComponent(file.split("/").at(-1) ?? "").replace(/\.[0-9a-f]{10}(\.mcap)$/, "$1");
-    this.open(await sourceAt(file), name);
+    this.#open(await sourceAt(file), name, true);
   }
 
   /** @param {File | undefined} file */
@@ -102,22 +136,30 @@ export class PlayerView {
     this.#pick.value = "";
     if (!file) return;
     this.#begun = true;
-    this.#autostart = false;
     this.open({ blob: file }, file.name);
   }
 
   /** Open a bag in place of the present one. @param {Source} source @param {string} name */
   open(source, name) {
+    this.#autostart = false;
+    this.#open(source, name, false);
+  }
+
+  /** @param {Source} source @param {string} name @param {boolean} own whether it is the bag of the site */
+  #open(source, name, own) {
     this.close();
+    this.#own = own;
+    this.#source = source;
     this.element.hidden = false;
     setText(this.#title, name);
     setText(this.#about, "");
     setNote(this.#note, say("Opening…"));
     this.#hint.hidden = true;
     this.#controls.hidden = true;
-    const { remap, exclude, clock } = this.#options;
+    this.#part.element.hidden = true;
+    const { remap, clock } = this.#options;
     const playback = new Playback(this.#ros, source, {
-      remap: remap ?? {}, exclude: exclude ?? [], clock: clock ?? false,
+      ...this.#choice, remap: remap ?? {}, clock: clock ?? false,
       loop: this.#loop.querySelector("input")?.checked || this.#options.loop, rate: Number(this.#rate.value),
     });
     this.#playback = playback;
@@ -140,12 +182,68 @@ export class PlayerView {
     setText(this.#about, [when, clockText(duration), countText(count), sizeText(size)].join(" · "));
     const box = this.#loop.querySelector("input");
     if (box) box.checked ||= this.#options.loop ?? false;
-    const left = new Set(tracks.filter(({ topic }) => this.#options.exclude?.includes(topic)).map(({ id }) => id));
-    this.#timeline.show(summary, playback.refused, left);
+    this.#left = new Set(tracks.filter(({ topic }) => !isChosen(topic, this.#choice)).map(({ id }) => id));
+    this.#timeline.show(summary, playback.refused, this.#left);
     this.#controls.hidden = false;
+    this.#part.element.hidden = duration === 0;
+    this.#begin(playback, duration);
     setNote(this.#note, notes.slice(0, 3).map(({ text, values }) => say(text, ...values)).join(" "), notes.length > 0);
     this.#follow(playback);
     if (this.#autostart) playback.play();
+  }
+
+  /** Go to the part and the moment that the site or the link names. @param {Playback} playback @param {number} duration */
+  #begin(playback, duration) {
+    const { time, part: text } = this.#own ? this.#linked : {};
+    this.#linked = {};
+    const part = text === undefined ? this.#given(duration) : partIn(text, duration);
+    if (!part || time < 0 || time > duration) this.#odd();
+    const { from, to } = part ?? this.#given(duration);
+    this.#part.show(duration, { from, to });
+    if (from > 0 || to < duration) this.#restrict(this.#part.part);
+    if (time >= 0 && time <= duration) playback.seek(time);
+  }
+
+  /** Return the part that the site names, as far as the bag has it. @param {number} duration */
+  #given(duration) {
+    const { from, to } = this.#own ? this.#options : {};
+    const whole = { from: 0, to: duration };
+    return { ...whole, ...within({ from: from ?? 0, to: to ?? duration }, duration) };
+  }
+
+  /** Which topics the author wants to be played. */
+  get #choice() {
+    const { topics, exclude } = this.#options;
+    return { ...(topics && { topics }), exclude: exclude ?? [] };
+  }
+
+  /** @param {number} id @param {boolean} on */
+  #select(id, on) {
+    if (on) this.#left.delete(id);
+    else this.#left.add(id);
+    this.#playback?.choose(id, on);
+  }
+
+  /** @param {Part} part */
+  #restrict(part) {
+    this.#playback?.setPart(part);
+    this.#timeline.limit(part);
+  }
+
+  /** @param {Part} part */
+  async #save(part) {
+    const [source, duration] = [this.#source, this.#playback?.summary?.duration];
+    if (!source || duration === undefined) return;
+    const [from, to] = [part.from, part.to ?? duration].map((time) => time.toFixed(1));
+    const name = `${this.#title.textContent?.replace(/\.mcap$/, "")}_${from}-${to}.mcap`;
+    setNote(this.#note, say("Saving {}…", name));
+    try {
+      const content = await partOf(this.#ros, source, part, [...this.#left]);
+      download(content, name);
+      setNote(this.#note, say("Saved {}, {}", name, sizeText(content.size)));
+    } catch (error) {
+      setNote(this.#note, error instanceof Error ? error.message : String(error), true);
+    }
   }
 
   /** @param {Playback} playback */
@@ -156,6 +254,7 @@ export class PlayerView {
     enable([[this.#play, Boolean(summary) && !(failure && !summary)], [this.#step, Boolean(summary)]]);
     setText(this.#time, `${clockText(time)} / ${clockText(summary?.duration ?? 0)}${waiting ? ` · ${say("loading")}` : ""}`);
     this.#timeline.at(time);
+    this.#part.at(time);
   }
 
   #press() {
@@ -169,4 +268,16 @@ export class PlayerView {
     this.#playback = undefined;
     this.#timeline.clear();
   }
+}
+
+/** Return the part that a link names, such as "2-4.5". @param {string} text @param {number} duration of the bag */
+function partIn(text, duration) {
+  const [, from, to] = /^(\d+(?:\.\d+)?)-(\d+(?:\.\d+)?)$/.exec(text) ?? [];
+  return within({ from: Number(from), to: Number(to) }, duration);
+}
+
+/** Return what a bag has of a part; undefined if that is nothing. @param {Required<Part>} part @param {number} duration */
+function within({ from, to }, duration) {
+  const end = Math.min(to, duration);
+  return from >= 0 && from < end ? { from, to: end } : undefined;
 }

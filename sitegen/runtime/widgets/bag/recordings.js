@@ -1,9 +1,9 @@
 // @ts-check
-// The recordings of this page that the browser keeps: play, save, delete.
+// The recordings of this page that the browser keeps: play, save, rename, delete.
 
 import { packed } from "../../bag/metadata.js";
 import { Playback } from "../../bag/playback.js";
-import { folderOfPage, listed, mended, removed } from "../../bag/store.js";
+import { folderOfPage, listed, mended, removed, renamed, renames } from "../../bag/store.js";
 import { download } from "../../ui/download.js";
 import { button, create, setNote } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
@@ -13,6 +13,10 @@ import { sizeText } from "./texts.js";
 /** @import { Recording } from "../../bag/recording.js" */
 /** @import { Ros } from "../../protocol.js" */
 /** @typedef {{name: string, file: Blob, source: Source, recovered: boolean}} Entry */
+
+const SUFFIX = ".mcap";
+// What all systems accept as the name of a file.
+const NAME = /^[\p{L}\p{N}_][\p{L}\p{N} ._()+-]{0,99}$/u;
 
 export class Recordings {
   #ros;
@@ -70,14 +74,17 @@ export class Recordings {
   /** @param {Entry} entry */
   #row({ name, file, source, recovered }) {
     const about = [sizeText(file.size), ...(recovered ? [say("recovered")] : [])].join(" · ");
-    const title = create("div", "ros-node", create("span", "ros-name", name), create("span", "ros-type", about));
+    const shown = create("span", "ros-name", name);
+    const title = create("div", "ros-node", shown, create("span", "ros-type", about));
     const play = button(say("Open"), "", () => this.#play(source, name));
     const save = button(say("Save"), "ros-save", () => download(file, name));
     const folder = button(say("Save as folder"), "ros-save-folder", () => this.#saveFolder(source, file, name));
     folder.title = say("A tar file with the folder of 'ros2 bag'");
+    const rename = button(say("Rename"), "ros-rename", () => this.#ask(name, shown));
     const remove = button(say("Delete"), "ros-delete", () => this.#remove(name, remove));
-    for (const each of [play, save, folder, remove]) each.setAttribute("aria-label", `${each.textContent} ${name}`);
-    return create("li", "ros-bag-entry", title, create("div", "ros-controls", play, save, folder, remove));
+    const buttons = [play, save, folder, ...(renames || "blob" in source ? [rename] : []), remove];
+    for (const each of buttons) each.setAttribute("aria-label", `${each.textContent} ${name}`);
+    return create("li", "ros-bag-entry", title, create("div", "ros-controls", ...buttons));
   }
 
   /** @param {Source} source @param {Blob} file @param {string} name */
@@ -93,6 +100,56 @@ export class Recordings {
       reader.close();
       setNote(this.#note, reader.failure, true);
     });
+  }
+
+  /** Put a field for another name in place of the name. @param {string} name @param {HTMLElement} shown */
+  #ask(name, shown) {
+    const input = create("input", "ros-bag-name");
+    input.value = name.replace(/\.mcap$/, "");
+    input.setAttribute("aria-label", say("Name of the recording"));
+    let done = false;
+    const end = async (/** @type {string} */ how) => {
+      if (done) return;
+      done = true;
+      const other = how === "Escape" ? name : `${input.value.trim().replace(/\.mcap$/, "")}${SUFFIX}`;
+      const wrong = other === name ? "" : await this.#rename(name, other);
+      setNote(this.#note, wrong, Boolean(wrong));
+      if (wrong && how === "Enter") {
+        done = false;
+        return;
+      }
+      await this.#look();
+      // The keyboard goes on where it was; a pointer is elsewhere already.
+      const label = `${say("Rename")} ${wrong ? name : other}`;
+      const buttons = [...this.#list.querySelectorAll("button")];
+      if (how !== "blur") buttons.find((one) => one.getAttribute("aria-label") === label)?.focus();
+    };
+    input.addEventListener("blur", () => end("blur"));
+    input.addEventListener("keydown", ({ key }) => {
+      if (key === "Enter" || key === "Escape") end(key);
+    });
+    shown.replaceChildren(input);
+    input.select();
+  }
+
+  /** Rename a recording and return "", or why that is not possible. @param {string} name @param {string} other */
+  async #rename(name, other) {
+    if (!NAME.test(other.slice(0, -SUFFIX.length))) {
+      return say("A name begins with a letter or digit and has letters, digits, spaces and . _ - + ( ).");
+    }
+    const taken = [...this.#loose, ...((await listed()) ?? [])].some((one) => one.name.toLowerCase() === other.toLowerCase());
+    if (taken) return say("Another recording has this name.");
+    const loose = this.#loose.find((entry) => entry.name === name);
+    if (loose) loose.name = other;
+    else {
+      try {
+        await renamed(name, other);
+      } catch (error) {
+        return error instanceof Error ? error.message : String(error);
+      }
+      if (this.#recovered.delete(name)) this.#recovered.add(other);
+    }
+    return "";
   }
 
   /** Delete a recording at the second press. @param {string} name @param {HTMLButtonElement} pressed */

@@ -6,7 +6,7 @@ import { watchColours } from "../../ui/colours.js";
 import { say } from "../../ui/words.js";
 import { clockText, countText } from "./texts.js";
 
-/** @import { Summary } from "../../bag/orders.js" */
+/** @import { Part, Summary } from "../../bag/orders.js" */
 
 // Drawings have this height in pixels; rows beyond these are not drawn.
 const HEIGHT = 18;
@@ -97,7 +97,14 @@ export class Timeline {
     this.element.style.setProperty("--at", this.#duration ? String(time / this.#duration) : "0");
   }
 
+  /** Show which part is played. @param {Part} part */
+  limit({ from, to = this.#duration }) {
+    this.element.style.setProperty("--from", String(from / this.#duration));
+    this.element.style.setProperty("--to", String(to / this.#duration));
+  }
+
   clear() {
+    for (const name of ["--from", "--to"]) this.element.style.removeProperty(name);
     this.#unwatch();
     this.#unwatch = () => {};
     this.#marks = new Map();

@@ -1,8 +1,9 @@
 // @ts-check
-// The worker of a bag: a player, a recorder, or what mends recordings that were interrupted.
+// The worker of a bag: a player, a recorder, what cuts a part out of one, or what mends recordings that were interrupted.
 
 import { Participant } from "../../participant/participant.js";
 import { saidOf } from "../../bag/orders.js";
+import { cut } from "./cut.js";
 import { mend } from "./files.js";
 import { Player } from "./player.js";
 import { reasonOf, Recorder } from "./recorder.js";
@@ -29,6 +30,7 @@ onmessage = ({ data }) => {
 async function receive(graph, message) {
   try {
     if (message.op === "mend") tell({ op: "mended", names: await mend(message.folder) });
+    else if (message.op === "cut") tell({ op: "cut", content: await cut(message) });
     else if (message.op === "open") await (player = new Player(graph, tell)).open(message.source);
     else if (message.op === "record") await (recorder = new Recorder(graph, tell)).begin(message);
     else if (recorder) await recorder.receive(message);

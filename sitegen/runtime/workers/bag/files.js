@@ -1,8 +1,12 @@
 // @ts-check
-// The files of recordings in the origin private file system, each in the folder of its page.
+// The files of bags: of the site, of the visitor, and recordings in the origin private file system, each in the folder
+// of its page.
 
 import { decompressors } from "../../bag/compression.js";
 import { salvaged } from "../../bag/salvage.js";
+import { fromBlob, fromUrl } from "../../bag/source.js";
+
+/** @import { Source } from "../../bag/orders.js" */
 
 export const ROOT = "sitegen-bags";
 // How long a file may be locked by a tab that is being closed, and how often that is tried (ms).
@@ -20,6 +24,12 @@ export async function folderOf(folder) {
 /** @param {string} folder @param {string} name */
 export async function fileOf(folder, name) {
   return (await (await folderOf(folder)).getFileHandle(name)).getFile();
+}
+
+/** @param {Source} source */
+export async function readableOf(source) {
+  if ("url" in source) return fromUrl(source.url);
+  return fromBlob("blob" in source ? source.blob : await fileOf(source.folder, source.stored));
 }
 
 /**

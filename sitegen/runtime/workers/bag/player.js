@@ -5,15 +5,14 @@ import { Bag } from "../../bag/bag.js";
 import { isChosen } from "../../bag/choice.js";
 import { isSame } from "../../bag/definition.js";
 import { said, saidOf } from "../../bag/orders.js";
-import { fromBlob, fromUrl } from "../../bag/source.js";
 import { DEFAULT_QOS, now } from "../../protocol.js";
 import { Ahead } from "./ahead.js";
 import { ClockPublisher } from "./clock.js";
-import { fileOf } from "./files.js";
+import { readableOf } from "./files.js";
 import { marksOf } from "./marks.js";
 
 /** @import { MessageType } from "../../protocol.js" */
-/** @import { FromPlayer, Playing, Said, Source, Summary, ToPlayer } from "../../bag/orders.js" */
+/** @import { FromPlayer, Part, Playing, Said, Source, Summary, ToPlayer } from "../../bag/orders.js" */
 /** @import { Message } from "../../bag/bag.js" */
 /** @import { Participant } from "../../participant/participant.js" */
 
@@ -53,6 +52,10 @@ export class Player {
   #since = 0;
   #told = 0;
   #ended = false;
+  /** The part that is played, and where playing ends next: at its end, or at that of the bag after a seek beyond it. */
+  #from = 0n;
+  #to = 0n;
+  #goal = 0n;
   /** The number of the last order to go elsewhere, and whether it is being carried out. */
   #seeks = 0;
   #seeking = false;
@@ -66,12 +69,10 @@ export class Player {
   /** Open a bag and tell what is in it. @param {Source} source */
   async open(source) {
     this.#remote = "url" in source;
-    const readable = "url" in source
-      ? await fromUrl(source.url)
-      : fromBlob("blob" in source ? source.blob : await fileOf(source.folder, source.stored));
-    this.#bag = await Bag.open(readable);
+    this.#bag = await Bag.open(await readableOf(source));
     this.#summary = this.#bag.summary();
-    this.#at = this.#bag.start;
+    this.#at = this.#from = this.#bag.start;
+    this.#to = this.#goal = this.#bag.end;
     this.#tell({ op: "opened", summary: this.#summary });
   }
 
@@ -82,8 +83,9 @@ export class Player {
     if (order.op === "advertise") this.#advertise(bag, order.playing, order.known);
     else if (order.op === "play") this.#play(bag);
     else if (order.op === "pause") this.#pause();
-    else if (order.op === "step") await this.#step();
-    else if (order.op === "seek") await this.#seek(bag, bag.start + BigInt(Math.round(order.time * 1e9)));
+    else if (order.op === "step") await this.#step(bag);
+    else if (order.op === "seek") await this.#seek(bag, bag.timeAt(order.time));
+    else if (order.op === "part") await this.#restrict(bag, order.part);
     else if (order.op === "loop") this.#loop = order.on;
     else if (order.op === "rate") {
       this.#rebase(this.#now());
@@ -125,11 +127,12 @@ export class Player {
 
   /** @param {Bag} bag */
   async #play(bag) {
-    if (this.#ended) await this.#seek(bag, bag.start);
+    if (this.#ended) await this.#seek(bag, this.#from);
     const fresh = [...this.#publishers.values()].some((id) => this.#participant.matched(id) === 0);
-    if (fresh && this.#at === bag.start) await new Promise((resolve) => setTimeout(resolve, MATCHED));
+    if (fresh && this.#at === this.#from) await new Promise((resolve) => setTimeout(resolve, MATCHED));
     this.#since = now();
     this.#playing = true;
+    this.#ended = false;
     this.#participant.wake();
     this.#show();
   }
@@ -140,8 +143,8 @@ export class Player {
     this.#show();
   }
 
-  /** Publish the next message. */
-  async #step() {
+  /** Publish the next message. @param {Bag} bag */
+  async #step(bag) {
     this.#pause();
     const message = await this.#ahead?.next();
     if (!message) {
@@ -149,19 +152,34 @@ export class Player {
       return;
     }
     this.#rebase(message.logTime);
+    this.#aim(bag);
     this.#publish(message);
     this.#clock?.publish(message.logTime);
     this.#participant.flush();
     this.#show();
   }
 
-  /** Go to a time: what latched topics would have told latecomers comes first. @param {Bag} bag @param {bigint} time */
-  async #seek(bag, time) {
-    const to = time < bag.start ? bag.start : time > bag.end ? bag.end : time;
+  /** Play only a part of the bag, from its start if the time is outside of it. @param {Bag} bag @param {Part} part */
+  async #restrict(bag, { from, to }) {
+    this.#from = bag.timeAt(from);
+    this.#to = to === undefined ? bag.end : bag.timeAt(to);
+    const time = this.#now();
+    if (time < this.#from || time > this.#to) await this.#seek(bag, this.#from);
+    else this.#aim(bag);
+  }
+
+  /** Let playing end where the part does, or the bag if the part is over. @param {Bag} bag */
+  #aim(bag) {
+    this.#goal = this.#at > this.#to ? bag.end : this.#to;
+    this.#ended = this.#at >= this.#goal;
+  }
+
+  /** Go to a time: what latched topics would have told latecomers comes first. @param {Bag} bag @param {bigint} to */
+  async #seek(bag, to) {
     const seek = ++this.#seeks;
     this.#seeking = true;
-    this.#ended = false;
     this.#rebase(to);
+    this.#aim(bag);
     const found = [];
     for (const [id] of this.#publishers) {
       if (!bag.qos.get(id)?.transientLocal) continue;
@@ -195,10 +213,11 @@ export class Player {
       }
       const ahead = this.#ahead;
       const message = ahead?.peek();
-      if (!message) {
-        if (ahead?.failure) this.#fail(ahead.failure);
-        else if (ahead?.ended && this.#now() >= bag.end) await this.#turn(bag);
-        else await this.#wait(ahead?.ended ? this.#left(bag.end) : TOLD);
+      if (!message || message.logTime > this.#goal) {
+        const last = message || ahead?.ended;
+        if (!message && ahead?.failure) this.#fail(ahead.failure);
+        else if (last && this.#now() >= this.#goal) await this.#turn(bag);
+        else await this.#wait(last ? this.#left(this.#goal) : TOLD);
         continue;
       }
       const left = this.#left(message.logTime);
@@ -223,14 +242,14 @@ export class Player {
 
   /** At the end: begin again, or stop. @param {Bag} bag */
   async #turn(bag) {
-    if (this.#loop && bag.end > bag.start) await this.#seek(bag, bag.start);
+    if (this.#loop && this.#to > this.#from) await this.#seek(bag, this.#from);
     else this.#finish();
   }
 
   #finish() {
     // Whoever closes the player now gets the last message, too.
     this.#participant.flush();
-    if (this.#bag) this.#rebase(this.#bag.end);
+    this.#rebase(this.#goal);
     this.#playing = false;
     this.#ended = true;
     this.#show();

@@ -148,7 +148,7 @@ export class Recorder {
   #channelOf(topic) {
     const { name, type, offered } = topic;
     const text = definitionText(this.#types, type) ?? "";
-    topic.channel ||= this.#writer?.addChannel(name, type, text, writeProfiles(offered)) ?? 0;
+    topic.channel ||= this.#writer?.addTopic(name, type, text, writeProfiles(offered)) ?? 0;
     return topic.channel;
   }
 

@@ -23,6 +23,9 @@ const POSITIVE = { name: "float", read: (text) => number(text, "> 0.0", (value) 
 /** @type {import("../../args/parse.js").Type} */
 const NATURAL = { name: "float", read: (text) => number(text, ">= 0.0", (value) => value >= 0) };
 
+/** @type {import("../../args/parse.js").Type} */
+const DECIMAL = { name: "float", read: (text) => number(text, "any", () => true) };
+
 /** @type {Verb} */
 export const play = {
   name: "play",
@@ -42,6 +45,8 @@ export const play = {
     flag("keyless", ["--disable-keyboard-controls"], "Do not let keys control the player."),
     flag("paused", ["-p", "--start-paused"], "Start the player paused."),
     option("start_offset", ["--start-offset"], "Start this many seconds into the bag.", { type: NATURAL, initial: 0 }),
+    option("duration", ["--playback-duration"], "Seconds to play; all if this is negative, which is the default. With an end as well, the later of both counts.", { type: DECIMAL, initial: -1 }),
+    option("until", ["--playback-until-sec"], "Time at which playing ends, in seconds since 1970; at the end of the bag if this is negative, which is the default.", { type: DECIMAL, initial: -1 }),
   ],
   async run(io, args) {
     checkRegex(args.regex);
@@ -91,7 +96,7 @@ async function tell(io, { summary, refused }, name, topics) {
 }
 
 /** Play until the end or Ctrl-C. @param {Io} io @param {Playback} playback @param {any} args */
-async function attend(io, playback, { rate, delay, keyless, paused, start_offset: offset }) {
+async function attend(io, playback, { rate, delay, keyless, paused, start_offset: offset, duration, until }) {
   await log(io, "INFO", NODE, `Set rate to ${rate}`);
   const { signal, keys } = io;
   const giving = keys && !keyless;
@@ -100,6 +105,8 @@ async function attend(io, playback, { rate, delay, keyless, paused, start_offset
   if (giving) for (const text of KEYS) await log(io, "INFO", NODE, text);
   try {
     await pause(delay * 1000, signal);
+    const end = Math.max(duration < 0 ? 0 : offset + duration, until < 0 ? 0 : until - (playback.summary?.start ?? 0) / 1000);
+    if (duration >= 0 || until >= 0) playback.setPart({ from: offset, to: Math.max(offset, end) });
     if (offset) playback.seek(offset);
     if (!paused) playback.play();
     await ended(playback, signal);

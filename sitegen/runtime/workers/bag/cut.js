@@ -1,0 +1,79 @@
+// @ts-check
+// Cut a part out of a bag: a bag of its own, with the same topics, schemas and qualities of service.
+
+import { Bag } from "../../bag/bag.js";
+import { loadCompressor } from "../../bag/compression.js";
+import { BagWriter } from "../../bag/writer.js";
+import { readableOf } from "./files.js";
+
+/** @import { ToCutter } from "../../bag/orders.js" */
+
+// What is written is handed to the browser in pieces of this size (bytes), so that a large part does not fill memory.
+const PIECE = 32 * 1024 * 1024;
+
+/**
+ * Return the part as a file. Latched messages that a latecomer would have got at its start are its first ones.
+ * @param {ToCutter} order
+ */
+export async function cut({ source, part, left }) {
+  const bag = await Bag.open(await readableOf(source));
+  const pieces = new Pieces();
+  const writer = new BagWriter((bytes) => pieces.add(bytes), await loadCompressor().catch(() => undefined));
+  const copies = copyChannels(bag, writer, new Set(left));
+  const [from, to] = [bag.timeAt(part.from), part.to === undefined ? bag.end : bag.timeAt(part.to)];
+  for (const [id, copy] of copies) {
+    if (!bag.qos.get(id)?.transientLocal) continue;
+    for (const { sequence, publishTime, data } of await bag.latched(id, from)) {
+      writer.add(copy, sequence, from, publishTime, data);
+    }
+  }
+  for await (const { channelId, sequence, logTime, publishTime, data } of bag.messages(from, new Set(copies.keys()), to)) {
+    writer.add(copies.get(channelId) ?? 0, sequence, logTime, publishTime, data);
+  }
+  writer.end();
+  return pieces.end();
+}
+
+/**
+ * Add the channels of a bag and their schemas to another one, and return the new ids by the old ones.
+ * @param {Bag} bag @param {BagWriter} writer @param {Set<number>} left channels that are left out
+ */
+function copyChannels(bag, writer, left) {
+  /** @type {Map<number, number>} */
+  const schemas = new Map();
+  /** @type {Map<number, number>} */
+  const copies = new Map();
+  for (const { id, topic, messageEncoding, metadata, schema } of bag.channels()) {
+    if (left.has(id)) continue;
+    const schemaId = schema ? schemas.get(schema.id) ?? writer.addSchema(schema) : 0;
+    if (schema) schemas.set(schema.id, schemaId);
+    copies.set(id, writer.addChannel({ schemaId, topic, messageEncoding, metadata }));
+  }
+  return copies;
+}
+
+class Pieces {
+  /** @type {Blob[]} */
+  #pieces = [];
+  /** @type {Uint8Array<ArrayBuffer>[]} */
+  #parts = [];
+  #size = 0;
+
+  /** @param {Uint8Array} bytes which the writer uses again */
+  add(bytes) {
+    this.#parts.push(new Uint8Array(bytes));
+    this.#size += bytes.length;
+    if (this.#size >= PIECE) this.#close();
+  }
+
+  end() {
+    this.#close();
+    return new Blob(this.#pieces, { type: "application/octet-stream" });
+  }
+
+  #close() {
+    this.#pieces.push(new Blob(this.#parts));
+    this.#parts = [];
+    this.#size = 0;
+  }
+}
