@@ -52,7 +52,7 @@ def phone(browser: Browser) -> Iterator[Page]:
 
 def open_all(page: Page) -> None:
     """Show the consoles of stages."""
-    for summary in page.locator("main summary").all():
+    for summary in page.locator("main summary").filter(visible=True).all():
         summary.click()
 
 

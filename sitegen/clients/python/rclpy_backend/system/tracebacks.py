@@ -9,7 +9,11 @@ import traceback
 from collections.abc import Iterator
 
 # The modules that start programs.
-STARTERS = (code.__file__, importlib.__file__, "<frozen runpy>")
+STARTERS = (
+    code.interact.__code__.co_filename,  # __file__ may be that of the bytecode
+    importlib.import_module.__code__.co_filename,
+    "<frozen runpy>",
+)
 # This layer, which natively is a library in C++, Pyodide, and what Python hides where an import
 # fails.
 HIDDEN = re.compile(
