@@ -60,15 +60,13 @@ def running(name: str) -> Iterator[Browser]:
             browser = playwright.firefox.launch(executable_path=FIREFOX, channel="moz-firefox")
         else:
             browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        _make_patient(browser)
-        try:
+        with _patient(browser):
             yield browser
-        finally:
-            browser.close()
 
 
-def _make_patient(browser: Browser) -> None:
-    """Let each page wait as long as `expect` does: the default is half of it."""
+@contextmanager
+def _patient(browser: Browser) -> Iterator[None]:
+    """Let each page wait as long as `expect` does, twice the default; in the end, close all."""
 
     def patient(create: Callable[..., Any]) -> Callable[..., Any]:
         def created(*args: object, **options: object) -> Any:
@@ -80,6 +78,10 @@ def _make_patient(browser: Browser) -> None:
 
     browser.new_context = patient(browser.new_context)  # type: ignore[method-assign]
     browser.new_page = patient(browser.new_page)  # type: ignore[method-assign]
+    try:
+        yield
+    finally:
+        browser.close()
 
 
 @contextmanager
@@ -92,11 +94,8 @@ def whole(browser: Browser) -> Iterator[Browser]:
         yield browser
         return
     found = browser.browser_type.launch(executable_path=WHOLE_CHROMIUM, args=FLAGS)
-    _make_patient(found)
-    try:
+    with _patient(found):
         yield found
-    finally:
-        found.close()
 
 
 @contextmanager

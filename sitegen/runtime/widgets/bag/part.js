@@ -53,7 +53,7 @@ export class PartView {
 
   /** Let a limit be where the player is; the other one gives way. @param {HTMLInputElement} input */
   #put(input) {
-    input.value = String(Math.round(this.#time * 1000) / 1000);
+    input.value = String(rounded(this.#time, this.#duration));
     const [from, to] = [this.#from.input, this.#to.input];
     if (from.valueAsNumber >= to.valueAsNumber) {
       if (input === from) to.value = String(this.#duration);
@@ -86,6 +86,11 @@ export class PartView {
     await save(this.part);
     enable([[this.#save, true]]);
   }
+}
+
+/** Return a time in whole milliseconds, but not after the end. @param {number} time @param {number} duration */
+export function rounded(time, duration) {
+  return Math.min(Math.round(time * 1000) / 1000, duration);
 }
 
 /** A field for a time. @param {string} text @param {() => void} change */

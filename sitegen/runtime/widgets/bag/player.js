@@ -8,7 +8,7 @@ import { Playback } from "../../bag/playback.js";
 import { download } from "../../ui/download.js";
 import { button, create, enable, setNote, setText, toggle } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
-import { PartView } from "./part.js";
+import { PartView, rounded } from "./part.js";
 import { clockText, countText, sizeText } from "./texts.js";
 import { Timeline } from "./timeline.js";
 
@@ -91,7 +91,7 @@ export class PlayerView {
     const { from, to = summary.duration } = this.#part.part;
     const given = this.#given(summary.duration);
     const part = from === given.from && to === given.to ? "" : `${from}-${to}`;
-    return { time: Math.round((state?.time ?? 0) * 1000) / 1000, part };
+    return { time: rounded(state?.time ?? 0, summary.duration), part };
   }
 
   #rates() {
@@ -187,7 +187,9 @@ export class PlayerView {
     this.#controls.hidden = false;
     this.#part.element.hidden = duration === 0;
     this.#begin(playback, duration);
-    setNote(this.#note, notes.slice(0, 3).map(({ text, values }) => say(text, ...values)).join(" "), notes.length > 0);
+    const said = notes.slice(0, 3).map(({ text, values }) => say(text, ...values));
+    if (this.#own && this.#options.from && this.#options.from >= duration) said.push(say("The bag ends before the part that this page names."));
+    setNote(this.#note, said.join(" "), said.length > 0);
     this.#follow(playback);
     if (this.#autostart) playback.play();
   }
@@ -204,11 +206,10 @@ export class PlayerView {
     if (time >= 0 && time <= duration) playback.seek(time);
   }
 
-  /** Return the part that the site names, as far as the bag has it. @param {number} duration */
+  /** Return the part that the site names, as far as the bag has it; otherwise the whole bag. @param {number} duration */
   #given(duration) {
-    const { from, to } = this.#own ? this.#options : {};
-    const whole = { from: 0, to: duration };
-    return { ...whole, ...within({ from: from ?? 0, to: to ?? duration }, duration) };
+    const { from = 0, to = duration } = this.#own ? this.#options : {};
+    return within({ from, to }, duration) ?? { from: 0, to: duration };
   }
 
   /** Which topics the author wants to be played. */

@@ -4,12 +4,9 @@
 import { Bag } from "../../bag/bag.js";
 import { loadCompressor } from "../../bag/compression.js";
 import { BagWriter } from "../../bag/writer.js";
-import { readableOf } from "./files.js";
+import { readableOf, Target } from "./files.js";
 
 /** @import { ToCutter } from "../../bag/orders.js" */
-
-// What is written is handed to the browser in pieces of this size (bytes), so that a large part does not fill memory.
-const PIECE = 32 * 1024 * 1024;
 
 /**
  * Return the part as a file. Latched messages that a latecomer would have got at its start are its first ones.
@@ -17,8 +14,8 @@ const PIECE = 32 * 1024 * 1024;
  */
 export async function cut({ source, part, left }) {
   const bag = await Bag.open(await readableOf(source));
-  const pieces = new Pieces();
-  const writer = new BagWriter((bytes) => pieces.add(bytes), await loadCompressor().catch(() => undefined));
+  const target = new Target();
+  const writer = new BagWriter((bytes) => target.write(bytes), await loadCompressor().catch(() => undefined));
   const copies = copyChannels(bag, writer, new Set(left));
   const [from, to] = [bag.timeAt(part.from), part.to === undefined ? bag.end : bag.timeAt(part.to)];
   for (const [id, copy] of copies) {
@@ -31,7 +28,7 @@ export async function cut({ source, part, left }) {
     writer.add(copies.get(channelId) ?? 0, sequence, logTime, publishTime, data);
   }
   writer.end();
-  return pieces.end();
+  return target.close();
 }
 
 /**
@@ -50,30 +47,4 @@ function copyChannels(bag, writer, left) {
     copies.set(id, writer.addChannel({ schemaId, topic, messageEncoding, metadata }));
   }
   return copies;
-}
-
-class Pieces {
-  /** @type {Blob[]} */
-  #pieces = [];
-  /** @type {Uint8Array<ArrayBuffer>[]} */
-  #parts = [];
-  #size = 0;
-
-  /** @param {Uint8Array} bytes which the writer uses again */
-  add(bytes) {
-    this.#parts.push(new Uint8Array(bytes));
-    this.#size += bytes.length;
-    if (this.#size >= PIECE) this.#close();
-  }
-
-  end() {
-    this.#close();
-    return new Blob(this.#pieces, { type: "application/octet-stream" });
-  }
-
-  #close() {
-    this.#pieces.push(new Blob(this.#parts));
-    this.#parts = [];
-    this.#size = 0;
-  }
 }

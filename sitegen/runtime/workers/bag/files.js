@@ -12,6 +12,8 @@ export const ROOT = "sitegen-bags";
 // How long a file may be locked by a tab that is being closed, and how often that is tried (ms).
 const CLOSING = 3000;
 const AGAIN = 100;
+// Without a file, what is written is handed to the browser in pieces of this size (bytes), and does not fill memory.
+const PIECE = 32 * 1024 * 1024;
 const FOOTER = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
 
 /** @param {string} folder */
@@ -104,13 +106,16 @@ async function unlocked(/** @type {FileSystemFileHandle} */ handle) {
   return undefined;
 }
 
-/** Where a recording is written: a file, or memory where the browser has none to offer. */
+/** Where a bag is written: a file, or the browser's memory for blobs. */
 export class Target {
   /** @type {FileSystemSyncAccessHandle | undefined} */
   #access;
   #position = 0;
-  /** @type {Uint8Array<ArrayBuffer>[]} */
+  /** @type {Blob[]} */
+  #pieces = [];
+  /** What is not in a piece yet. @type {Uint8Array<ArrayBuffer>[]} */
   #parts = [];
+  #size = 0;
 
   /** @param {FileSystemSyncAccessHandle} [access] */
   constructor(access) {
@@ -136,6 +141,8 @@ export class Target {
   write(bytes) {
     if (!this.#access) {
       this.#parts.push(new Uint8Array(bytes));
+      this.#size += bytes.length;
+      if (this.#size >= PIECE) this.#hand();
       return;
     }
     const written = this.#access.write(bytes, { at: this.#position });
@@ -143,10 +150,18 @@ export class Target {
     this.#position += written;
   }
 
-  /** End it, and return its content if it is only in memory. */
+  /** End it, and return its content if it is in no file. */
   close() {
     this.#access?.flush();
     this.#access?.close();
-    return this.kept ? undefined : new Blob(this.#parts, { type: "application/octet-stream" });
+    if (this.kept) return undefined;
+    this.#hand();
+    return new Blob(this.#pieces, { type: "application/octet-stream" });
+  }
+
+  #hand() {
+    this.#pieces.push(new Blob(this.#parts));
+    this.#parts = [];
+    this.#size = 0;
   }
 }

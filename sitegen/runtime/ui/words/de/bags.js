@@ -19,6 +19,7 @@ export const bags = {
   "From (s)": "Von (s)",
   "To (s)": "Bis (s)",
   "Start here": "Hier beginnen",
+  "The bag ends before the part that this page names.": "Das Bag endet vor dem Teil, den diese Seite nennt.",
   "End here": "Hier enden",
   "Whole bag": "Ganzes Bag",
   "Save part": "Teil speichern",
