@@ -1,8 +1,7 @@
-"""Bags that tests play, written by the libraries of others, and pages that play them."""
+"""Bags that tests play, written by the libraries of others, and the panels that play and record."""
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -10,10 +9,7 @@ from typing import Any
 from mcap.writer import CompressionType
 from mcap_ros2.writer import Writer
 from paths import SITES
-
-from sitegen.build import make, write
-from sitegen.options import Options
-from sitegen.report import Report
+from playwright.sync_api import Locator, Page
 
 START = 1_700_000_000_000_000_000
 RULE = "=" * 80
@@ -39,7 +35,7 @@ TWIST = (
     f"geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n{RULE}\n"
     "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n",
 )
-# What `drive` returns, in the repository for those who only load the site.
+# What `drive` returns; the pages of sites/bags play it.
 DRIVE = SITES / "bags/bags/drive.mcap"
 
 # A message: the topic, the type with its definition, the content, and the ms from the start.
@@ -96,11 +92,11 @@ def write_bag(
     return path
 
 
-def bag_site(folder: Path) -> Path:
-    """Build the site of sites/bags, which has such a bag, and return where it is."""
-    shutil.copytree(SITES / "bags", folder)
-    assert write_bag(folder / "again.mcap", drive()).read_bytes() == DRIVE.read_bytes()
-    output = folder / "dist"
-    options = Options(draft=True, engines=("jspi",))
-    write(make(folder, Report(), output=output, options=options).artifacts, output)
-    return output
+def player(tab: Page) -> Locator:
+    """The player of a page."""
+    return tab.get_by_role("region", name="Player", exact=True)
+
+
+def recorder(tab: Page) -> Locator:
+    """The recorder of a page."""
+    return tab.get_by_role("region", name="Recorder", exact=True)

@@ -39,7 +39,9 @@ def reading(panel: Locator, name: str) -> Locator:
 
 def pose(panel: Locator) -> tuple[float, float, float]:
     """Where it is drawn: metres and degrees."""
-    found = panel.locator("svg > g > g").get_attribute("transform") or ""
+    drawn = panel.locator("svg > g > g")
+    expect(drawn).to_have_attribute("transform", re.compile("."))
+    found = drawn.get_attribute("transform") or ""
     x, y, turn = (float(number) for number in re.findall(r"-?[\d.]+(?:e-?\d+)?", found))
     return x, y, turn
 

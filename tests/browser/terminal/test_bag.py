@@ -14,6 +14,7 @@ from mcap_ros2.decoder import DecoderFactory
 from paths import SITES
 from playwright.sync_api import Page as Tab
 from terminal import Terminal
+from waiting import until
 
 STAMP = r"\[INFO\] \[\d{10}\.\d{9}\] "
 RECORD = rf"""{STAMP}\[rosbag2_storage\]: Opened database 'talk\.mcap' for READ_WRITE\.
@@ -220,12 +221,23 @@ def test_playing_ends_where_it_is_told(driven: Terminal) -> None:
         ("--playback-until-sec 1700000005.25", 105),
         ("--playback-duration 0.5 --playback-until-sec 1700000005.25", 110),
         ("--playback-until-sec 1700000001", None),
+        ("--start-offset 60", None),
     ]:
         driven.run("ros2 topic echo /heard std_msgs/msg/String --field data > heard &")
         driven.run(f"{line} {options}")
         driven.run("sleep 0.2; kill %1; wait")
         words = [f"bag {one}" for one in range(100, last + 1)] if last else []
         assert driven.run("grep bag heard") == "\n".join(words)
+
+
+def test_a_loop_begins_where_playing_did(driven: Terminal) -> None:
+    driven.run("ros2 topic echo /heard std_msgs/msg/String --field data > heard &")
+    line = "ros2 bag play drive -l --start-offset 5 --remap /words:=/heard -r 5"
+    driven.run(f"{line} > said 2>&1 &")
+    until(lambda: int(driven.run("grep -c 'bag 119' heard")) > 1)
+    driven.run("kill %1 %2; wait")
+    once = [f"bag {number}" for number in range(100, 120)]
+    assert driven.run("grep bag heard").split("\n")[:40] == [*once, *once]
 
 
 def test_names_are_completed(driven: Terminal) -> None:

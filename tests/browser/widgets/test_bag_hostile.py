@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from bags import DRIVE, RULE, START, bag_site
-from browser import opened, serving
+from bags import DRIVE, RULE, START, player
+from browser import opened
 from mcap.writer import CompressionType, IndexType, Writer
 from panel import Panel
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 from waiting import until
 
@@ -24,25 +24,16 @@ TEXT = b"\x00\x01\x00\x00\x06\x00\x00\x00hello\x00"
 STRING = ("std_msgs/msg/String", "string data")
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return bag_site(tmp_path_factory.mktemp("bags") / "site")
-
-
 @pytest.fixture
-def page(browser: Browser, site: Path) -> Iterator[Tab]:
-    with serving(site) as url, opened(browser) as tab:
-        tab.goto(url)
+def page(browser: Browser, bag_pages: str) -> Iterator[Tab]:
+    with opened(browser) as tab:
+        tab.goto(bag_pages)
         Panel(tab, "hears").expect_started()
         expect(player(tab).locator(".ros-bag-row")).to_have_count(3)
         yield tab
         # The page draws and the node runs.
         tab.evaluate("() => new Promise((done) => requestAnimationFrame(done))")
         Panel(tab, "hears").expect_state("running")
-
-
-def player(tab: Tab) -> Locator:
-    return tab.get_by_role("region", name="Player", exact=True)
 
 
 def drop(tab: Tab, path: Path) -> None:

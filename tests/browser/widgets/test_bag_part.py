@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any, cast
 
 import pytest
-from bags import START, STRING, bag_site, write_bag
-from browser import opened, serving
+from bags import START, STRING, player, write_bag
+from browser import opened
 from mcap.reader import make_reader
 from mcap.writer import Writer
 from panel import Panel
@@ -24,28 +24,13 @@ from waiting import until
 pytestmark = pytest.mark.firefox
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return bag_site(tmp_path_factory.mktemp("bags") / "site")
-
-
 @pytest.fixture
-def url(site: Path) -> Iterator[str]:
-    with serving(site) as url:
-        yield url
-
-
-@pytest.fixture
-def page(browser: Browser, url: str) -> Iterator[Tab]:
+def page(browser: Browser, bag_pages: str) -> Iterator[Tab]:
     with opened(browser) as tab:
-        tab.goto(url)
+        tab.goto(bag_pages)
         Panel(tab, "hears").expect_started()
         expect(player(tab).locator(".ros-bag-row")).to_have_count(3)
         yield tab
-
-
-def player(tab: Tab) -> Locator:
-    return tab.get_by_role("region", name="Player", exact=True)
 
 
 def button(tab: Tab, name: str) -> Locator:
@@ -86,9 +71,9 @@ def heard(panel: Panel) -> list[int]:
     return [int(one[1]) for one in found if one]
 
 
-def test_the_author_names_a_part_and_its_topics(browser: Browser, url: str) -> None:
+def test_the_author_names_a_part_and_its_topics(browser: Browser, bag_pages: str) -> None:
     with opened(browser) as tab:
-        tab.goto(f"{url}part/")
+        tab.goto(f"{bag_pages}part/")
         panel = Panel(tab, "hears")
         panel.expect_started()
         expect_part(tab, "Part: 0:02.0 to 0:03.5")
@@ -112,9 +97,9 @@ def test_the_author_names_a_part_and_its_topics(browser: Browser, url: str) -> N
         assert heard(panel)[31:] == [*range(71, 120)]
 
 
-def test_a_part_that_the_bag_has_not_is_told(browser: Browser, url: str) -> None:
+def test_a_part_that_the_bag_has_not_is_told(browser: Browser, bag_pages: str) -> None:
     with opened(browser) as tab:
-        tab.goto(f"{url}beyond/")
+        tab.goto(f"{bag_pages}beyond/")
         told = "The bag ends before the part that this page names."
         expect(player(tab).get_by_role("status")).to_have_text(told)
         expect_part(tab, "Play or save a part")

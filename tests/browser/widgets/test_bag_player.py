@@ -9,12 +9,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from bags import DRIVE, START, STRING, bag_site, spiral, write_bag
-from browser import opened, serving
+from bags import DRIVE, START, STRING, drive, player, spiral, write_bag
+from browser import opened
 from mcap.writer import CompressionType
 from panel import Panel
 from paths import DEMOS
-from playwright.sync_api import Browser, Locator, Route, expect
+from playwright.sync_api import Browser, Route, expect
 from playwright.sync_api import Page as Tab
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
@@ -22,27 +22,12 @@ from rosbags.typesys import Stores, get_typestore
 pytestmark = pytest.mark.firefox
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return bag_site(tmp_path_factory.mktemp("bags") / "site")
-
-
 @pytest.fixture
-def url(site: Path) -> Iterator[str]:
-    with serving(site) as url:
-        yield url
-
-
-@pytest.fixture
-def page(browser: Browser, url: str) -> Iterator[Tab]:
+def page(browser: Browser, bag_pages: str) -> Iterator[Tab]:
     with opened(browser) as tab:
-        tab.goto(url)
+        tab.goto(bag_pages)
         expect(player(tab).locator(".ros-bag-row")).to_have_count(3)
         yield tab
-
-
-def player(tab: Tab) -> Locator:
-    return tab.get_by_role("region", name="Player", exact=True)
 
 
 def press(tab: Tab, name: str) -> None:
@@ -106,9 +91,9 @@ def test_topics_are_left_out_and_the_rate_is_kept(page: Tab) -> None:
     assert heard(panel, "latched") == []
 
 
-def test_sim_time_names_and_loops(browser: Browser, url: str) -> None:
+def test_sim_time_names_and_loops(browser: Browser, bag_pages: str) -> None:
     with opened(browser) as tab:
-        tab.goto(f"{url}clock/")
+        tab.goto(f"{bag_pages}clock/")
         panel = Panel(tab, "hears_later", region="hears_later")
         panel.expect_started()
         expect(player(tab).locator(".ros-bag-row")).to_have_count(3)
@@ -237,16 +222,17 @@ def test_publishers_offer_what_was_recorded(page: Tab) -> None:
     ]
 
 
-def test_without_its_worker_a_player_says_so(browser: Browser, url: str) -> None:
+def test_without_its_worker_a_player_says_so(browser: Browser, bag_pages: str) -> None:
     context = browser.new_context()
     context.route(re.compile("bagNode"), lambda route: route.abort())
     tab = context.new_page()
-    tab.goto(url)
+    tab.goto(bag_pages)
     said = "A part of this page could not be loaded; check the connection to the site."
     expect(player(tab).get_by_role("status")).to_have_text(said)
     context.close()
 
 
-def test_the_bag_of_the_demo_is_what_it_says(tmp_path: Path) -> None:
+def test_the_bags_of_the_repository_are_what_they_say(tmp_path: Path) -> None:
+    assert write_bag(tmp_path / "drive.mcap", drive()).read_bytes() == DRIVE.read_bytes()
     own = write_bag(tmp_path / "spiral.mcap", spiral(), chunk_size=1 << 20)
     assert own.read_bytes() == (DEMOS / "demo12/bags/spiral.mcap").read_bytes()

@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any, cast
 
 import pytest
-from bags import DRIVE, bag_site
-from browser import opened, serving
+from bags import DRIVE, recorder
+from browser import opened
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 from panel import Panel
-from playwright.sync_api import Browser, Locator, Request, expect
+from playwright.sync_api import Browser, Request, expect
 from playwright.sync_api import Page as Tab
 from rosbags.highlevel import AnyReader
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -29,27 +29,12 @@ TOPICS = """async () => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return bag_site(tmp_path_factory.mktemp("bags") / "site")
-
-
 @pytest.fixture
-def url(site: Path) -> Iterator[str]:
-    with serving(site) as url:
-        yield url
-
-
-@pytest.fixture
-def page(browser: Browser, url: str) -> Iterator[Tab]:
+def page(browser: Browser, bag_pages: str) -> Iterator[Tab]:
     with opened(browser) as tab:
-        tab.goto(f"{url}record/")
+        tab.goto(f"{bag_pages}record/")
         Panel(tab, "sends").wait_for("sent 3")
         yield tab
-
-
-def recorder(tab: Tab) -> Locator:
-    return tab.get_by_role("region", name="Recorder", exact=True)
 
 
 def press(tab: Tab, name: str) -> None:
@@ -113,6 +98,7 @@ def rename(tab: Tab, name: str, key: str = "Enter") -> None:
 def test_a_recording_gets_another_name(page: Tab) -> None:
     record(page)
     record(page)
+    expect(recorder(page).locator(".ros-bag-entry")).to_have_count(2)
     first = recorder(page).locator(".ros-bag-entry .ros-name").first
     said = recorder(page).locator(".ros-bag-recordings .ros-note")
     before = first.inner_text()
@@ -249,12 +235,12 @@ def contents(path: Path) -> dict[str, list[bytes]]:
 
 
 def test_what_visitors_do_is_logged_after_they_agreed(
-    browser: Browser, url: str, tmp_path: Path
+    browser: Browser, bag_pages: str, tmp_path: Path
 ) -> None:
     with opened(browser) as tab:
         asked: list[Request] = []
         tab.on("request", lambda request: asked.append(request))
-        tab.goto(f"{url}study/")
+        tab.goto(f"{bag_pages}study/")
         expect(recorder(tab)).to_contain_text("May we see what you do?")
         expect(recorder(tab)).to_contain_text("Nothing is sent")
         panel = Panel(tab, "sends")
@@ -272,7 +258,7 @@ def test_what_visitors_do_is_logged_after_they_agreed(
         assert tab.evaluate(TOPICS) == []
         bag = save(tab, tmp_path)
     assert {request.method for request in asked} == {"GET"}
-    assert all(request.url.startswith((url, "blob:")) for request in asked)
+    assert all(request.url.startswith((bag_pages, "blob:")) for request in asked)
     assert "by hand" in words(bag)
     actions = [json.loads(one.data) for one in read(bag, "/_page/actions")]
     assert actions == [
@@ -284,9 +270,9 @@ def test_what_visitors_do_is_logged_after_they_agreed(
     ]
 
 
-def test_a_recording_ends_at_its_limit(browser: Browser, url: str) -> None:
+def test_a_recording_ends_at_its_limit(browser: Browser, bag_pages: str) -> None:
     with opened(browser) as tab:
-        tab.goto(f"{url}study/")
+        tab.goto(f"{bag_pages}study/")
         press(tab, "Agree and record")
         expect(recorder(tab).get_by_role("status").first).to_contain_text("of at most 1.0 MB")
         tab.evaluate(

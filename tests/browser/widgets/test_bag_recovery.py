@@ -8,8 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from bags import bag_site
-from browser import serving
+from bags import recorder
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 from panel import Panel
@@ -20,15 +19,9 @@ from saving import saved
 pytestmark = pytest.mark.chromium
 
 
-@pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return bag_site(tmp_path_factory.mktemp("bags") / "site")
-
-
 @pytest.fixture
-def url(site: Path) -> Iterator[str]:
-    with serving(site) as url:
-        yield f"{url}record/"
+def url(bag_pages: str) -> str:
+    return f"{bag_pages}record/"
 
 
 @pytest.fixture
@@ -36,10 +29,6 @@ def visitor(browser: Browser) -> Iterator[BrowserContext]:
     context = browser.new_context()
     yield context
     context.close()
-
-
-def recorder(tab: Tab) -> Locator:
-    return tab.get_by_role("region", name="Recorder", exact=True)
 
 
 def status(tab: Tab) -> Locator:

@@ -93,6 +93,18 @@ export function rounded(time, duration) {
   return Math.min(Math.round(time * 1000) / 1000, duration);
 }
 
+/** Return the part that a link names, such as "2-4.5". @param {string} text @param {number} duration of the bag */
+export function partIn(text, duration) {
+  const [, from, to] = /^(\d+(?:\.\d+)?)-(\d+(?:\.\d+)?)$/.exec(text) ?? [];
+  return within({ from: Number(from), to: Number(to) }, duration);
+}
+
+/** Return what a bag has of a part; undefined if that is nothing. @param {Required<Part>} part @param {number} duration */
+export function within({ from, to }, duration) {
+  const end = Math.min(to, duration);
+  return from >= 0 && from < end ? { from, to: end } : undefined;
+}
+
 /** A field for a time. @param {string} text @param {() => void} change */
 function field(text, change) {
   const input = create("input", "");

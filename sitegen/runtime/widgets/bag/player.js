@@ -8,8 +8,8 @@ import { Playback } from "../../bag/playback.js";
 import { download } from "../../ui/download.js";
 import { button, create, enable, setNote, setText, toggle } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
-import { PartView, rounded } from "./part.js";
-import { clockText, countText, sizeText } from "./texts.js";
+import { partIn, PartView, rounded, within } from "./part.js";
+import { clockText, countText, plainName, sizeText } from "./texts.js";
 import { Timeline } from "./timeline.js";
 
 /** @import { Part, Source } from "../../bag/orders.js" */
@@ -236,7 +236,7 @@ export class PlayerView {
     const [source, duration] = [this.#source, this.#playback?.summary?.duration];
     if (!source || duration === undefined) return;
     const [from, to] = [part.from, part.to ?? duration].map((time) => time.toFixed(1));
-    const name = `${this.#title.textContent?.replace(/\.mcap$/, "")}_${from}-${to}.mcap`;
+    const name = `${plainName(this.#title.textContent ?? "")}_${from}-${to}.mcap`;
     setNote(this.#note, say("Saving {}…", name));
     try {
       const content = await partOf(this.#ros, source, part, [...this.#left]);
@@ -269,16 +269,4 @@ export class PlayerView {
     this.#playback = undefined;
     this.#timeline.clear();
   }
-}
-
-/** Return the part that a link names, such as "2-4.5". @param {string} text @param {number} duration of the bag */
-function partIn(text, duration) {
-  const [, from, to] = /^(\d+(?:\.\d+)?)-(\d+(?:\.\d+)?)$/.exec(text) ?? [];
-  return within({ from: Number(from), to: Number(to) }, duration);
-}
-
-/** Return what a bag has of a part; undefined if that is nothing. @param {Required<Part>} part @param {number} duration */
-function within({ from, to }, duration) {
-  const end = Math.min(to, duration);
-  return from >= 0 && from < end ? { from, to: end } : undefined;
 }

@@ -7,14 +7,13 @@ import { folderOfPage, listed, mended, removed, renamed, renames } from "../../b
 import { download } from "../../ui/download.js";
 import { button, create, setNote } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
-import { sizeText } from "./texts.js";
+import { plainName, sizeText, SUFFIX } from "./texts.js";
 
 /** @import { Source } from "../../bag/orders.js" */
 /** @import { Recording } from "../../bag/recording.js" */
 /** @import { Ros } from "../../protocol.js" */
 /** @typedef {{name: string, file: Blob, source: Source, recovered: boolean}} Entry */
 
-const SUFFIX = ".mcap";
 // What all systems accept as the name of a file.
 const NAME = /^[\p{L}\p{N}_][\p{L}\p{N} ._()+-]{0,99}$/u;
 
@@ -93,7 +92,7 @@ export class Recordings {
     const reader = new Playback(this.#ros, source, {}, false);
     reader.addEventListener("open", () => {
       reader.close();
-      const folder = name.replace(/\.mcap$/, "");
+      const folder = plainName(name);
       if (reader.summary) download(packed(file, folder, reader.summary), `${folder}.tar`);
     });
     reader.addEventListener("fail", () => {
@@ -105,13 +104,13 @@ export class Recordings {
   /** Put a field for another name in place of the name. @param {string} name @param {HTMLElement} shown */
   #ask(name, shown) {
     const input = create("input", "ros-bag-name");
-    input.value = name.replace(/\.mcap$/, "");
+    input.value = plainName(name);
     input.setAttribute("aria-label", say("Name of the recording"));
     let done = false;
     const end = async (/** @type {string} */ how) => {
       if (done) return;
       done = true;
-      const other = how === "Escape" ? name : `${input.value.trim().replace(/\.mcap$/, "")}${SUFFIX}`;
+      const other = how === "Escape" ? name : `${plainName(input.value.trim())}${SUFFIX}`;
       const wrong = other === name ? "" : await this.#rename(name, other);
       setNote(this.#note, wrong, Boolean(wrong));
       if (wrong && how === "Enter") {
@@ -134,7 +133,7 @@ export class Recordings {
 
   /** Rename a recording and return "", or why that is not possible. @param {string} name @param {string} other */
   async #rename(name, other) {
-    if (!NAME.test(other.slice(0, -SUFFIX.length))) {
+    if (!NAME.test(plainName(other))) {
       return say("A name begins with a letter or digit and has letters, digits, spaces and . _ - + ( ).");
     }
     const taken = [...this.#loose, ...((await listed()) ?? [])].some((one) => one.name.toLowerCase() === other.toLowerCase());

@@ -1,7 +1,14 @@
 // @ts-check
-// Times, sizes and numbers of bags as visitors read them.
+// Names, times, sizes and numbers of bags as visitors read them.
 
 import { say } from "../../ui/words.js";
+
+export const SUFFIX = ".mcap";
+
+/** The name of a bag without that of its format. @param {string} name of its file */
+export function plainName(name) {
+  return name.endsWith(SUFFIX) ? name.slice(0, -SUFFIX.length) : name;
+}
 
 /** A time such as 1:02.3. @param {number} seconds */
 export function clockText(seconds) {

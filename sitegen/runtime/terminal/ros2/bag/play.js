@@ -96,7 +96,8 @@ async function tell(io, { summary, refused }, name, topics) {
 }
 
 /** Play until the end or Ctrl-C. @param {Io} io @param {Playback} playback @param {any} args */
-async function attend(io, playback, { rate, delay, keyless, paused, start_offset: offset, duration, until }) {
+async function attend(io, playback, args) {
+  const { rate, delay, keyless, paused } = args;
   await log(io, "INFO", NODE, `Set rate to ${rate}`);
   const { signal, keys } = io;
   const giving = keys && !keyless;
@@ -105,9 +106,7 @@ async function attend(io, playback, { rate, delay, keyless, paused, start_offset
   if (giving) for (const text of KEYS) await log(io, "INFO", NODE, text);
   try {
     await pause(delay * 1000, signal);
-    const end = Math.max(duration < 0 ? 0 : offset + duration, until < 0 ? 0 : until - (playback.summary?.start ?? 0) / 1000);
-    if (duration >= 0 || until >= 0) playback.setPart({ from: offset, to: Math.max(offset, end) });
-    if (offset) playback.seek(offset);
+    playback.setPart(partOf(args, (playback.summary?.start ?? 0) / 1000));
     if (!paused) playback.play();
     await ended(playback, signal);
   } catch (reason) {
@@ -118,6 +117,12 @@ async function attend(io, playback, { rate, delay, keyless, paused, start_offset
     endKeys();
   }
   return 0;
+}
+
+/** Return the part to play: of two ends, the later one counts. @param {any} args @param {number} start of the bag, in s since 1970 */
+function partOf({ start_offset: from, duration, until }, start) {
+  const ends = [...(duration < 0 ? [] : [from + duration]), ...(until < 0 ? [] : [until - start])];
+  return ends.length > 0 ? { from, to: Math.max(from, ...ends) } : { from };
 }
 
 /** @param {Playback} playback @param {AbortSignal} signal @returns {Promise<void>} */
