@@ -16,7 +16,7 @@ from sitegen.nodes.prebuilt.resolve import resolve
 from sitegen.nodes.programs import programs_of
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
-from sitegen.site import assets, bundles, jupyter, offline, pages
+from sitegen.site import assets, bags, bundles, jupyter, offline, pages
 
 # GitHub Pages also takes this file as the request to serve all files unchanged.
 MARKER = ".nojekyll"
@@ -64,6 +64,10 @@ def make(
     # Compile C++ nodes to WebAssembly, pack Python nodes into archives, fetch prebuilt nodes.
     site, prebuilt = resolve(site, cache=cache_folder(), report=report)
     programs = programs_of(site, prebuilt, options=options, cache=cache_folder(), report=report)
+
+    # Convert the bags that pages cannot read, and put panels beside those with a page of their own.
+    bags.convert(site, report)
+    site = bags.with_views(site)
 
     # Render Markdown pages to HTML, each with its page.json.
     renderer = pages.Renderer(site, programs)

@@ -15,12 +15,12 @@ from sitegen.model import Widget
 
 KIND = "bag"
 # A file, or a folder as `ros2 bag record` makes it.
-SUFFIXES = (".mcap", ".db3")
+SUFFIXES = (".mcap", ".db3", ".bag")
 METADATA = "metadata.yaml"
 # The keys that only a player or only a recorder has.
-PLAYING = ("autostart", "loop", "rate", "from", "to", "clock", "remap", "topics", "exclude")
+PLAYING = ("autostart", "loop", "rate", "from", "to", "clock", "remap", "topics", "exclude", "views")
 # These are about one bag.
-OWN = ("autostart", "from", "to")
+OWN = ("autostart", "from", "to", "views")
 RECORDING = ("hidden", "limit")
 RATES = (0.01, 100.0)
 
@@ -39,6 +39,8 @@ def bag(value: Value, problems: Problems, page: Path) -> Widget | None:
     for name in ("autostart", "loop", "clock", "hidden"):
         if section.option(name) is True:
             options[name] = True
+    if (views := section.option("views")) is not None:
+        options["views"] = views
     for name in ("topics", "exclude", "record"):
         if entry := section.get(name):
             options[name] = [item.text for item in entry.items()]
@@ -113,6 +115,6 @@ def _file(entry: Value, problems: Problems, page: Path) -> str:
         message = f"'{entry.text}' has no {METADATA}; give a .mcap file or the folder of a bag"
         problems.add(entry.location, entry.label, message)
     elif not folder and file.suffix not in SUFFIXES:
-        message = f"'{entry.text}' is not a bag; give a .mcap file, or the folder of a bag"
+        message = f"'{entry.text}' is not a bag; give a .mcap or .bag file, or the folder of a bag"
         problems.add(entry.location, entry.label, message)
     return file.relative_to(problems.root.resolve()).as_posix()

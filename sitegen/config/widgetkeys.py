@@ -216,6 +216,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("remap", "name by name", "other names for topics", "remap: {/odom: /old/odom}"),
         Key("topics", "list of names", "play only these topics", "topics: [/odom, /tf]"),
         Key("exclude", "list of names", "topics that are not played", "exclude: [/rosout]"),
+        Key("views", "flag", "panels for its topics beside it", "views: false"),
         Key("record", "list of names", "record only these topics", "record: [/cmd_vel]"),
         Key("hidden", "flag", "record hidden topics, too", "hidden: true", default=False),
         Key("limit", "number", "largest size of a recording in MB", "limit: 200", default=1000),

@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import importlib.util
+import io
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from bags import LATCHED, PLACE, START, STRING, drive, write_bag
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import Qos
+from rosbags.rosbag1 import Writer as Ros1Writer
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys.store import Typestore
 
 from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
+from sitegen.report import Report
 from sitegen.site import offline
-from sitegen.site.bags import Bags, bags
+from sitegen.site.bags import Bags, bags, convert
 from sitegen.site.offline import worker
 
 SITE = """
@@ -33,9 +40,10 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def found(folder: Path, name: str) -> Bags:
+def found(folder: Path, name: str, report: Report | None = None) -> Bags:
     (folder / "site.yaml").write_text(SITE.replace("NAME", name))
     site = load(folder / "site.yaml")
+    convert(site, report or Report(io.StringIO()))
     return bags(site, site.pages[0])
 
 
@@ -117,6 +125,126 @@ def test_a_sqlite_bag_is_converted_once(tmp_path: Path, cache: Path) -> None:
     [again] = found(tmp_path, "drive").artifacts
     assert again == artifact
     assert artifact.source.stat().st_mtime_ns == time
+
+
+# Of its own package, and around a type of ROS 1 that ROS 2 has changed.
+OWN = """Header header
+time when
+far_msgs/Spot[] spots
+visualization_msgs/Marker marker
+================================================================================
+MSG: far_msgs/Spot
+float64 x
+"""
+
+
+def write_ros1(path: Path, compression: Ros1Writer.CompressionFormat | None = None) -> Path:
+    """Write a bag of ROS 1 with a latched topic, and with types that ROS 2 has, has not, and has changed."""
+    store = get_typestore(Stores.ROS1_NOETIC)
+    store.register(get_types_from_msg(OWN, "far_msgs/msg/Own"))
+    types = store.types
+    time = types["builtin_interfaces/msg/Time"]
+    header = types["std_msgs/msg/Header"](seq=7, stamp=time(sec=5, nanosec=6), frame_id="map")
+    camera = default(store, "sensor_msgs/msg/CameraInfo")
+    camera.header, camera.height, camera.D = header, 480, np.array([0.5, 0.25])
+    marker = default(store, "visualization_msgs/msg/Marker")
+    marker.header, marker.text = header, "a cube"
+    own = types["far_msgs/msg/Own"](
+        header=header, when=time(sec=8, nanosec=9), spots=[types["far_msgs/msg/Spot"](x=1.5)], marker=marker
+    )
+    sent = [
+        ("/latched", types["std_msgs/msg/String"](data="an old map"), True),
+        ("/camera_info", camera, False),
+        ("/own", own, False),
+        *(("/words", types["std_msgs/msg/String"](data=f"word {n}"), False) for n in range(50)),
+    ]
+    writer = Ros1Writer(path)
+    if compression:
+        writer.set_compression(compression)
+    with writer:
+        connections = {
+            topic: writer.add_connection(
+                topic, message.__msgtype__, typestore=store, latching=int(latched)
+            )
+            for topic, message, latched in sent
+        }
+        for number, (topic, message, _) in enumerate(sent):
+            data = store.serialize_ros1(message, message.__msgtype__)
+            writer.write(connections[topic], START + number * 1_000_000, data)
+    return path
+
+
+def test_a_bag_of_ros_1_gets_the_types_of_ros_2(tmp_path: Path) -> None:
+    report = Report(io.StringIO())
+    write_ros1(tmp_path / "old.bag")
+    [artifact] = found(tmp_path, "old.bag", report).artifacts
+    assert isinstance(artifact.source, Path)
+    assert report.said == [
+        "old.bag: these types have other fields in ROS 2, and only what both have is kept: "
+        "visualization_msgs/Marker"
+    ]
+    with AnyReader([artifact.source]) as reader:
+        qos = {one.topic: one.ext.offered_qos_profiles for one in reader.connections}
+        assert [one.durability.name for one in qos["/latched"]] == ["TRANSIENT_LOCAL"]
+        assert qos["/words"] == []
+        read = [
+            (one.topic, time, reader.deserialize(data, one.msgtype))
+            for one, time, data in reader.messages()
+        ]
+        own = reader.typestore.fielddefs
+    current = get_typestore(Stores.LATEST).fielddefs
+    for name in ("std_msgs/msg/Header", "sensor_msgs/msg/CameraInfo", "visualization_msgs/msg/Marker"):
+        assert own[name][1] == current[name][1]
+    assert [time for _, time, _ in read] == [START + n * 1_000_000 for n in range(53)]
+    by_topic = {topic: message for topic, _, message in read}
+    assert by_topic["/words"].data == "word 49"
+    assert by_topic["/latched"].data == "an old map"
+    camera, message = by_topic["/camera_info"], by_topic["/own"]
+    assert (camera.header.stamp.sec, camera.header.frame_id) == (5, "map")
+    assert (camera.height, list(camera.d)) == (480, [0.5, 0.25])
+    assert (message.when.sec, message.spots[0].x, message.marker.text) == (8, 1.5, "a cube")
+    # The next build says it again, and converts nothing.
+    again = Report(io.StringIO())
+    assert found(tmp_path, "old.bag", again).artifacts == [artifact]
+    assert again.said == report.said
+
+
+@pytest.mark.parametrize("compression", list(Ros1Writer.CompressionFormat))
+def test_a_bag_of_ros_1_may_be_compressed(
+    tmp_path: Path, compression: Ros1Writer.CompressionFormat
+) -> None:
+    write_ros1(tmp_path / "old.bag", compression)
+    [artifact] = found(tmp_path, "old.bag").artifacts
+    assert isinstance(artifact.source, Path)
+    assert len(contents(artifact.source)) == 53
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda content: content[: len(content) // 2], "cannot be converted: "),
+        (lambda _: b"", "cannot be converted: "),
+        (lambda _: b"#ROSBAG V1.2\n" + bytes(100), "cannot be converted: "),
+    ],
+    ids=["cut", "empty", "old"],
+)
+def test_a_damaged_bag_of_ros_1_is_one_line(
+    tmp_path: Path, change: Callable[[bytes], bytes], said: str
+) -> None:
+    bag = write_ros1(tmp_path / "old.bag")
+    bag.write_bytes(change(bag.read_bytes()))
+    with pytest.raises(SiteError) as wrong:
+        found(tmp_path, "old.bag")
+    [line] = wrong.value.lines
+    assert line.startswith(f"site.yaml:4: bag.file: 'old.bag' {said}")
+    assert str(tmp_path) not in line
+
+
+def default(store: Typestore, name: str) -> Any:
+    """Return a message whose fields are zero, empty or false."""
+    from rosbags.convert.converter import default_message
+
+    return default_message(store, name)
 
 
 def test_without_rosbags_it_is_said_what_to_install(

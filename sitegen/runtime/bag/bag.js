@@ -2,6 +2,7 @@
 // A bag that is read: what is in it, and its messages by time.
 
 import { McapIndexedReader } from "../vendor/mcap.js";
+import { ChunkMessages, contentOf, Damage, damaged } from "./chunk.js";
 import { decompressors } from "./compression.js";
 import { readDefinitions } from "./definition.js";
 import { Fault, said, saidOf } from "./orders.js";
@@ -9,9 +10,10 @@ import { readProfiles } from "./qos.js";
 import { salvaged } from "./salvage.js";
 
 /** @import { MessageType, Qos } from "../protocol.js" */
+/** @import { Handlers, Message } from "./chunk.js" */
 /** @import { Said, Summary, Track } from "./orders.js" */
 /** @import { Readable } from "./source.js" */
-/** @typedef {{channelId: number, sequence: number, logTime: bigint, publishTime: bigint, data: Uint8Array}} Message */
+/** @import { ChunkIndex } from "./writer.js" */
 
 const MOST_CHANNELS = 5000;
 const MOST_CHUNKS = 1_000_000;
@@ -25,17 +27,26 @@ const LONGEST_QOS = 100_000;
 export class Bag {
   #reader;
   #readable;
+  #handlers;
   /** In bytes. */
   size;
   /** @type {Said[]} */
   #notes;
+  #tell;
+  /** Whether it was told that something of it cannot be read. */
+  #told = false;
 
-  /** @param {McapIndexedReader} reader @param {Readable} readable @param {number} size @param {Said[]} notes */
-  constructor(reader, readable, size, notes) {
+  /**
+   * @param {McapIndexedReader} reader @param {Readable} readable @param {Handlers} handlers @param {number} size
+   * @param {Said[]} notes @param {(said: Said) => void} tell
+   */
+  constructor(reader, readable, handlers, size, notes, tell) {
     this.#reader = reader;
     this.#readable = readable;
+    this.#handlers = handlers;
     this.size = size;
     this.#notes = notes;
+    this.#tell = tell;
     /** The times of the first and the last message, in ns. */
     this.start = 0n;
     this.end = 0n;
@@ -48,28 +59,31 @@ export class Bag {
       [id, readProfiles(metadata.get("offered_qos_profiles") ?? "")]));
   }
 
-  /** Open a bag; one that was cut off is read as far as it goes. @param {Readable} readable */
-  static async open(readable) {
+  /**
+   * Open a bag; one that was cut off is read as far as it goes.
+   * @param {Readable} readable @param {(said: Said) => void} tell called once if a part turns out to be damaged later
+   */
+  static async open(readable, tell) {
     const size = await readable.size();
     const head = size < 8n ? new Uint8Array() : await readable.read(0n, 8n);
     if (!MAGIC.every((byte, index) => head[index] === byte)) {
       throw new Fault("This is not an MCAP file. Bags of other formats are converted by sitegen when a site is built.");
     }
-    const decompressHandlers = await decompressors();
+    const handlers = await decompressors();
     let whole = readable;
     /** @type {Said[]} */
     const notes = [];
-    let reader = await McapIndexedReader.Initialize({ readable, decompressHandlers }).catch(() => undefined);
+    let reader = await McapIndexedReader.Initialize({ readable }).catch(() => undefined);
     if (!reader || !isIndexed(reader)) {
-      const found = await salvaged(readable, decompressHandlers);
+      const found = await salvaged(readable, handlers);
       whole = found.readable;
       if (found.cut) notes.push(said("This bag is cut off or damaged; only its first part is played."));
-      reader = await McapIndexedReader.Initialize({ readable: whole, decompressHandlers });
+      reader = await McapIndexedReader.Initialize({ readable: whole });
     }
     if (reader.channelsById.size > MOST_CHANNELS || reader.chunkIndexes.length > MOST_CHUNKS) {
       throw new Fault("This bag has more than {} topics or {} chunks.", MOST_CHANNELS, MOST_CHUNKS);
     }
-    return new Bag(reader, whole, Number(size), notes);
+    return new Bag(reader, whole, handlers, Number(size), notes, tell);
   }
 
   /** Return what is in it. @returns {Summary} */
@@ -127,16 +141,21 @@ export class Bag {
   }
 
   /**
-   * Yield the messages of some topics from a time to another, in the order of their times.
+   * Yield the messages of some topics from a time to another, in the order of their times. Damaged chunks are left out.
    * @param {bigint} from in ns @param {Set<number>} channels @param {bigint} [to] in ns, the end if it is missing
    * @returns {AsyncGenerator<Message>}
    */
   async *messages(from, channels, to = this.end) {
-    const topics = this.#topicsOf(channels);
-    if (topics.length === 0) return;
-    for await (const message of this.#reader.readMessages({ topics, startTime: from, endTime: to })) {
-      if (channels.has(message.channelId)) yield message;
+    const chunks = this.#chunksOf(channels, from, to).sort(by((chunk) => chunk.messageStartTime));
+    /** Chunks of which messages are left. @type {ChunkMessages[]} */
+    const open = [];
+    for (const chunk of chunks) {
+      // A chunk is read when one of its messages may be the next one.
+      yield* taken(open, chunk.messageStartTime - 1n);
+      const messages = await this.#messagesOf(chunk, channels, from, to);
+      if (messages) open.push(messages);
     }
+    yield* taken(open, to);
   }
 
   /**
@@ -145,17 +164,51 @@ export class Bag {
    */
   async latched(channel, before) {
     const depth = Math.min(this.qos.get(channel)?.depth ?? 1, MOST_LATCHED);
-    const topics = this.#topicsOf(new Set([channel]));
+    const channels = new Set([channel]);
+    const chunks = this.#chunksOf(channels, this.start, before - 1n).sort(by((chunk) => -chunk.messageEndTime));
     /** @type {Message[]} */
-    const found = [];
-    if (before <= this.start) return found;
-    const range = { topics, endTime: before - 1n, startTime: this.start, reverse: true };
-    for await (const message of this.#reader.readMessages(range)) {
-      if (message.channelId !== channel) continue;
-      found.unshift(message);
-      if (found.length >= depth) break;
+    let found = [];
+    for (const chunk of chunks) {
+      const [oldest] = found;
+      if (oldest && found.length >= depth && oldest.logTime >= chunk.messageEndTime) break;
+      const messages = await this.#messagesOf(chunk, channels, this.start, before - 1n);
+      const more = [];
+      for (let one; (one = messages?.shift());) more.push(one);
+      found = [...more, ...found].sort(by(({ logTime }) => logTime)).slice(-depth);
     }
     return found;
+  }
+
+  /**
+   * The chunks that may have messages of some channels between two times.
+   * @param {Set<number>} channels @param {bigint} from @param {bigint} to
+   */
+  #chunksOf(channels, from, to) {
+    return this.chunks.filter(({ messageStartTime, messageEndTime, messageIndexOffsets }) =>
+      messageStartTime <= to && messageEndTime >= from && [...messageIndexOffsets.keys()].some((id) => channels.has(id)));
+  }
+
+  /**
+   * Return messages of a chunk; undefined if it is damaged, which is told once.
+   * @param {ChunkIndex} chunk @param {Set<number>} channels @param {bigint} from @param {bigint} to
+   */
+  async #messagesOf(chunk, channels, from, to) {
+    try {
+      const content = await contentOf(this.#readable, this.#handlers, chunk);
+      const messages = new ChunkMessages(content, chunk, channels, from, to);
+      if (messages.odd) this.#complain(damaged());
+      return messages;
+    } catch (error) {
+      if (!(error instanceof Damage)) throw error;
+      this.#complain(error);
+      return undefined;
+    }
+  }
+
+  /** @param {Damage} damage */
+  #complain(damage) {
+    if (!this.#told) this.#tell(damage.said);
+    this.#told = true;
   }
 
   /** Return the channels with their schemas, as they are in the file. */
@@ -168,11 +221,6 @@ export class Bag {
   timeAt(seconds) {
     const time = this.start + BigInt(Math.round(seconds * 1e9));
     return time < this.start ? this.start : time > this.end ? this.end : time;
-  }
-
-  /** @param {Set<number>} channels */
-  #topicsOf(channels) {
-    return [...new Set([...channels].flatMap((id) => this.#reader.channelsById.get(id)?.topic ?? []))];
   }
 
   /** Where the parts of the file are that have messages, and how many bytes its index of them has. */
@@ -206,4 +254,34 @@ function isIndexed({ channelsById, chunkIndexes, statistics }) {
   const { messageCount = 1n, channelCount = 1 } = statistics ?? {};
   if (chunkIndexes.length === 0) return messageCount === 0n;
   return channelsById.size >= channelCount && chunkIndexes.every(({ messageIndexOffsets }) => messageIndexOffsets.size > 0);
+}
+
+/**
+ * Take the messages up to a time out of some chunks, in the order of their times.
+ * @param {ChunkMessages[]} open those that have no more are removed @param {bigint} to in ns, included
+ */
+function* taken(open, to) {
+  for (;;) {
+    let [next] = open;
+    for (const one of open) if (next && timeOf(one) < timeOf(next)) next = one;
+    if (!next || timeOf(next) > to) return;
+    const message = next.shift();
+    if (message) yield message;
+    else open.splice(open.indexOf(next), 1);
+  }
+}
+
+/** @param {ChunkMessages} messages a chunk without messages is the first to be removed */
+function timeOf({ time }) {
+  return time ?? -1n;
+}
+
+/**
+ * Return what sorts by a time.
+ * @template T
+ * @param {(one: T) => bigint} time
+ * @returns {(a: T, b: T) => number}
+ */
+function by(time) {
+  return (a, b) => (time(a) < time(b) ? -1 : time(a) > time(b) ? 1 : 0);
 }

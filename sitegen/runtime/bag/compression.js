@@ -20,8 +20,15 @@ function bounded(bytes, size) {
   return Number(size);
 }
 
-/** Return what decompresses chunks, by the name of the compression. */
-export async function decompressors() {
+/** @type {ReturnType<typeof load> | undefined} */
+let loaded;
+
+/** Return what decompresses chunks, by the name of the compression. It throws where a chunk is damaged. */
+export function decompressors() {
+  return (loaded ??= load());
+}
+
+async function load() {
   const lz4 = await loadLz4();
   return {
     lz4: (/** @type {Uint8Array} */ bytes, /** @type {bigint} */ size) => lz4(bytes, bounded(bytes, size)),
@@ -29,7 +36,7 @@ export async function decompressors() {
       const target = new Uint8Array(bounded(bytes, size));
       // More than the target holds is an error, or comes in an array of its own.
       const found = unzstd(bytes, target);
-      if (found.length !== target.length) throw new Fault("A chunk of this bag is damaged.");
+      if (found.length !== target.length) throw new RangeError("not of the size that was stated");
       return found;
     },
   };
@@ -53,7 +60,7 @@ async function loadLz4() {
       const found = lz4._decompressFrame(context, target, size, source, bytes.length);
       if (found !== size) {
         context = 0; // one that has met damaged data may not be used again
-        throw new Fault("A chunk of this bag is damaged.");
+        throw new RangeError("not of the size that was stated");
       }
       return lz4.HEAPU8.slice(target, target + size);
     } finally {

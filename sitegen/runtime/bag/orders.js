@@ -35,7 +35,7 @@
  *   | {op: "seek", time: number} | {op: "rate", rate: number} | {op: "loop", on: boolean} | {op: "part", part: Part}
  *   | {op: "choose", id: number, on: boolean}} ToPlayer
  * @typedef {{op: "opened", summary: Summary}
- *   | {op: "advertised", refused: {id: number, why: Said}[]}
+ *   | {op: "advertised", refused: {id: number, why: Said, differs?: boolean}[]} | {op: "noted", said: Said}
  *   | {op: "marks", columns: number, rows: {id: number, counts: Uint32Array}[]}
  *   | {op: "state", time: number, playing: boolean, waiting: boolean, ended: boolean}
  *   | {op: "failed", said: Said}} FromPlayer
@@ -58,9 +58,9 @@
  * @typedef {{op: "mend", folder: string}} ToKeeper
  * @typedef {{op: "mended", names: string[]}} FromKeeper
  *
- * To what cuts a part out of a bag, and from it. `left` are the channels that are left out.
+ * To what cuts a part out of a bag, and from it. `left` are the channels that are left out; `notes` are for the visitor.
  * @typedef {{op: "cut", source: Source, part: Part, left: number[]}} ToCutter
- * @typedef {{op: "cut", content: Blob} | {op: "failed", said: Said}} FromCutter
+ * @typedef {{op: "cut", content: Blob, notes: Said[]} | {op: "failed", said: Said}} FromCutter
  */
 
 /** @param {string} text @param {unknown[]} values @returns {Said} */

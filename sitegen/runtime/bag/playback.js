@@ -2,6 +2,7 @@
 // A bag that is played on this page, by a worker that takes part in the graph.
 
 import { say } from "../ui/words.js";
+import { definitionText } from "./definition.js";
 
 /** @import { Companion, MessageType, Ros } from "../protocol.js" */
 /** @import { FromPlayer, Part, Playing, Said, Source, Summary, ToPlayer } from "./orders.js" */
@@ -16,7 +17,7 @@ const CLOCK = {
 
 /**
  * Emits `open` when it is known what is in the bag and its topics are in the graph, `state` when it plays, pauses, or
- * is elsewhere, `marks` when there is more to draw, and `fail`.
+ * is elsewhere, `marks` when there is more to draw, `note` when there is something to say, and `fail`.
  */
 export class Playback extends EventTarget {
   #ros;
@@ -28,9 +29,15 @@ export class Playback extends EventTarget {
   summary;
   /** Why topics are not played, by channel. @type {Map<number, string>} */
   refused = new Map();
+  /** Both definitions of types that differ, by channel. @type {Map<number, {bag: string, page: string}>} */
+  differing = new Map();
+  /** What is to be said of the bag. */
+  note = "";
   /** How many messages there are at each place of the timeline, by channel. @type {Map<number, Uint32Array>} */
   marks = new Map();
   state = { time: 0, playing: false, waiting: false, ended: false };
+  /** The types of the page when the bag was opened. @type {Record<string, MessageType>} */
+  #known = {};
   /** Why it has failed, or "". */
   failure = "";
 
@@ -100,8 +107,14 @@ export class Playback extends EventTarget {
     if (message.op === "opened") {
       this.#advertise(message.summary);
     } else if (message.op === "advertised") {
-      for (const { id, why } of message.refused) this.refused.set(id, translated(why));
+      for (const { id, why, differs } of message.refused) {
+        this.refused.set(id, translated(why));
+        if (differs) this.#compare(id);
+      }
       this.dispatchEvent(new Event("open"));
+    } else if (message.op === "noted") {
+      this.note = translated(message.said);
+      this.dispatchEvent(new Event("note"));
     } else if (message.op === "marks") {
       this.marks = new Map(message.rows.map(({ id, counts }) => [id, counts]));
       this.dispatchEvent(new Event("marks"));
@@ -125,9 +138,18 @@ export class Playback extends EventTarget {
     /** @type {Record<string, MessageType>} */
     const known = {};
     for (const { type } of summary.tracks) for (const name of namesIn(type, types)) known[name] = types[name] ?? NONE;
+    this.#known = known;
     this.#order({ op: "advertise", playing: this.#playing, known });
     const found = { ...summary.types, ...(this.#playing.clock ? CLOCK : {}) };
     for (const [name, type] of Object.entries(found)) types[name] ??= type;
+  }
+
+  /** @param {number} id a channel whose type differs from that of the page */
+  #compare(id) {
+    const { tracks, types } = this.summary ?? { tracks: [], types: {} };
+    const type = tracks.find((track) => track.id === id)?.type ?? "";
+    const [bag, page] = [definitionText(types, type), definitionText(this.#known, type)];
+    if (bag !== undefined && page !== undefined) this.differing.set(id, { bag, page });
   }
 
   /** @param {string} text */

@@ -2,13 +2,14 @@
 // Make a bag readable that has no index, or that ends too early: all whole chunks of it, with an index of our own.
 
 import { McapRecordBuilder, McapStreamReader } from "../vendor/mcap.js";
+import { contentOf, damaged, recordsIn, viewOf } from "./chunk.js";
 import { Fault } from "./orders.js";
 import { fromBlob } from "./source.js";
 import { BagWriter, tail as tailOf } from "./writer.js";
 
+/** @import { Handlers } from "./chunk.js" */
 /** @import { Readable } from "./source.js" */
 /** @import { ChunkIndex, Contents } from "./writer.js" */
-/** @typedef {Record<string, (bytes: Uint8Array, size: bigint) => Uint8Array>} Handlers */
 
 const OP = { schema: 3, channel: 4, message: 5, chunk: 6, index: 7, dataEnd: 15 };
 const HEAD = 9;
@@ -62,7 +63,7 @@ class Scan {
   async run() {
     const size = Number(await this.#readable.size());
     while (this.end + HEAD <= size) {
-      const head = view(await this.#readable.read(BigInt(this.end), BigInt(HEAD)));
+      const head = viewOf(await this.#readable.read(BigInt(this.end), BigInt(HEAD)));
       const length = HEAD + Number(head.getBigUint64(1, true));
       const op = head.getUint8(0);
       if (!Number.isSafeInteger(length) || this.end + length > size) break;
@@ -96,7 +97,7 @@ class Scan {
 
   /** Note the schemas and channels among some records. @param {Uint8Array} records */
   #note(records) {
-    for (const { op, at, length } of inside(records)) {
+    for (const { op, at, length } of recordsIn(records)) {
       if (op !== OP.schema && op !== OP.channel) continue;
       const reader = new McapStreamReader({ noMagicPrefix: true });
       reader.append(records.subarray(at, at + length));
@@ -108,9 +109,9 @@ class Scan {
 
   /** @param {number} length of the record @returns {Promise<ChunkIndex>} */
   async #chunk(length) {
-    const head = view(await this.#readable.read(BigInt(this.end), BigInt(Math.min(length, CHUNK_HEAD + 64))));
+    const head = viewOf(await this.#readable.read(BigInt(this.end), BigInt(Math.min(length, CHUNK_HEAD + 64))));
     const named = head.getUint32(HEAD + 28, true);
-    if (named > 32) throw new Fault("A chunk of this bag is damaged.");
+    if (named > 32) throw damaged();
     const name = new Uint8Array(head.buffer, head.byteOffset + CHUNK_HEAD, named);
     return {
       messageStartTime: head.getBigUint64(HEAD, true), messageEndTime: head.getBigUint64(HEAD + 8, true),
@@ -123,30 +124,24 @@ class Scan {
   /** @param {number} length of the record */
   async #index(length) {
     const chunk = this.#contents.chunks.at(-1);
-    const head = view(await this.#readable.read(BigInt(this.end), BigInt(HEAD + 6)));
+    const head = viewOf(await this.#readable.read(BigInt(this.end), BigInt(HEAD + 6)));
     const [channel, bytes] = [head.getUint16(HEAD, true), head.getUint32(HEAD + 2, true)];
-    if (!chunk || bytes + HEAD + 6 > length) throw new Fault("A chunk of this bag is damaged.");
-    if (!this.#contents.channels.has(channel)) this.#note(await this.#recordsOf(chunk));
+    if (!chunk || bytes + HEAD + 6 > length) throw damaged();
+    if (!this.#contents.channels.has(channel)) {
+      // Where the chunk is damaged, its channels may be in another one.
+      const records = await contentOf(this.#readable, this.#handlers, chunk).catch(() => undefined);
+      if (records) this.#note(records);
+    }
     if (bytes > 0) chunk.messageIndexOffsets.set(channel, BigInt(this.end));
     chunk.messageIndexLength += BigInt(length);
     const counts = this.#counts.get(chunk) ?? new Map();
     this.#counts.set(chunk, counts.set(channel, Math.floor(bytes / 16)));
   }
 
-  /** @param {ChunkIndex} chunk */
-  async #recordsOf({ chunkStartOffset, compression, compressedSize, uncompressedSize }) {
-    const at = chunkStartOffset + BigInt(CHUNK_HEAD + 8 + compression.length);
-    const bytes = await this.#readable.read(at, compressedSize);
-    if (!compression) return bytes;
-    const handler = this.#handlers[compression];
-    if (!handler) throw new Fault("This bag is compressed with '{}', which the page cannot read.", compression);
-    return handler(bytes, uncompressedSize);
-  }
-
   /** Make an index of a chunk from its records. @param {ChunkIndex} chunk */
   async #walk(chunk) {
     const { channels, chunks } = this.#contents;
-    const records = await this.#recordsOf(chunk).catch(() => undefined);
+    const records = await contentOf(this.#readable, this.#handlers, chunk).catch(() => undefined);
     if (!records) {
       chunks.splice(chunks.indexOf(chunk), 1);
       return;
@@ -154,8 +149,8 @@ class Scan {
     this.#note(records);
     /** @type {Map<number, [bigint, bigint][]>} */
     const made = new Map();
-    const all = view(records);
-    for (const { op, at, length } of inside(records)) {
+    const all = viewOf(records);
+    for (const { op, at, length } of recordsIn(records)) {
       if (op !== OP.message || length < HEAD + 14) continue;
       const channel = all.getUint16(at + HEAD, true);
       const entries = made.get(channel) ?? [];
@@ -191,17 +186,6 @@ class Scan {
     bytes.set(records.buffer);
     bytes.set(end, records.length);
     return bytes;
-  }
-}
-
-/** Yield the records in the content of a chunk. @param {Uint8Array} records */
-function* inside(records) {
-  const all = view(records);
-  for (let at = 0; at + HEAD <= records.length;) {
-    const length = HEAD + Number(all.getBigUint64(at + 1, true));
-    if (at + length > records.length) return;
-    yield { op: all.getUint8(at), at, length };
-    at += length;
   }
 }
 
@@ -277,9 +261,4 @@ function joined(readable, length, end) {
       return bytes;
     },
   };
-}
-
-/** @param {Uint8Array} bytes */
-function view(bytes) {
-  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }

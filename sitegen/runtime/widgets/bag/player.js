@@ -164,6 +164,7 @@ export class PlayerView {
     });
     this.#playback = playback;
     playback.addEventListener("open", () => this.#show(playback));
+    playback.addEventListener("note", () => setNote(this.#note, playback.note, true));
     playback.addEventListener("marks", () => this.#timeline.mark(playback.marks));
     playback.addEventListener("state", () => this.#follow(playback));
     playback.addEventListener("fail", () => {
@@ -183,7 +184,7 @@ export class PlayerView {
     const box = this.#loop.querySelector("input");
     if (box) box.checked ||= this.#options.loop ?? false;
     this.#left = new Set(tracks.filter(({ topic }) => !isChosen(topic, this.#choice)).map(({ id }) => id));
-    this.#timeline.show(summary, playback.refused, this.#left);
+    this.#timeline.show(summary, playback, this.#left);
     this.#controls.hidden = false;
     this.#part.element.hidden = duration === 0;
     this.#begin(playback, duration);
@@ -239,9 +240,9 @@ export class PlayerView {
     const name = `${plainName(this.#title.textContent ?? "")}_${from}-${to}.mcap`;
     setNote(this.#note, say("Saving {}…", name));
     try {
-      const content = await partOf(this.#ros, source, part, [...this.#left]);
+      const { content, notes } = await partOf(this.#ros, source, part, [...this.#left]);
       download(content, name);
-      setNote(this.#note, say("Saved {}, {}", name, sizeText(content.size)));
+      setNote(this.#note, [say("Saved {}, {}", name, sizeText(content.size)), ...notes].join(". "), notes.length > 0);
     } catch (error) {
       setNote(this.#note, error instanceof Error ? error.message : String(error), true);
     }

@@ -7,6 +7,7 @@ import { say } from "../../ui/words.js";
 import { clockText, countText } from "./texts.js";
 
 /** @import { Part, Summary } from "../../bag/orders.js" */
+/** @import { Playback } from "../../bag/playback.js" */
 
 // Drawings have this height in pixels; rows beyond these are not drawn.
 const HEIGHT = 18;
@@ -52,10 +53,10 @@ export class Timeline {
   }
 
   /**
-   * @param {Summary} summary @param {Map<number, string>} refused why topics cannot be played, by channel
+   * @param {Summary} summary @param {Pick<Playback, "refused" | "differing">} played
    * @param {Set<number>} left channels that are left out
    */
-  show({ duration, tracks }, refused, left) {
+  show({ duration, tracks }, { refused, differing }, left) {
     this.#duration = duration;
     this.#slider.max = String(duration);
     this.#strips.clear();
@@ -73,7 +74,9 @@ export class Timeline {
       strip.addEventListener("pointerdown", (event) => this.#press(strip, event));
       this.#strips.set(track.id, strip);
       const kind = create("span", why ? "ros-type ros-wrong" : "ros-type", about);
-      return create("div", "ros-bag-row", create("div", "ros-bag-label", name, kind), create("div", "ros-bag-lane", strip));
+      const both = differing.get(track.id);
+      return create("div", "ros-bag-row",
+        create("div", "ros-bag-label", name, kind), ...(both ? [comparison(both)] : []), create("div", "ros-bag-lane", strip));
     });
     if (tracks.length > MOST_ROWS) {
       rows.push(create("p", "ros-hint", say("{} more topics", tracks.length - MOST_ROWS)));
@@ -134,4 +137,15 @@ export class Timeline {
       });
     }
   }
+}
+
+/** Show both definitions of a type. @param {{bag: string, page: string}} both */
+function comparison({ bag, page }) {
+  const one = (/** @type {string} */ title, /** @type {string} */ text) => {
+    const shown = create("pre", "ros-bag-definition", text);
+    shown.tabIndex = 0;
+    return create("div", "", create("p", "ros-type", title), shown);
+  };
+  return create("details", "ros-bag-differs", create("summary", "", say("Compare the definitions")),
+    create("div", "ros-bag-both", one(say("In the bag"), bag), one(say("On this page"), page)));
 }

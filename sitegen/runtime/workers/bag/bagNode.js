@@ -30,7 +30,7 @@ onmessage = ({ data }) => {
 async function receive(graph, message) {
   try {
     if (message.op === "mend") tell({ op: "mended", names: await mend(message.folder) });
-    else if (message.op === "cut") tell({ op: "cut", content: await cut(message) });
+    else if (message.op === "cut") tell({ op: "cut", ...(await cut(message)) });
     else if (message.op === "open") await (player = new Player(graph, tell)).open(message.source);
     else if (message.op === "record") await (recorder = new Recorder(graph, tell)).begin(message);
     else if (recorder) await recorder.receive(message);

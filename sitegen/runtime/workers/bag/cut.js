@@ -6,14 +6,17 @@ import { loadCompressor } from "../../bag/compression.js";
 import { BagWriter } from "../../bag/writer.js";
 import { readableOf, Target } from "./files.js";
 
-/** @import { ToCutter } from "../../bag/orders.js" */
+/** @import { Said, ToCutter } from "../../bag/orders.js" */
 
 /**
- * Return the part as a file. Latched messages that a latecomer would have got at its start are its first ones.
+ * Return the part as a file, and notes for the visitor. Latched messages that a latecomer would have got at its start
+ * are its first ones.
  * @param {ToCutter} order
  */
 export async function cut({ source, part, left }) {
-  const bag = await Bag.open(await readableOf(source));
+  /** @type {Said[]} */
+  const notes = [];
+  const bag = await Bag.open(await readableOf(source), (said) => notes.push(said));
   const target = new Target();
   const writer = new BagWriter((bytes) => target.write(bytes), await loadCompressor().catch(() => undefined));
   const copies = copyChannels(bag, writer, new Set(left));
@@ -28,7 +31,7 @@ export async function cut({ source, part, left }) {
     writer.add(copies.get(channelId) ?? 0, sequence, logTime, publishTime, data);
   }
   writer.end();
-  return target.close();
+  return { content: target.close(), notes };
 }
 
 /**

@@ -69,7 +69,7 @@ export class Player {
   /** Open a bag and tell what is in it. @param {Source} source */
   async open(source) {
     this.#remote = "url" in source;
-    this.#bag = await Bag.open(await readableOf(source));
+    this.#bag = await Bag.open(await readableOf(source), (said) => this.#tell({ op: "noted", said }));
     this.#summary = this.#bag.summary();
     this.#at = this.#from = this.#bag.start;
     this.#to = this.#goal = this.#bag.end;
@@ -103,12 +103,12 @@ export class Player {
    */
   #advertise(bag, playing, known) {
     const { tracks = [], types = {} } = this.#summary ?? {};
-    /** @type {{id: number, why: Said}[]} */
+    /** @type {{id: number, why: Said, differs?: boolean}[]} */
     const refused = [];
     for (const { id, topic, type, why } of tracks) {
       const differs = type in known && type in types && !isSame(known, types, type);
       if (why) refused.push({ id, why });
-      else if (differs) refused.push({ id, why: said("its type differs from the {} of this page", type) });
+      else if (differs) refused.push({ id, why: said("its type differs from the {} of this page", type), differs });
       else if (isChosen(topic, playing)) {
         const name = playing.remap?.[topic] ?? topic;
         const qos = bag.qos.get(id) ?? DEFAULT_QOS;

@@ -35,6 +35,10 @@ export const bags = {
   "its type is not valid in ROS 2": "sein Typ ist in ROS 2 nicht gültig",
   "its type differs from the {} of this page": "sein Typ unterscheidet sich vom {} dieser Seite",
 
+  "Compare the definitions": "Definitionen vergleichen",
+  "In the bag": "Im Bag",
+  "On this page": "Auf dieser Seite",
+
   // Recorders.
   "Recorder": "Rekorder",
   "Record": "Aufnehmen",
@@ -92,7 +96,7 @@ export const bags = {
   "This bag is damaged: its index names bytes that it does not have.":
     "Dieses Bag ist beschädigt: Sein Verzeichnis nennt Bytes, die es nicht hat.",
   "This bag is empty.": "Dieses Bag ist leer.",
-  "A chunk of this bag is damaged.": "Ein Block dieses Bags ist beschädigt.",
+  "A damaged part of this bag is left out.": "Ein beschädigter Teil dieses Bags wird ausgelassen.",
   "The schema of {} has an invalid line: {}": "Das Schema von {} hat eine ungültige Zeile: {}",
   "The schema of {} has no definition of {}.": "Das Schema von {} hat keine Definition von {}.",
   "The schema of {} has too many types.": "Das Schema von {} hat zu viele Typen.",
