@@ -19,7 +19,7 @@ from bench.figure import Figure
 SITE = """
 site: {title: Bags}
 pages:
-  - {path: /, content: [{markdown: "# Play"}, {bag: drive.mcap}]}
+  - {path: /, content: [{markdown: "# Play"}, {bag: {file: drive.mcap, views: false}}]}
   - {path: record/, content: [{markdown: "# Record"}, {bag: }]}
 """
 # Messages of this many bytes, so many in each step of 10 ms.

@@ -18,7 +18,18 @@ KIND = "bag"
 SUFFIXES = (".mcap", ".db3", ".bag")
 METADATA = "metadata.yaml"
 # The keys that only a player or only a recorder has.
-PLAYING = ("autostart", "loop", "rate", "from", "to", "clock", "remap", "topics", "exclude", "views")
+PLAYING = (
+    "autostart",
+    "loop",
+    "rate",
+    "from",
+    "to",
+    "clock",
+    "remap",
+    "topics",
+    "exclude",
+    "views",
+)
 # These are about one bag.
 OWN = ("autostart", "from", "to", "views")
 RECORDING = ("hidden", "limit")

@@ -139,7 +139,7 @@ float64 x
 
 
 def write_ros1(path: Path, compression: Ros1Writer.CompressionFormat | None = None) -> Path:
-    """Write a bag of ROS 1 with a latched topic, and with types that ROS 2 has, has not, and has changed."""
+    """Write a bag of ROS 1: a latched topic, and types that ROS 2 has, lacks or has changed."""
     store = get_typestore(Stores.ROS1_NOETIC)
     store.register(get_types_from_msg(OWN, "far_msgs/msg/Own"))
     types = store.types
@@ -150,7 +150,10 @@ def write_ros1(path: Path, compression: Ros1Writer.CompressionFormat | None = No
     marker = default(store, "visualization_msgs/msg/Marker")
     marker.header, marker.text = header, "a cube"
     own = types["far_msgs/msg/Own"](
-        header=header, when=time(sec=8, nanosec=9), spots=[types["far_msgs/msg/Spot"](x=1.5)], marker=marker
+        header=header,
+        when=time(sec=8, nanosec=9),
+        spots=[types["far_msgs/msg/Spot"](x=1.5)],
+        marker=marker,
     )
     sent = [
         ("/latched", types["std_msgs/msg/String"](data="an old map"), True),
@@ -162,13 +165,11 @@ def write_ros1(path: Path, compression: Ros1Writer.CompressionFormat | None = No
     if compression:
         writer.set_compression(compression)
     with writer:
-        connections = {
-            topic: writer.add_connection(
+        connections: dict[str, Any] = {}
+        for number, (topic, message, latched) in enumerate(sent):
+            connections[topic] = connections.get(topic) or writer.add_connection(
                 topic, message.__msgtype__, typestore=store, latching=int(latched)
             )
-            for topic, message, latched in sent
-        }
-        for number, (topic, message, _) in enumerate(sent):
             data = store.serialize_ros1(message, message.__msgtype__)
             writer.write(connections[topic], START + number * 1_000_000, data)
     return path
@@ -184,16 +185,21 @@ def test_a_bag_of_ros_1_gets_the_types_of_ros_2(tmp_path: Path) -> None:
         "visualization_msgs/Marker"
     ]
     with AnyReader([artifact.source]) as reader:
-        qos = {one.topic: one.ext.offered_qos_profiles for one in reader.connections}
+        connections: list[Any] = reader.connections
+        qos = {one.topic: one.ext.offered_qos_profiles for one in connections}
         assert [one.durability.name for one in qos["/latched"]] == ["TRANSIENT_LOCAL"]
         assert qos["/words"] == []
-        read = [
+        read: list[Any] = [
             (one.topic, time, reader.deserialize(data, one.msgtype))
             for one, time, data in reader.messages()
         ]
         own = reader.typestore.fielddefs
     current = get_typestore(Stores.LATEST).fielddefs
-    for name in ("std_msgs/msg/Header", "sensor_msgs/msg/CameraInfo", "visualization_msgs/msg/Marker"):
+    for name in (
+        "std_msgs/msg/Header",
+        "sensor_msgs/msg/CameraInfo",
+        "visualization_msgs/msg/Marker",
+    ):
         assert own[name][1] == current[name][1]
     assert [time for _, time, _ in read] == [START + n * 1_000_000 for n in range(53)]
     by_topic = {topic: message for topic, _, message in read}

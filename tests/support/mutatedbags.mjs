@@ -2,10 +2,13 @@
 // line each, and how many copies were read.
 
 import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 
-import { Bag } from "../../sitegen/runtime/bag/bag.js";
-import { Fault, saidOf } from "../../sitegen/runtime/bag/orders.js";
-import { fromBlob } from "../../sitegen/runtime/bag/source.js";
+// LZ4 was compiled for Node, too, and expects a module of its older kind there.
+Object.assign(globalThis, { require: createRequire(import.meta.url), __dirname: import.meta.dirname });
+const { Bag } = await import("../../sitegen/runtime/bag/bag.js");
+const { Fault, saidOf } = await import("../../sitegen/runtime/bag/orders.js");
+const { fromBlob } = await import("../../sitegen/runtime/bag/source.js");
 
 const [file, how, seed, count] = process.argv.slice(2);
 const original = new Uint8Array(readFileSync(file));

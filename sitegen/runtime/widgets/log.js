@@ -2,6 +2,7 @@
 // The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
+import { subscribeOnceKnown } from "../messages/onceKnown.js";
 import { button, create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
@@ -76,8 +77,7 @@ class Log {
   /** Subscribe while the panel is visible. @returns {() => void} end it */
   begin() {
     this.#draw();
-    const subscribe = () => this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
-    const unsubscribe = this.#ros.types[TYPE] ? subscribe() : () => {};
+    const unsubscribe = subscribeOnceKnown(this.#ros, ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
     const endLevels = this.#levels.begin();
     return () => {
       endLevels();

@@ -1,6 +1,7 @@
 // @ts-check
 // The tree of frames, who publishes each and how often, and the transform between two of them.
 
+import { subscribeOnceKnown } from "../messages/onceKnown.js";
 import { create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
@@ -54,7 +55,6 @@ export function mount(element, ros, { reference, frame }) {
   const unlook = whileSeen(element, () => {
     draw();
     const timer = setInterval(draw, PERIOD);
-    if (!ros.types[TF]) return () => clearInterval(timer);
     const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ message, /** @type {MessageInfo} */ info) => {
       for (const stamped of message.transforms) {
         transforms.add(stamped, fixed);
@@ -62,8 +62,8 @@ export function mount(element, ros, { reference, frame }) {
       }
     };
     const ends = [
-      ros.subscribe("/tf", TF, take(false), { depth: 1000 }),
-      ros.subscribe("/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
+      subscribeOnceKnown(ros, "/tf", TF, take(false), { depth: 1000 }),
+      subscribeOnceKnown(ros, "/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
     ];
     return () => {
       clearInterval(timer);

@@ -7,6 +7,7 @@ import importlib.util
 import io
 import shutil
 import tempfile
+from collections.abc import Sequence
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
@@ -140,6 +141,6 @@ def _add_types(path: Path, known: Typestore) -> str:
     return f"these types have other fields in ROS 2, and only what both have is kept: {names}"
 
 
-def _plain(fields: list[tuple[str, object]]) -> list[tuple[str, object]]:
+def _plain(fields: Sequence[tuple[str, object]]) -> list[tuple[str, object]]:
     """Return fields with names as ROS 2 writes them: `D` of ROS 1 is `d`."""
     return [(name.lower(), kind) for name, kind in fields]

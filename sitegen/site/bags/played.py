@@ -68,7 +68,7 @@ def file_of(site: Site, name: str) -> Path:
 
 
 def _played(page: Page) -> list[tuple[str, Widget]]:
-    """Return the bags of a page as the author wrote them, each with the first widget that plays it."""
+    """Return the bags of a page as the author wrote them, each with its first player."""
     found: dict[str, Widget] = {}
     for part in page.leaves:
         if isinstance(part, Widget) and part.kind == KIND and part.options.get("file"):

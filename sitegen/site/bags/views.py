@@ -1,4 +1,4 @@
-"""Put panels beside a bag that has a page of its own: 3D, images, plots, by the types of its topics."""
+"""Put panels beside a bag that has a page of its own, by the types of its topics."""
 
 from __future__ import annotations
 
@@ -35,13 +35,15 @@ CURVES: Mapping[str, Sequence[str]] = {
 }
 # Their numbers say how something is stored, or how grave a text is.
 DULL = ("sensor_msgs/msg/CameraInfo", "rcl_interfaces/msg/Log", "rcl_interfaces/msg/ParameterEvent")
-NUMBER = re.compile(r"^(?:float(?:32|64)|u?int(?:8|16|32|64))[ \t]+([a-z]\w*)[ \t]*(?:$|[#\d.-])", re.MULTILINE)
+NUMBER = re.compile(
+    r"^(?:float(?:32|64)|u?int(?:8|16|32|64))[ \t]+([a-z]\w*)[ \t]*(?:$|[#\d.-])", re.MULTILINE
+)
 MOST_CURVES = 6
 CURVES_EACH = 3
 
 
 def with_views(site: Site) -> Site:
-    """Return the site with panels beside the bags that have a page of their own, or ask for them."""
+    """Return the site with panels beside bags that have a page of their own, or ask for them."""
     return replace(site, pages=tuple(_page(site, page) for page in site.pages))
 
 
@@ -69,15 +71,21 @@ def _filled(site: Site, page: Page, parts: Iterable[Part], *, alone: bool) -> It
 
 
 def _arranged(bag: Widget, views: Sequence[Part]) -> Iterator[Part]:
-    """Yield the first view beside the bag, and the others below them."""
+    """Yield the first view beside the bag, the others below them, and the list of topics last."""
     if not views:
         yield bag
         return
     main, *others = views
     cells = (Cell((main,), size=3), Cell((bag,), size=2))
     yield Layout("columns", cells, bag.location)
-    if others:
-        yield Layout("grid", tuple(Cell((view,)) for view in others), bag.location)
+    if not others:
+        return
+    *middle, last = others
+    if len(middle) > 1:
+        yield Layout("grid", tuple(Cell((view,)) for view in middle), bag.location)
+    else:
+        yield from middle
+    yield last
 
 
 def _views(site: Site, page: Page, bag: Widget) -> list[Part]:

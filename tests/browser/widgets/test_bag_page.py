@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from bags import player
 from browser import opened, serving
 from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
@@ -21,7 +23,9 @@ from sitegen.report import Report
 
 SITE = """
 site: {title: Replay}
-pages: [{path: /, title: A drive, content: [{bag: drive}]}]
+pages:
+  - {path: /, title: A drive, content: [{bag: drive}]}
+  - {path: frames/, title: Frames, content: [{tf: }, {bag: drive}, {log: }]}
 """
 START = 1_700_000_000_000_000_000
 
@@ -68,7 +72,9 @@ def write_drive(folder: Path) -> None:
                 header=header(now, "odom"), child_frame_id="laser", transform=moved
             )
             send("/tf", now, types["tf2_msgs/msg/TFMessage"](transforms=[frames]))
-            ranges = np.array([3 + math.sin(5 * a / 60 + now) for a in range(360)], dtype=np.float32)
+            ranges = np.array(
+                [3 + math.sin(5 * a / 60 + now) for a in range(360)], dtype=np.float32
+            )
             scan = types["sensor_msgs/msg/LaserScan"](
                 header=header(now, "laser"),
                 angle_min=-math.pi,
@@ -82,7 +88,7 @@ def write_drive(folder: Path) -> None:
                 intensities=np.array([], dtype=np.float32),
             )
             send("/scan", now, scan)
-            pixels = np.zeros((48, 64, 3), dtype=np.uint8)
+            pixels: Any = np.zeros((48, 64, 3), dtype=np.uint8)
             pixels[:, :, 0] = number * 2
             pixels[:, :, 1] = 200
             image = types["sensor_msgs/msg/Image"](
@@ -116,16 +122,31 @@ def page(browser: Browser, site: Path) -> Iterator[Tab]:
         yield tab
 
 
-@pytest.mark.firefox
 def test_all_panels_show_the_bag(page: Tab) -> None:
-    player = page.get_by_role("region", name="Player", exact=True)
-    expect(player.locator(".ros-bag-row")).to_have_count(5)
-    player.get_by_role("button", name="Play", exact=True).click()
-    expect(page.locator(".ros-topics")).to_contain_text("/battery")
-    # Nobody has chosen anything.
-    plot = page.locator(".ros-plot")
-    expect(plot).to_contain_text("/battery.data")
-    expect(page.locator(".ros-image")).to_contain_text("64 × 48")
-    view = page.locator(".ros-view")
+    bag = player(page)
+    expect(bag.locator(".ros-bag-row")).to_have_count(5)
+    bag.get_by_role("checkbox", name="Loop").check()
+    bag.get_by_role("button", name="Play", exact=True).click()
+    # Everything in the frame that stands still, which nobody has chosen.
+    view = page.locator(".ros-3d")
+    expect(view.get_by_label("Fixed frame")).to_have_value("odom")
     view.get_by_text("Displays").click()
-    expect(view).to_contain_text("/scan")
+    expect(view.locator(".ros-display-list")).to_contain_text("/scan")
+    # Panels begin when they are seen.
+    for panel, text in (
+        (".ros-image", re.compile("64 . 48")),
+        (".ros-plot", re.compile(r"/battery\.data\s*1\d")),
+        (".ros-topics", "/said"),
+    ):
+        page.locator(panel).scroll_into_view_if_needed()
+        expect(page.locator(panel)).to_contain_text(text)
+
+
+@pytest.mark.firefox
+def test_types_that_come_with_the_bag_are_no_obstacle(page: Tab) -> None:
+    """The panel of frames was there before the bag had been read."""
+    page.goto(f"{page.url}frames/")
+    expect(page.locator(".ros-tf")).to_contain_text("no node on this page uses")
+    player(page).scroll_into_view_if_needed()
+    player(page).get_by_role("button", name="Play", exact=True).click()
+    expect(page.locator(".ros-tf")).to_contain_text("laser")

@@ -2,6 +2,7 @@
 // What a 3D view shows: the transforms between frames, the fixed frame, and the displays.
 
 import { Group } from "../../vendor/three.js";
+import { subscribeOnceKnown } from "../../messages/onceKnown.js";
 import { place } from "../../place.js";
 import { Transforms } from "../tf/transforms.js";
 import { infoOf } from "./displays/camera.js";
@@ -96,17 +97,15 @@ export class World {
       for (const shown of this.displays) shown.begin();
     };
     this.ros.graph.addEventListener("change", look);
-    this.#ends.push(() => this.ros.graph.removeEventListener("change", look));
-    if (this.ros.types[TF]) {
-      const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ { transforms }) => {
-        for (const one of transforms) this.transforms.add(one, fixed);
-        this.redraw();
-      };
-      this.#ends.push(
-        this.ros.subscribe("/tf", TF, take(false), { depth: 1000 }),
-        this.ros.subscribe("/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
-      );
-    }
+    const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ { transforms }) => {
+      for (const one of transforms) this.transforms.add(one, fixed);
+      this.redraw();
+    };
+    this.#ends.push(
+      () => this.ros.graph.removeEventListener("change", look),
+      subscribeOnceKnown(this.ros, "/tf", TF, take(false), { depth: 1000 }),
+      subscribeOnceKnown(this.ros, "/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
+    );
     look();
     this.redraw();
     return () => {

@@ -1,7 +1,7 @@
 // @ts-check
 // Read the messages of a bag before they are due, within limits of memory.
 
-/** @import { Message } from "../../bag/bag.js" */
+/** @import { Message } from "../../bag/chunk.js" */
 
 const MOST = { bytes: 16 * 1024 * 1024, messages: 5000 };
 

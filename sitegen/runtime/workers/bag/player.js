@@ -13,7 +13,7 @@ import { marksOf } from "./marks.js";
 
 /** @import { MessageType } from "../../protocol.js" */
 /** @import { FromPlayer, Part, Playing, Said, Source, Summary, ToPlayer } from "../../bag/orders.js" */
-/** @import { Message } from "../../bag/bag.js" */
+/** @import { Message } from "../../bag/chunk.js" */
 /** @import { Participant } from "../../participant/participant.js" */
 
 export const NODE = "/rosbag2_player";
