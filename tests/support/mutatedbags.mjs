@@ -2,13 +2,10 @@
 // line each, and how many copies were read.
 
 import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 
-// LZ4 was compiled for Node, too, and expects a module of its older kind there.
-Object.assign(globalThis, { require: createRequire(import.meta.url), __dirname: import.meta.dirname });
-const { Bag } = await import("../../sitegen/runtime/bag/bag.js");
-const { Fault, saidOf } = await import("../../sitegen/runtime/bag/orders.js");
-const { fromBlob } = await import("../../sitegen/runtime/bag/source.js");
+import { bagModules } from "./bagmodules.mjs";
+
+const { Bag, Fault, saidOf, fromBlob } = await bagModules();
 
 const [file, how, seed, count] = process.argv.slice(2);
 const original = new Uint8Array(readFileSync(file));

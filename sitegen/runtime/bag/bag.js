@@ -130,9 +130,7 @@ export class Bag {
     }
     if (track.why || !schema || schema.encoding !== "ros2msg" || types[type]) return track;
     try {
-      if (schema.data.length > 0) {
-        Object.assign(types, readDefinitions(type, new TextDecoder().decode(schema.data)), types);
-      }
+      Object.assign(types, readDefinitions(type, new TextDecoder().decode(schema.data)), types);
     } catch (error) {
       // It can be played without.
       notes.push(saidOf(error));

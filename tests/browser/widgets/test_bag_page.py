@@ -11,11 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 from bags import player
-from browser import opened, serving
+from browser import Built, Serve, opened, serving
+from paths import DEMOS
 from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
+from waiting import until
 
 from sitegen.build import make, write
 from sitegen.options import Options
@@ -150,3 +152,27 @@ def test_types_that_come_with_the_bag_are_no_obstacle(page: Tab) -> None:
     player(page).scroll_into_view_if_needed()
     player(page).get_by_role("button", name="Play", exact=True).click()
     expect(page.locator(".ros-tf")).to_contain_text("laser")
+
+
+def test_a_rover_drives_a_recorded_drive_again(
+    browser: Browser, serve: Serve, built: Built
+) -> None:
+    url = serve(built(DEMOS / "demo11"))
+    with opened(browser) as tab:
+        tab.goto(f"{url}replay/")
+        player(tab).get_by_role("button", name="Play", exact=True).click()
+        expect(tab.locator(".ros-3d").get_by_label("Fixed frame")).to_have_value("map")
+        tab.goto(f"{url}again/")
+        expect(tab.locator(".ros-state[data-state=running]")).to_be_attached()
+        player(tab).get_by_role("button", name="Play", exact=True).click()
+        tab.locator(".ros-plot").scroll_into_view_if_needed()
+        values = tab.locator(".ros-plot .ros-key > li")
+
+        def shown() -> list[float]:
+            # Without the path and the sign that removes it.
+            found = [re.search(r"x\s+(-?\d\S*)", one) for one in values.all_inner_texts()]
+            return [float(one[1].replace("\u2212", "-")) for one in found if one]
+
+        until(lambda: (shown() or [0])[0] > 1, told=values.all_inner_texts)
+        recorded, live = shown()
+        assert abs(recorded - live) < 0.2
