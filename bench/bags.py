@@ -7,14 +7,16 @@ import shutil
 import struct
 import tempfile
 from pathlib import Path
-from statistics import quantiles
+from statistics import median, quantiles
+from typing import Any
 
 from mcap.writer import Writer
 from playwright.sync_api import Page
 
 from bench.browser import chromium, serving_site
 from bench.counts import Counts
-from bench.figure import Figure
+from bench.crowd import processor
+from bench.figure import Figure, Target
 
 SITE = """
 site: {title: Bags}
@@ -24,7 +26,7 @@ pages:
 """
 # Messages of this many bytes, so many in each step of 10 ms.
 LOADS = {
-    "10,000 messages of 100 B a second": (100, 100),
+    "10,000 messages of 1 kB a second": (1000, 100),
     "100 messages of 1 MB a second": (1_000_000, 1),
 }
 STEP = 0.010
@@ -46,14 +48,10 @@ def bags(counts: Counts) -> list[Figure]:
                 page = browser.new_page()
                 page.goto(f"{url}record/")
                 page.evaluate("async () => { window.load = await import('/bench/bags.js'); }")
-                bare = page.evaluate(
-                    "(load) => window.load.publish(...load)", [*_load(size, count, counts)]
-                )
+                bare, bare_work = _publish(page, _load(size, count, counts))
                 page.get_by_role("button", name="Record", exact=True).click()
                 page.wait_for_timeout(1500)
-                ours = page.evaluate(
-                    "(load) => window.load.publish(...load)", [*_load(size, count, counts)]
-                )
+                ours, work = _publish(page, _load(size, count, counts))
                 recorded = _stop(page)
                 figures += [
                     Figure(
@@ -68,6 +66,19 @@ def bags(counts: Counts) -> list[Figure]:
                         "ms",
                         _p99(ours["frames"]),
                         _p99(bare["frames"]),
+                    ),
+                    Figure(
+                        f"recording {title}: publishing, p50 of a step (bare: not recorded)",
+                        "ms",
+                        median(ours["steps"]),
+                        median(bare["steps"]),
+                        target=Target("ratio", "≤", 1.2),
+                    ),
+                    Figure(
+                        f"recording {title}: processor (bare: not recorded)",
+                        "% of a core",
+                        work,
+                        bare_work,
                     ),
                 ]
                 page.close()
@@ -91,6 +102,15 @@ def bags(counts: Counts) -> list[Figure]:
             )
             shutil.rmtree(folder)
     return figures
+
+
+def _publish(page: Page, load: tuple[int, int, int]) -> tuple[Any, float]:
+    """Return what the page says of its load, and the processor time that the page took, in %."""
+    browser = page.context.browser
+    assert browser
+    begun = processor(browser)
+    said = page.evaluate("(load) => window.load.publish(...load)", [*load])
+    return said, 100 * (processor(browser) - begun) / said["seconds"]
 
 
 def _load(size: int, count: int, counts: Counts) -> tuple[int, int, int]:

@@ -17,6 +17,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, sync_playwright
 
 from sitegen.commands.build import build
+from sitegen.commands.serve.ranges import asked_part, read_part
 from sitegen.report import Report, Style
 
 CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
@@ -130,6 +131,14 @@ class _Handler(SimpleHTTPRequestHandler):
     def do_GET(self) -> None:
         file = Path(self.translate_path(self.path))
         file = file / "index.html" if self.path.endswith("/") else file
+        size = file.stat().st_size if file.is_file() else 0
+        if part := asked_part(self.headers.get("Range", ""), size):
+            self.send_response(HTTPStatus.PARTIAL_CONTENT)
+            self.send_header("Content-Range", f"bytes {part.start}-{part.stop - 1}/{size}")
+            self.send_header("Content-Length", str(len(part)))
+            self.end_headers()
+            self.wfile.write(read_part(file, part))
+            return
         if not self._hosted or not file.is_file():
             super().do_GET()
             return

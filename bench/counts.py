@@ -20,6 +20,9 @@ class Counts:
     flood: int = 60
     idle: int = 10
     warm_up: int = 30
+    # A large bag, in MB, and places in it that are sought.
+    bag: int = 1000
+    seeks: int = 9
     # Nodes of a large page, and topics that each publishes.
     nodes: int = 50
     topics: int = 10
@@ -43,6 +46,8 @@ SMALLEST = Counts(
     flood=1,
     idle=1,
     warm_up=1,
+    bag=20,
+    seeks=2,
     nodes=5,
     topics=2,
     # A console, and a prompt without one.

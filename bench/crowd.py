@@ -54,11 +54,11 @@ def flood(counts: Counts) -> list[Figure]:
         page.evaluate("drive.keepLines('slow')")
         _start(page, ["slow", "flood"])
         time.sleep(2)
-        early = _memory(browser)
+        early = memory(browser)
         most = early
         for _ in range(counts.flood):
             time.sleep(1)
-            most = max(most, _memory(browser))
+            most = max(most, memory(browser))
         page.evaluate("drive.keptSome('slow')")
         ages = [float(age) for age in page.evaluate("drive.kept('slow')")]
         _stop(page, ["flood", "slow"])
@@ -137,7 +137,7 @@ def _times(page: Page, name: str, counts: Counts) -> list[float]:
     return [page.evaluate(f"drive.runNode('{name}')")[0] for _ in range(counts.bursts)]
 
 
-def _memory(browser: Browser) -> float:
+def memory(browser: Browser) -> float:
     """Return what the renderers have in memory, in bytes."""
     return _sum(browser, "statm", lambda fields: int(fields[1]) * os.sysconf("SC_PAGE_SIZE"))
 

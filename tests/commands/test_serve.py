@@ -16,7 +16,7 @@ from http import HTTPStatus
 from pathlib import Path
 
 import pytest
-from browser import Built
+from browser import Built, own_serving
 from panel import Panel
 from paths import ROOT
 from playwright.sync_api import Page
@@ -98,6 +98,32 @@ def test_every_file_is_sent_as_what_it_is(built: Built) -> None:
     assert "application/octet-stream" not in types.values()
     assert {types[suffix] for suffix in (".js", ".mjs")} == {"text/javascript; charset=utf-8"}
     assert types[".wasm"] == "application/wasm"
+
+
+@pytest.mark.parametrize(
+    ("asked", "status", "content", "told"),
+    [
+        ("bytes=2-4", 206, b"cde", "bytes 2-4/10"),
+        ("bytes=7-", 206, b"hij", "bytes 7-9/10"),
+        ("bytes=8-99", 206, b"ij", "bytes 8-9/10"),
+        ("bytes=0-0", 206, b"a", "bytes 0-0/10"),
+        # What a server may ignore.
+        *((asked, 200, b"abcdefghij", None) for asked in ("bytes=10-", "bytes=4-2", "bytes=-3")),
+        *(
+            (asked, 200, b"abcdefghij", None)
+            for asked in ("bytes=1-2,4-5", "lines=1-2", "bytes=a-b")
+        ),
+    ],
+)
+def test_a_part_of_a_file_is_sent_on_request(
+    tmp_path: Path, asked: str, status: int, content: bytes, told: str | None
+) -> None:
+    (tmp_path / "drive.mcap").write_bytes(b"abcdefghij")
+    with own_serving(tmp_path) as url:
+        request = urllib.request.Request(f"{url}drive.mcap", headers={"Range": asked})
+        with urllib.request.urlopen(request) as answer:
+            assert (answer.status, answer.read()) == (status, content)
+            assert answer.headers["Content-Range"] == told
 
 
 def test_a_port_in_use_is_left_to_who_has_it(site: Path) -> None:

@@ -17,6 +17,7 @@ from urllib.parse import quote, unquote, urlsplit
 from sitegen import pagepath
 from sitegen.commands.serve.editor import NoEditorError, open_editor
 from sitegen.commands.serve.media import media_type
+from sitegen.commands.serve.ranges import asked_part, read_part
 from sitegen.errors import SiteError
 from sitegen.model import Artifact
 from sitegen.shipped import RUNTIME
@@ -151,6 +152,8 @@ class _Handler(BaseHTTPRequestHandler):
     def _send_file(self, path: str) -> None:
         path = pagepath.file_of(path)
         file = self._live.file(path)
+        if file and isinstance(file.source, Path) and self._send_part(path, file.source):
+            return
         if file:
             self._send(path, _bytes(file))
         elif path == WORKER:
@@ -163,6 +166,22 @@ class _Handler(BaseHTTPRequestHandler):
             missing = self._live.file("404.html")
             content = _bytes(missing) if missing else NOTHING_YET.encode()
             self._send("404.html", content, HTTPStatus.NOT_FOUND)
+
+    def _send_part(self, path: str, file: Path) -> bool:
+        """Send the bytes of a file that the browser asks for; return whether it asks for some."""
+        size = file.stat().st_size
+        part = asked_part(self.headers.get("Range", ""), size)
+        if part is None:
+            return False
+        content = read_part(file, part)
+        self.send_response(HTTPStatus.PARTIAL_CONTENT)
+        self.send_header("Content-Type", media_type(path))
+        self.send_header("Content-Length", str(len(content)))
+        self.send_header("Content-Range", f"bytes {part.start}-{part.stop - 1}/{size}")
+        self.send_header("Cache-Control", "no-store")
+        self._end_headers()
+        self.wfile.write(content)
+        return True
 
     def _redirect(self, path: str) -> None:
         self.send_response(HTTPStatus.FOUND)
@@ -182,12 +201,15 @@ class _Handler(BaseHTTPRequestHandler):
         if tag:
             self.send_header("ETag", tag)
         self.send_header("Cache-Control", "no-cache" if tag else "no-store")
+        self._end_headers()
+        if not unchanged:
+            self.wfile.write(content)
+
+    def _end_headers(self) -> None:
         if self._live.isolated:
             self.send_header("Cross-Origin-Opener-Policy", "same-origin")
             self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
         self.end_headers()
-        if not unchanged:
-            self.wfile.write(content)
 
     def _tag(self, content: bytes) -> str:
         """Return a strong ETag; whether pages are isolated is part of the answer, too."""

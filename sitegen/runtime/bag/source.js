@@ -79,7 +79,9 @@ class Ranges {
       while (index + count < numbers.length && !this.#blocks.has(number + count)) count += 1;
       const loaded = this.#load(number * BLOCK, count * BLOCK);
       for (let one = 0; one < count; one++) {
-        const block = loaded.then((bytes) => bytes.slice(one * BLOCK, (one + 1) * BLOCK));
+        const [from, to] = [one * BLOCK, (one + 1) * BLOCK];
+        // Of a large part, a few blocks are kept, and not all of it for them.
+        const block = loaded.then((bytes) => (count > KEPT ? bytes.slice(from, to) : bytes.subarray(from, to)));
         // What could not be loaded is requested again.
         block.catch(() => this.#blocks.delete(number + one));
         this.#blocks.set(number + one, block);

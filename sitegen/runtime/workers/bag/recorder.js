@@ -30,6 +30,9 @@ const TOLD = 250;
 const IN_MEMORY = 256e6;
 // How many messages and bytes are taken before others get their turn.
 const TURN = { messages: 512, bytes: 8 * 1024 * 1024 };
+// The recorder is behind if it works for more than this part of the time, on average over about so many turns.
+const BUSY = 0.65;
+const AVERAGED = 10;
 
 export class Recorder {
   #participant;
@@ -48,8 +51,10 @@ export class Recorder {
   #recording = false;
   /** Whether it was told to end before it had begun. */
   #early = false;
-  /** Whether more waited than was taken at once. */
+  /** Whether messages come faster than they can be compressed and written. */
   #behind = false;
+  /** For which part of the time it has worked lately. */
+  #busy = 0;
   #written = 0;
   #told = 0;
 
@@ -93,6 +98,7 @@ export class Recorder {
   async #run() {
     while (this.#recording) {
       if (this.#participant.changes !== this.#changes) this.#follow();
+      const begun = now();
       const more = this.#take();
       const time = now();
       if (time - this.#written > WRITTEN) {
@@ -108,7 +114,11 @@ export class Recorder {
         this.#end(said("The recording has reached its limit of {} MB.", megabytes));
         return;
       }
+      const worked = now();
       await this.#participant.wait(more ? 0 : TOLD);
+      // Large messages are few at a time: then it is seen by how little it waits for the next ones.
+      this.#busy += ((worked - begun) / Math.max(now() - begun, Number.EPSILON) - this.#busy) / AVERAGED;
+      this.#behind = more || this.#busy > BUSY;
     }
   }
 
@@ -165,8 +175,7 @@ export class Recorder {
         bytes += message.length;
       }
     }
-    this.#behind = full();
-    return this.#behind;
+    return full();
   }
 
   /** Complete the bag. @param {Said} [reason] why it ends by itself */
