@@ -2,7 +2,6 @@
 // The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
-import { subscribeOnceKnown } from "../messages/onceKnown.js";
 import { button, create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
@@ -77,10 +76,19 @@ class Log {
   /** Subscribe while the panel is visible. @returns {() => void} end it */
   begin() {
     this.#draw();
-    const unsubscribe = subscribeOnceKnown(this.#ros, ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
+    let unsubscribe = () => {};
+    const look = () => {
+      // A bag may bring the type later.
+      if (!this.#ros.types[TYPE]) return;
+      this.#ros.graph.removeEventListener("change", look);
+      unsubscribe = this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
+    };
+    this.#ros.graph.addEventListener("change", look);
+    look();
     const endLevels = this.#levels.begin();
     return () => {
       endLevels();
+      this.#ros.graph.removeEventListener("change", look);
       unsubscribe();
       cancelAnimationFrame(this.#frame);
       this.#frame = 0;

@@ -1,7 +1,6 @@
 // @ts-check
 // The tree of frames, who publishes each and how often, and the transform between two of them.
 
-import { subscribeOnceKnown } from "../messages/onceKnown.js";
 import { create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
@@ -53,18 +52,26 @@ export function mount(element, ros, { reference, frame }) {
   };
   ros.keep(element, { reference: "string", frame: "string" }, () => echo.kept(), (state) => echo.restore(state));
   const unlook = whileSeen(element, () => {
-    draw();
-    const timer = setInterval(draw, PERIOD);
+    /** @type {(() => void)[]} */
+    const ends = [];
     const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ message, /** @type {MessageInfo} */ info) => {
       for (const stamped of message.transforms) {
         transforms.add(stamped, fixed);
         sources.add(stamped, info);
       }
     };
-    const ends = [
-      subscribeOnceKnown(ros, "/tf", TF, take(false), { depth: 1000 }),
-      subscribeOnceKnown(ros, "/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
-    ];
+    const look = () => {
+      // A bag may bring the type later.
+      if (!ends.length && ros.types[TF]) {
+        ends.push(
+          ros.subscribe("/tf", TF, take(false), { depth: 1000 }),
+          ros.subscribe("/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
+        );
+      }
+      draw();
+    };
+    look();
+    const timer = setInterval(look, PERIOD);
     return () => {
       clearInterval(timer);
       for (const end of ends) end();

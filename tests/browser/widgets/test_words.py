@@ -14,10 +14,10 @@ from playwright.sync_api import expect
 from stage import add, chatter, show
 
 RUNTIME = ROOT / "sitegen/runtime"
-# say("…") or say('…'), also with several pieces: "…" + "…"; said("…") and Fault("…") in workers,
-# whose texts the page says
+# say("…") or say('…'), also with several pieces: "…" + "…"; said("…"), Fault("…") and Damage("…")
+# in workers, whose texts the page says
 SAID = re.compile(
-    r"""\b(?:say|said|Fault)\(\s*((?:"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')(?:\s*\+\s*"(?:[^"\\]|\\.)*")*)"""
+    r"""\b(?:say|said|Fault|Damage)\(\s*((?:"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*')(?:\s*\+\s*"(?:[^"\\]|\\.)*")*)"""
 )
 TRANSLATIONS = sorted((RUNTIME / "ui/words").glob("*.js"))
 

@@ -2,7 +2,6 @@
 // What a 3D view shows: the transforms between frames, the fixed frame, and the displays.
 
 import { Group } from "../../vendor/three.js";
-import { subscribeOnceKnown } from "../../messages/onceKnown.js";
 import { place } from "../../place.js";
 import { Transforms } from "../tf/transforms.js";
 import { infoOf } from "./displays/camera.js";
@@ -92,20 +91,16 @@ export class World {
   /** Take part in the graph until the returned function is called. @returns {() => void} */
   begin() {
     this.#seen = true;
+    let listens = false;
     const look = () => {
+      // A bag may bring the type later.
+      if (!listens && this.ros.types[TF]) this.#listen();
+      listens ||= Boolean(this.ros.types[TF]);
       if (this.#automatic) this.#offer();
       for (const shown of this.displays) shown.begin();
     };
     this.ros.graph.addEventListener("change", look);
-    const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ { transforms }) => {
-      for (const one of transforms) this.transforms.add(one, fixed);
-      this.redraw();
-    };
-    this.#ends.push(
-      () => this.ros.graph.removeEventListener("change", look),
-      subscribeOnceKnown(this.ros, "/tf", TF, take(false), { depth: 1000 }),
-      subscribeOnceKnown(this.ros, "/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
-    );
+    this.#ends.push(() => this.ros.graph.removeEventListener("change", look));
     look();
     this.redraw();
     return () => {
@@ -114,6 +109,17 @@ export class World {
       for (const shown of this.displays) shown.end();
       this.#stage.rest();
     };
+  }
+
+  #listen() {
+    const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ { transforms }) => {
+      for (const one of transforms) this.transforms.add(one, fixed);
+      this.redraw();
+    };
+    this.#ends.push(
+      this.ros.subscribe("/tf", TF, take(false), { depth: 1000 }),
+      this.ros.subscribe("/tf_static", TF, take(true), { depth: 1000, reliable: true, transientLocal: true }),
+    );
   }
 
   /** Choose the fixed frame. @param {string} frame */

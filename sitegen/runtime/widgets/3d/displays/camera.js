@@ -4,7 +4,6 @@
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Mesh, MeshBasicMaterial, SRGBColorSpace,
 } from "../../../vendor/three.js";
-import { subscribeOnceKnown } from "../../../messages/onceKnown.js";
 import { say } from "../../../ui/words.js";
 import { decode } from "../../image/decode.js";
 import { Lines, segments } from "../lines.js";
@@ -72,7 +71,8 @@ class Camera {
 
   begin() {
     const { ros } = this.#context;
-    this.#unsubscribe = subscribeOnceKnown(ros, this.#topic, INFO, (info) => {
+    if (!ros.types[INFO]) return;
+    this.#unsubscribe = ros.subscribe(this.#topic, INFO, (info) => {
       const same = this.#info && ["width", "height"].every((key) => this.#info[key] === info[key])
         && this.#info.k.every((/** @type {number} */ one, /** @type {number} */ index) => one === info.k[index]);
       this.#info = info;
