@@ -130,7 +130,10 @@ export class Bag {
     }
     if (track.why || !schema || schema.encoding !== "ros2msg" || types[type]) return track;
     try {
-      Object.assign(types, readDefinitions(type, new TextDecoder().decode(schema.data)), types);
+      // Recorders without the definition of a type write an empty one, too.
+      if (schema.data.length > 0 || type.endsWith("/Empty")) {
+        Object.assign(types, readDefinitions(type, new TextDecoder().decode(schema.data)), types);
+      }
     } catch (error) {
       // It can be played without.
       notes.push(saidOf(error));

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import importlib.util
 import io
@@ -80,7 +81,14 @@ def readable(path: Path) -> Path | None:
 
 
 def digest(file: Path) -> str:
-    """Return the digest of a file that may be larger than memory."""
+    """Return the digest of a file that may be large; it is read again only after a change."""
+    found = file.stat()
+    return _digest(file, found.st_mtime_ns, found.st_size)
+
+
+@functools.lru_cache(maxsize=256)
+def _digest(file: Path, time: int, size: int) -> str:
+    """Return the digest of a file, cached by its modification time and size."""
     with file.open("rb") as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()
 

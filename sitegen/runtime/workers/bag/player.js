@@ -106,8 +106,7 @@ export class Player {
     /** @type {{id: number, why: Said, differs?: boolean}[]} */
     const refused = [];
     for (const { id, topic, type, why } of tracks) {
-      // Recorders without the definition of a type wrote an empty one.
-      const differs = type in known && types[type]?.fields.length && !isSame(known, types, type);
+      const differs = type in known && type in types && !isSame(known, types, type);
       if (why) refused.push({ id, why });
       else if (differs) refused.push({ id, why: said("its type differs from the {} of this page", type), differs });
       else if (isChosen(topic, playing)) {
