@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import yaml
@@ -48,6 +49,36 @@ def load(text: str) -> Any:
         raise yaml.constructor.ConstructorError(None, None, str(error), node.start_mark) from None
     finally:
         loader.dispose()
+
+
+def events(text: str) -> list[yaml.Event]:
+    """Return the events of `text`, for readers with other rules than YAML's for values.
+
+    Raises: LimitError if it is too large or nested too deeply; another yaml.YAMLError if it is not
+    valid YAML.
+    """
+    if len(text) > LARGEST:
+        raise LimitError(problem=f"larger than {LARGEST // 1_000_000} MB")
+    if yaml.__with_libyaml__:
+        try:
+            return list(_shallow(yaml.parse(text, Loader=yaml.CSafeLoader)))
+        except LimitError:
+            raise
+        except yaml.YAMLError:
+            if len(text) > LARGEST_IN_PYTHON:
+                raise
+    return list(_shallow(yaml.parse(text, Loader=yaml.SafeLoader)))
+
+
+def _shallow(given: Iterable[yaml.Event]) -> Iterator[yaml.Event]:
+    depth = 0
+    for event in given:
+        depth += isinstance(event, yaml.CollectionStartEvent)
+        depth -= isinstance(event, yaml.CollectionEndEvent)
+        if depth > DEEPEST:
+            line = event.start_mark.line + 1 if event.start_mark else 1
+            raise LimitError(problem=f"nested too deeply in line {line}; flatten it")
+        yield event
 
 
 def _parsed(text: str) -> yaml.Node | None:

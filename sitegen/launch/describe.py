@@ -22,7 +22,7 @@ from sitegen.launch.describe_actions import (
     Described,
     Folder,
     Text,
-    Typed,
+    Valued,
     command,
     composable,
     configuration,
@@ -32,10 +32,11 @@ from sitegen.launch.describe_actions import (
     include,
     load,
     managed,
+    mapped,
     node,
+    parameter,
     share,
     text,
-    written,
 )
 
 GENERATE = "generate_launch_description"
@@ -83,7 +84,7 @@ ROS: dict[str, Any] = {
         "push_ros_namespace", namespace=namespace, condition=condition
     ),
     "SetParameter": lambda name, value, condition=None: Described(
-        "set_parameter", name=name, value=written(value), condition=condition
+        "set_parameter", name=name, given=mapped(value), condition=condition
     ),
     "SetRemap": lambda src, dst, condition=None: Described(
         "set_remap", condition=condition, **{"from": src, "to": dst}
@@ -94,15 +95,16 @@ ROS: dict[str, Any] = {
     "ExecutableInPackage": lambda executable, package, **_: Text(
         f"$(exec-in-pkg {text(executable)} {text(package)})"
     ),
-    "ParameterFile": lambda file, **_: Described("param", **{"from": file}),
-    "ParameterValue": lambda value, *, value_type=None: (
-        value if value_type is None else (Typed if value_type is str else Text)(text(value))
+    "Parameter": parameter,
+    "ParameterFile": lambda param_file, *, allow_substs=False: Described(
+        "param", allow_substs=allow_substs, **{"from": param_file}
     ),
+    "ParameterValue": Valued,
     "ComposableNode": composable,
     "ComposableNodeContainer": container,
     "LoadComposableNodes": load,
     "SetUseSimTime": lambda value, condition=None: Described(
-        "set_parameter", name="use_sim_time", value=value, condition=condition
+        "set_parameter", name="use_sim_time", given=mapped(value), condition=condition
     ),
 }
 ROS["PushROSNamespace"] = ROS["PushRosNamespace"]

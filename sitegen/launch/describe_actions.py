@@ -17,6 +17,18 @@ from sitegen.launch.xacro import printed
 RUN = SimpleNamespace(file="", folders={}, roots=[])
 
 
+# The names of types in launch files, by those of Python.
+TYPES = {
+    "None": "yaml",
+    **{str(kind): kind.__name__ for kind in (bool, int, float, str)},
+    **{
+        f"{form}[{kind.__name__}]": f"list_of_{kind.__name__}"
+        for kind in (bool, int, float, str)
+        for form in ("list", "typing.List")
+    },
+}
+
+
 class Text:
     """A substitution, written as in an XML launch file."""
 
@@ -39,15 +51,22 @@ class Folder(Text):
         return share(package)
 
 
-class Typed(Text):
-    """The value of a parameter that is a string even if it looks like a number."""
+class Valued:
+    """The value of a parameter with the name of its type in launch files."""
+
+    def __init__(self, value: Any, *, value_type: Any = None) -> None:
+        self.value = value
+        self.type = TYPES.get(str(value_type), f"{value_type}")
 
 
 class Described:
     """An action in the form of sitegen/launch/tree.py."""
 
-    def __init__(self, kind: str, inside: Iterable[Any] = (), **attributes: Any) -> None:
+    def __init__(
+        self, kind: str, inside: Iterable[Any] = (), *, given: Any = None, **attributes: Any
+    ) -> None:
         self.kind = kind
+        self.given = given
         self.inside = list(inside)
         condition = attributes.pop("condition", None)
         given = {name: value for name, value in attributes.items() if value is not None}
@@ -75,6 +94,7 @@ class Described:
             "attributes": self.attributes,
             "line": self.line,
             "inside": inside,
+            "value": self.given,
         }
 
 
@@ -131,13 +151,42 @@ def text(value: Any) -> str:
     raise TypeError(f"{type(value).__name__} is not supported in the browser")
 
 
-def written(value: Any) -> str:
-    """Return the value of a parameter as YAML."""
-    if isinstance(value, str):
-        return "'" + value.replace("'", "''") + "'"
-    if isinstance(value, (list, tuple)) and not any(isinstance(part, Text) for part in value):
-        return f"[{', '.join(written(part) for part in value)}]"
-    return text(value)
+def exact(value: Any) -> Any:
+    """Return one value of ParameterValue for JSON: a substitution is a text."""
+    if isinstance(value, (bool, int, float)):
+        return value
+    return {"string": value} if isinstance(value, str) else text(value)
+
+
+def valued(value: Any) -> Any:
+    """Return the value of ParameterValue for JSON."""
+    if not isinstance(value, (list, tuple)) or _is_one_text(value):
+        return exact(value)
+    if any(isinstance(part, float) for part in value):
+        value = [float(part) if type(part) is int else part for part in value]
+    for part in value:
+        if isinstance(part, (list, tuple)) and not _is_one_text(part):
+            raise TypeError(f"{part} is neither a scalar nor a substitution")
+    return [exact(part) for part in value]
+
+
+def mapped(value: Any) -> Any:
+    """Return a value of a mapping of parameters for JSON."""
+    if not isinstance(value, (list, tuple)) or _is_one_text(value):
+        return exact(value)
+    kinds = {type(part) for part in value}
+    if kinds == {int, float}:
+        return [float(part) for part in value]
+    # In a list of mixed types, launch_ros makes strings of the values and reads them again.
+    return [exact(part) for part in value]
+
+
+def _is_one_text(value: Iterable[Any]) -> bool:
+    """Return whether a list of substitutions and strings is one text, as in launch."""
+    parts = list(value)
+    return any(isinstance(part, Text) for part in parts) and all(
+        isinstance(part, (Text, str)) for part in parts
+    )
 
 
 def share(package: str, *_: Any) -> str:
@@ -165,10 +214,20 @@ def values(above: str, given: Mapping[Any, Any]) -> Iterable[Described]:
     for name, value in given.items():
         if isinstance(value, Mapping):
             yield from values(f"{above}{text(name)}.", value)
-        elif isinstance(value, Typed):
-            yield Described("param", name=f"{above}{text(name)}", value=value, type="str")
+        elif isinstance(value, Valued):
+            yield parameter(f"{above}{text(name)}", value.value, value_type=value.type)
         else:
-            yield Described("param", name=f"{above}{text(name)}", value=written(value))
+            yield Described("parameter", name=f"{above}{text(name)}", given=mapped(value))
+
+
+def parameter(name: Any, value: Any, *, value_type: Any = None) -> Described:
+    """Stand in for Parameter, a parameter whose value has a type."""
+    kind = TYPES.get(str(value_type), str(value_type))
+    given = valued(value)
+    found = {type(item).__name__ for item in given} if isinstance(given, list) else set()
+    if kind.startswith("list_of_") and found & {"bool", "int", "float"} - {kind[8:]}:
+        raise TypeError(f"expected a list of '{kind[8:]}', found {' and '.join(sorted(found))}")
+    return Described("param", name=name, type=kind, given=given)
 
 
 def node(

@@ -11,11 +11,13 @@ from pathlib import Path
 from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import commandline, processes, python, windows, without, xacro, xml, yaml
 from sitegen.launch.names import joined, numbered
+from sitegen.launch.parameters import Parameters
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.launch.windows import Window
 from sitegen.model import Component, Container, Node, Package
+from sitegen.rclyaml import Overrides, Value
 from sitegen.workspace import containers, parameterfiles
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
@@ -31,18 +33,18 @@ class Scope:
     variables: dict[str, str]
     namespace: str = ""
     remaps: dict[str, str] = field(default_factory=dict)
-    parameters: dict[str, str] = field(default_factory=dict)
+    parameters: list[tuple[str, Value]] = field(default_factory=list)
     depth: int = 0
     # The functions of the launch file that led to the current actions.
     calls: tuple[python.Call, ...] = ()
 
     def inner(self) -> Scope:
-        """Return a scope whose changes do not affect the outer one."""
+        """Return the scope of a group: as in launch_ros, what is added to rules does not end."""
         return replace(
             self,
             variables=dict(self.variables),
-            remaps=dict(self.remaps),
-            parameters=dict(self.parameters),
+            remaps=self.remaps or {},
+            parameters=self.parameters or [],
         )
 
 
@@ -180,28 +182,30 @@ class _Launch:
         self._all(action.inside, scope.inner() if scoped else scope)
 
     def _include(self, action: Action, scope: Scope) -> None:
-        inner = scope.inner()
+        """Evaluate a file in the scope of this one: only groups have a scope of their own."""
         file = Path(self._needed(action, "file", scope))
-        inner.file = file.resolve() if file.is_absolute() else file
-        inner.depth += 1
-        inner.calls = ()
         for given in action.of_kind("arg", "let"):
             name = self._needed(given, "name", scope)
-            inner.variables[name] = self._needed(given, "value", scope)
+            scope.variables[name] = self._needed(given, "value", scope)
+        resolved = file.resolve() if file.is_absolute() else file
+        inner = replace(scope, file=resolved, depth=scope.depth + 1, calls=())
         self.file(inner, action.location)
+        scope.namespace = inner.namespace
 
     def _push(self, action: Action, scope: Scope) -> None:
         scope.namespace = joined(scope.namespace, self._needed(action, "namespace", scope))
 
     def _set_parameter(self, action: Action, scope: Scope) -> None:
         name = self._needed(action, "name", scope)
-        scope.parameters[name] = self._needed(action, "value", scope)
+        scope.parameters.append((name, self._parameters(scope).value(action)))
 
     def _set_remap(self, action: Action, scope: Scope) -> None:
-        scope.remaps[self._needed(action, "from", scope)] = self._needed(action, "to", scope)
+        # Of two rules for one name, the first counts.
+        old, new = self._needed(action, "from", scope), self._needed(action, "to", scope)
+        scope.remaps.setdefault(old, new)
 
     def _set_use_sim_time(self, action: Action, scope: Scope) -> None:
-        scope.parameters["use_sim_time"] = self._needed(action, "value", scope)
+        scope.parameters.append(("use_sim_time", self._parameters(scope).value(action)))
 
     def _timer(self, action: Action, scope: Scope) -> None:
         start = f"these nodes start at once, not after {self._needed(action, 'period', scope)} s"
@@ -265,14 +269,15 @@ class _Launch:
         name = own or executable
         taken = {node.name for node in self.nodes}
         number = next(n for n in range(1, len(taken) + 2) if numbered(name, n) not in taken)
+        namespace = joined(scope.namespace, self._text(action, "namespace", scope))
         node = Node(
             name=numbered(name, number),
             package=self._needed(action, "pkg", scope),
             executable=executable,
             location=action.location,
-            namespace=joined(scope.namespace, self._text(action, "namespace", scope)),
+            namespace=namespace,
             remap={**({"__node": own} if own else {}), **self._remaps(action, scope)},
-            parameters=self._values(action, scope),
+            parameters=self._values(action, scope, namespace),
             arguments=tuple(on_page(word, self._folders) for word in words),
         )
         self.nodes.append(node)
@@ -305,7 +310,7 @@ class _Launch:
             namespace = joined(scope.namespace, self._text(each, "namespace", scope))
             rules = {"__node": own, "__ns": namespace, **self._remaps(each, scope)}
             words = [w for old, new in rules.items() if new for w in ("-r", f"{old}:={new}")]
-            for parameter, value in self._values(each, scope).items():
+            for parameter, value in self._values(each, scope, namespace).items():
                 words += ["-p", f"{parameter}:={value}"]
             loaded.append(
                 Component(
@@ -333,35 +338,27 @@ class _Launch:
     def _remaps(self, action: Action, scope: Scope) -> dict[str, str]:
         remaps = dict(scope.remaps)
         for remap in action.of_kind("remap"):
-            remaps[self._needed(remap, "from", scope)] = self._needed(remap, "to", scope)
+            remaps.setdefault(*(self._needed(remap, key, scope) for key in ("from", "to")))
         return remaps
 
-    def _values(self, action: Action, scope: Scope) -> dict[str, str]:
-        values = dict(scope.parameters)
-        for parameter in action.of_kind("param"):
-            parameterfiles.merge(values, self._parameters(parameter, scope, ""))
-        return {name: on_page(value, self._folders) for name, value in values.items()}
+    def _values(self, action: Action, scope: Scope, namespace: str) -> dict[str, str]:
+        name = self._text(action, "name", scope)
+        full = f"{namespace.removesuffix('/')}/{name}" if namespace and name else ""
+        parameters, everyones = self._parameters(scope), scope.parameters
+        if action.kind == "composable_node":
+            rules = parameters.of_component(action, everyones, f"{namespace}/{name}")
+        else:
+            rules = parameters.of_node(action, everyones, full)
+        return {name: on_page(value, self._folders) for name, value in rules.items()}
 
-    def _parameters(self, action: Action, scope: Scope, above: str) -> dict[str, str]:
-        if "from" in action.attributes:
-            return self._file(self._text(action, "from", scope))
-        name = f"{above}{self._needed(action, 'name', scope)}"
-        if "value" in action.attributes:
-            value = self._text(action, "value", scope)
-            # The description of a robot is always a string, even if it is valid YAML.
-            if action.attributes.get("type") == "str" or value.lstrip().startswith("<"):
-                value = "'" + value.replace("'", "''") + "'"
-            return {name: value}
-        found: dict[str, str] = {}
-        for inner in action.of_kind("param"):
-            found |= self._parameters(inner, scope, f"{name}.")
-        return found
+    def _parameters(self, scope: Scope) -> Parameters:
+        return Parameters(lambda text: self._expanded(text, scope), self._file)
 
-    def _file(self, name: str) -> dict[str, str]:
+    def _file(self, name: str) -> Path:
         file = Path(name)
         if not file.resolve().is_relative_to(self._problems.root) or not file.is_file():
             raise ValueError(f"no file '{file}' below the folder of site.yaml")
-        return parameterfiles.read(file)
+        return file
 
     def _words(self, action: Action, name: str, scope: Scope) -> list[str]:
         """Return a command line with the contents of parameter files in place of the files."""
@@ -372,7 +369,9 @@ class _Launch:
             if word != parameterfiles.OPTION:
                 found.append(word)
                 continue
-            for name, value in self._file(next(waiting, "")).items():
+            given = Overrides()
+            parameterfiles.add(given, self._file(next(waiting, "")))
+            for name, value in parameterfiles.rules(given).items():
                 found += ["-p", f"{name}:={value}"]
         return found
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.errors import Location
-from sitegen.launch.tree import Action, UnreadableError
+from sitegen.launch.tree import Action, Exact, UnreadableError
 
 DESCRIBE = Path(__file__).with_name("describe.py")
 # Describing nodes takes a moment; a launch file that waits for something is not supported (s).
@@ -56,4 +56,11 @@ def read(
 
 def _action(file: Path, given: Mapping[str, Any]) -> Action:
     inside = [_action(file, each) for each in given["inside"]]
-    return Action(given["kind"], dict(given["attributes"]), Location(file, given["line"]), inside)
+    attributes, location = dict(given["attributes"]), Location(file, given["line"])
+    return Action(given["kind"], attributes, location, inside, _value(given["value"]))
+
+
+def _value(given: Any) -> Any:
+    if isinstance(given, list):
+        return [_value(item) for item in given]
+    return Exact(given["string"]) if isinstance(given, dict) else given

@@ -9,13 +9,28 @@ from sitegen.errors import Location
 
 
 @dataclass(frozen=True)
+class Exact:
+    """A string in which nothing is expanded."""
+
+    text: str
+
+
+# The value of a parameter as YAML and Python files give it; `str` is text with substitutions.
+Given = bool | int | float | str | Exact | list["Given"]
+
+
+@dataclass(frozen=True)
 class Action:
-    """An action like `node` or `group`: its attributes as text, and the actions inside it."""
+    """An action like `node` or `group`: its attributes as text, and the actions inside it.
+
+    `value` is that of a parameter, if the file gives it a type.
+    """
 
     kind: str
     attributes: dict[str, str]
     location: Location
     inside: list[Action] = field(default_factory=list)
+    value: Given | None = None
 
     def of_kind(self, *kinds: str) -> Iterator[Action]:
         """Yield the actions inside it that are of one of these kinds."""

@@ -7,7 +7,7 @@ from pathlib import Path
 import yaml
 
 from sitegen.errors import Location
-from sitegen.launch.tree import Action, UnreadableError
+from sitegen.launch.tree import Action, Exact, Given, UnreadableError
 from sitegen.yamlnodes import compose
 
 # Keys of actions that hold a list of what are nested actions in XML.
@@ -50,9 +50,10 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
         return Action(kind, {}, location, _actions(file, node))
     attributes: dict[str, str] = {}
     inside: list[Action] = []
+    given = None
     for name, value in _pairs(file, node).items():
         if kind == "param" and name == "value":
-            attributes[name] = _written(file, value)
+            given = _given(file, value)
         elif isinstance(value, yaml.ScalarNode):
             attributes[name.replace("-", "_")] = value.value
         elif name in PARTS:
@@ -61,16 +62,22 @@ def _action(file: Path, kind: str, node: yaml.Node) -> Action:
             inside += _actions(file, value)
         else:
             raise UnreadableError(_location(file, value), f"'{name}' of '{kind}' must be a string")
-    return Action(kind, attributes, location, inside)
+    if attributes.get("type", "").startswith("list_of_") and not isinstance(given, list):
+        raise UnreadableError(
+            location, f"'value' is not a list, but of type '{attributes['type']}'"
+        )
+    return Action(kind, attributes, location, inside, given)
 
 
-def _written(file: Path, node: yaml.Node) -> str:
-    """Return the value of a parameter as YAML: a string that looks like a number becomes one."""
-    if isinstance(node, yaml.ScalarNode):
-        # The value of a substitution has the type that it looks like.
-        quoted = node.style in ("'", '"') and "$(" not in node.value
-        return "'" + node.value.replace("'", "''") + "'" if quoted else str(node.value)
-    return f"[{', '.join(_written(file, item) for item in _items(file, node))}]"
+def _given(file: Path, node: yaml.Node) -> Given:
+    """Return the value of a parameter, which has the type that YAML 1.1 gives it."""
+    if isinstance(node, yaml.SequenceNode):
+        return [_given(file, item) for item in node.value]
+    value = yaml.SafeLoader("").construct_document(node)
+    if not isinstance(value, (bool, int, float, str)):
+        message = "expected a boolean, a number, a string or a list of these"
+        raise UnreadableError(_location(file, node), message)
+    return Exact(value) if isinstance(value, str) and "$(" not in value else value
 
 
 def _items(file: Path, node: yaml.Node) -> list[yaml.Node]:

@@ -2,89 +2,54 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import yaml
 
 from sitegen import yamlnodes
+from sitegen.rclyaml import EVERYWHERE, Overrides, ParameterError, matches, written
 
-VALUES = "ros__parameters"
 OPTION = "--params-file"
 
 
-def read(file: Path) -> dict[str, str]:
-    """Return the parameters of a file as YAML text, by `pattern:name`; of two, the last counts.
-
-    The pattern says which nodes the parameter is for: `/arm/left`, `/**`.
+def add(overrides: Overrides, file: Path, expanded: Callable[[str], str] = str) -> None:
+    """Add the parameters of `file` to `overrides`; `expanded` may change the text before.
 
     Raises: ValueError if the file cannot be read.
     """
     try:
-        given = yamlnodes.load(file.read_text(encoding="utf-8")) or {}
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"'{file.name}' cannot be read: {error}") from None
+        overrides.file(yamlnodes.events(expanded(text(file))))
+    except ParameterError as error:
+        raise ValueError(f"'{file.name}' (line {error.line}): {error}") from None
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = f" (line {mark.line + 1})" if mark else ""
         what = getattr(error, "problem", None) or str(error)
         raise ValueError(f"'{file.name}' is not valid YAML{line}: {what}") from None
-    if not isinstance(given, Mapping):
-        raise ValueError(f"'{file.name}' has no parameters; start with the name of a node")
-    found: dict[str, str] = {}
-    for pattern, values in _sections("", given):
-        if not isinstance(values, Mapping):
-            raise ValueError(f"'{file.name}': '{VALUES}' of '{pattern}' has no parameters")
-        merge(found, {f"{pattern}:{name}": written(value) for name, value in _flat("", values)})
-    return found
 
 
-def merge(parameters: dict[str, str], more: Mapping[str, str]) -> None:
-    """Add the parameters `more` to `parameters`; they take precedence over all that are there."""
-    for name, value in more.items():
-        parameters.pop(name, None)
-        parameters[name] = value
+def text(file: Path) -> str:
+    """Return the text of a parameter file.
 
-
-def written(value: Any) -> str:
-    """Return a value as one line of YAML."""
-    if isinstance(value, str):
-        return value if _is_plain(value) else _quoted(value)
-    if isinstance(value, list):
-        items = (_quoted(each) if isinstance(each, str) else written(each) for each in value)
-        return f"[{', '.join(items)}]"
-    return str(yaml.safe_dump(value, default_flow_style=True)).partition("\n...")[0].strip()
-
-
-def _quoted(text: str) -> str:
-    if text.isprintable():
-        return "'" + text.replace("'", "''") + "'"
-    # In double quotes, line ends are escaped: in single quotes, they would become spaces.
-    return str(yaml.safe_dump(text, default_style='"', width=math.inf, allow_unicode=True)).strip()
-
-
-def _is_plain(text: str) -> bool:
-    """Return whether `text` without quotes is a string with this value."""
+    Raises: ValueError if it cannot be read.
+    """
     try:
-        return bool(yamlnodes.load(text) == text)
-    except yaml.YAMLError:
-        return False
+        return file.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"'{file.name}' cannot be read: {error}") from None
 
 
-def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    for key, value in part.items():
-        name = f"{path}/{str(key).strip('/')}"
-        if isinstance(value, Mapping) and VALUES in value:
-            yield name, value[VALUES] or {}
-        elif isinstance(value, Mapping):
-            yield from _sections(name, value)
+def rules(overrides: Overrides, full_name: str = "") -> dict[str, str]:
+    """Return parameters as the names and values of `-p name:=value`.
 
-
-def _flat(prefix: str, values: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    for key, value in values.items():
-        if isinstance(value, Mapping):
-            yield from _flat(f"{prefix}{key}.", value)
-        else:
-            yield f"{prefix}{key}", value
+    They are those of the node `full_name`. If that is not known, a name begins with the pattern of
+    the nodes that it is for, unless it is for all: `/arm/left:speed`.
+    """
+    if full_name:
+        meant = (one for one in overrides if matches(one.pattern, full_name))
+        return {one.name: written(one.value) for one in meant}
+    return {
+        name if pattern == EVERYWHERE else f"/{pattern.lstrip('/')}:{name}": written(value)
+        for pattern, name, value in overrides
+    }

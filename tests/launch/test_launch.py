@@ -22,11 +22,10 @@ def test_nodes_are_those_that_ros_would_start(kind: str) -> None:
     assert wrong == []
     assert {node.name: " ".join(node.command_line()) for node in found} == {
         "first": "--mood very good --ros-args -r __node:=first -r chatter:=/shared "
-        "-p greeting:=Hello blue -p limits.top:=2.5",
+        "-p greeting:='Hello blue' -p limits.top:=2.5",
         "second": "--ros-args -r __node:=second -r __ns:=/blue/left -p number:=7 "
-        "-p /**:everybody:=true -p /blue/left/second:greeting:=it's me "
-        "-p /blue/left/second:limits.top:=3.0 -p /blue/left/second:limits.low:=[1.0, 2.0] "
-        "-p /nobody:greeting:=false",
+        "-p everybody:=true -p greeting:='it''s me' -p limits.top:=3.0 "
+        "-p limits.low:=[1.0, 2.0]",
         "blue_fan": "--ros-args -r __node:=blue_fan -r chatter:=other -r __ns:=/blue/deep "
         "-p number:=7 -p list:=[1, 2] -p flag:=true",
         "last": "--ros-args -r __node:=last -r __ns:=/blue -p number:=7",

@@ -15,6 +15,8 @@ from collections.abc import Iterator, Mapping
 from sitegen.shipped import CLIENTS, ROS
 
 CLIENT = CLIENTS / "python"
+# The module that reads parameters, at build time and in pages.
+RCL_YAML = CLIENTS.parent / "rclyaml.py"
 PAGE = ROS / "page"
 # By a digest of the module and its path: a module that has changed has no bytecode.
 STORE = ROS / "bytecode.zip"
@@ -42,13 +44,16 @@ def brought() -> Iterator[tuple[str, bytes]]:
         name = file.relative_to(CLIENT).as_posix()
         name = f"rclpy/{name}" if name == "_rclpy_pybind11.py" else name
         yield f"python/{name}", file.read_bytes()
+    yield f"python/sitegen/{RCL_YAML.name}", RCL_YAML.read_bytes()
 
 
 def modules() -> list[str]:
     """Return the names of these modules, without the modules nested in them."""
-    return [file.name for folder in (PAGE, CLIENT) for file in folder.iterdir()] + [
-        name.split("/")[0] for name in SHARED
-    ]
+    return (
+        ["sitegen"]
+        + [file.name for folder in (PAGE, CLIENT) for file in folder.iterdir()]
+        + [name.split("/")[0] for name in SHARED]
+    )
 
 
 def with_our_numpy(module: bytes) -> bytes:

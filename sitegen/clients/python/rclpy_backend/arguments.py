@@ -5,10 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import NamedTuple, Never
+
+import yaml
 
 from rclpy_backend.enums import RCUTILS_LOG_SEVERITY
 from rclpy_backend.errors import RCLError, UnknownROSArgsError
+from sitegen.rclyaml import EVERYWHERE, Overrides, ParameterError
 
 REMAP = re.compile(
     r"(?:(?P<node>\w+):(?![=/]))?(?:(?P<kind>rostopic|rosservice)://)?(?P<old>[^:=]+):=(?P<new>.+)"
@@ -24,6 +28,7 @@ UNUSED = {"-e", "--enclave", "--log-config-file", "--log-file-name"}
 NAMES = {
     ("-r", "--remap"): "remap rule",
     ("-p", "--param"): "parameter override rule",
+    ("--params-file",): "params file",
     ("--log-level",): "log level",
 }
 
@@ -37,20 +42,12 @@ class Remap(NamedTuple):
     new: str
 
 
-class Override(NamedTuple):
-    """A parameter override, as YAML; `node` is a name or a pattern, or empty for all nodes."""
-
-    node: str
-    name: str
-    value: str
-
-
 @dataclass
 class Arguments:
-    """Parsed arguments; `parameters` has overrides and the names of parameter files."""
+    """Parsed arguments."""
 
     remaps: list[Remap] = field(default_factory=list)
-    parameters: list[Override | str] = field(default_factory=list)
+    parameters: Overrides = field(default_factory=Overrides)
     log_levels: dict[str, int] = field(default_factory=dict)
     others: list[str] = field(default_factory=list)
 
@@ -76,7 +73,7 @@ def parse(words: Sequence[str]) -> Arguments:
             ros = False
         elif word in FLAGS:
             continue
-        elif word in UNUSED or word == "--params-file" or any(word in names for names in NAMES):
+        elif word in UNUSED or any(word in names for names in NAMES):
             if not waiting:
                 raise RCLError(f"failed to initialize rcl: Couldn't parse trailing {word} flag.")
             _take(found, word, waiting.pop(0))
@@ -94,9 +91,16 @@ def _take(found: Arguments, option: str, text: str) -> None:
         found.remaps.append(Remap(rule["node"] or "", kind, rule["old"], rule["new"]))
     elif option in ("-p", "--param"):
         given = PARAMETER.fullmatch(text) or _fail(option, text)
-        found.parameters.append(Override(given["node"] or "", given["name"], given["value"]))
+        try:
+            found.parameters.add(given["name"], given["value"], given["node"] or EVERYWHERE)
+        except (ParameterError, yaml.YAMLError) as error:
+            _fail(option, text, error)
     elif option == "--params-file":
-        found.parameters.append(text)
+        try:
+            content = Path(text).read_text(encoding="utf-8-sig")
+            found.parameters.file(yaml.parse(content, Loader=yaml.SafeLoader))
+        except (OSError, ValueError, yaml.YAMLError) as error:
+            _fail(option, text, error)
     elif option == "--log-level":
         logger, _, level = text.rpartition(":=")
         severity = severities().get(level.upper())
@@ -105,9 +109,11 @@ def _take(found: Arguments, option: str, text: str) -> None:
         found.log_levels[logger] = severity
 
 
-def _fail(option: str, text: str) -> Never:
+def _fail(option: str, text: str, error: Exception | None = None) -> Never:
     what = next(name for options, name in NAMES.items() if option in options)
-    raise RCLError(f"failed to initialize rcl: Couldn't parse {what}: '{option} {text}'.")
+    where = f", at line {error.line}" if isinstance(error, ParameterError) else ""
+    why = f" Error: {error}{where}" if error else ""
+    raise RCLError(f"failed to initialize rcl: Couldn't parse {what}: '{option} {text}'.{why}")
 
 
 def severities() -> dict[str, int]:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import ros_host
-import yaml
 
 from rclpy_backend import log, names
-from rclpy_backend.arguments import Arguments, Override, parse
+from rclpy_backend.arguments import parse
 from rclpy_backend.endpoint import create
 from rclpy_backend.errors import RCLError
 from rclpy_backend.graph import GraphQueries
 from rclpy_backend.handles import Context, Destroyable
 from rclpy_backend.qos import rmw_qos_profile_t
+from sitegen.rclyaml import matches
 
 if TYPE_CHECKING:
     from rclpy.parameter import Parameter
@@ -103,44 +101,7 @@ class Node(Destroyable, GraphQueries):
         self, pyparamter_cls: Callable[..., Parameter[Any]]
     ) -> dict[str, Parameter[Any]]:
         """Return the parameter overrides; those of the node precede those of its context."""
-        values: dict[str, Any] = {}
-        for arguments in reversed(self._arguments):
-            values |= self._values(arguments)
+        given = (one for arguments in reversed(self._arguments) for one in arguments.parameters)
+        full = self.get_fully_qualified_name()
+        values = {one.name: one.value for one in given if matches(one.pattern, full)}
         return {name: pyparamter_cls(name, value=value) for name, value in values.items()}
-
-    def _values(self, arguments: Arguments) -> dict[str, Any]:
-        values: dict[str, Any] = {}
-        for given in arguments.parameters:
-            if not isinstance(given, Override):
-                text = Path(given).read_text(encoding="utf-8")
-                for node, parameters in _sections("", yaml.safe_load(text) or {}):
-                    if self._is_meant(node):
-                        values |= dict(_flat("", parameters))
-            elif not given.node or self._is_meant(given.node):
-                values[given.name] = yaml.safe_load(given.value)
-        return values
-
-    def _is_meant(self, pattern: str) -> bool:
-        """Return whether a name or a pattern with * and ** matches this node."""
-        if pattern == self._name:
-            return True
-        parts = re.escape(f"/{pattern.lstrip('/')}").replace(r"/\*\*", "(/.*)?")
-        return bool(re.fullmatch(parts.replace(r"\*", "[^/]+"), self.get_fully_qualified_name()))
-
-
-def _sections(path: str, part: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    """Yield the nodes of a parameter file with their parameters."""
-    for key, value in part.items():
-        name = f"{path}/{key.strip('/')}"
-        if isinstance(value, Mapping) and "ros__parameters" in value:
-            yield name, value["ros__parameters"] or {}
-        elif isinstance(value, Mapping):
-            yield from _sections(name, value)
-
-
-def _flat(prefix: str, parameters: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
-    for key, value in parameters.items():
-        if isinstance(value, Mapping):
-            yield from _flat(f"{prefix}{key}.", value)
-        else:
-            yield f"{prefix}{key}", value

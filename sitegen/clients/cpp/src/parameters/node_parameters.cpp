@@ -7,7 +7,7 @@
 #include "rclcpp/clock.hpp"
 #include "rclcpp/detail/node_parameters.hpp"
 #include "rclcpp/detail/parameter_services.hpp"
-#include "rclcpp/detail/parameter_text.hpp"
+#include "parameter_overrides.hpp"
 
 namespace rclcpp
 {
@@ -129,12 +129,7 @@ NodeParametersInterface::NodeParametersInterface(
   NodeBaseInterface::SharedPtr node, const NodeOptions & options)
 : node_(std::move(node)), allow_undeclared_(options.allow_undeclared_parameters())
 {
-  for (const auto & rule : node_->arguments().parameters) {
-    const bool applies = detail::applies_to(
-      rule.node, node_->get_name(), node_->get_fully_qualified_name());
-    // The first override takes precedence; those of the node come before those of the program.
-    if (applies) {overrides_.emplace(rule.name, detail::parse_parameter(rule.value));}
-  }
+  overrides_ = detail::overrides_of(node_->arguments(), node_->get_fully_qualified_name());
   for (const auto & parameter : options.parameter_overrides()) {
     overrides_[parameter.get_name()] = parameter.get_parameter_value();
   }

@@ -17,7 +17,7 @@ std::string node_name(const std::string & rule, const char * node_fqn)
 {
   const std::string name = rule.rfind('/', 0) == 0 ? rule : "/" + rule;
   if (!node_fqn) {return name;}
-  return detail::applies_to(name, node_fqn, node_fqn) ? node_fqn : "";
+  return detail::applies_to(name, node_fqn) ? node_fqn : "";
 }
 
 template<class T, class ArrayT>

@@ -1,10 +1,10 @@
 #include "rclcpp/detail/parameter_text.hpp"
 
 #include <cerrno>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <stdexcept>
+
+#include "yaml_text.hpp"
 
 namespace rclcpp
 {
@@ -14,13 +14,6 @@ namespace detail
 namespace
 {
 
-std::string trim(const std::string & text)
-{
-  const auto begin = text.find_first_not_of(" \t\n");
-  if (begin == std::string::npos) {return "";}
-  return text.substr(begin, text.find_last_not_of(" \t\n") - begin + 1);
-}
-
 bool is_one_of(const std::string & text, std::initializer_list<const char *> words)
 {
   for (const char * word : words) {
@@ -29,46 +22,18 @@ bool is_one_of(const std::string & text, std::initializer_list<const char *> wor
   return false;
 }
 
-/// The value of a quoted YAML scalar.
-std::string unquote(const std::string & text)
+/// Read a scalar, which ends at one of `ends` if it has no quotes.
+ParameterValue scalar(YamlText & text, const char * ends)
 {
-  std::string result;
-  const char quote = text[0];
-  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
-    const bool escaped = quote == '"' ? text[i] == '\\' : text[i] == '\'' && text[i + 1] == '\'';
-    if (escaped && i + 2 < text.size()) {++i;}
-    const char c = text[i];
-    result += quote == '"' && escaped && c == 'n' ? '\n' : quote == '"' && escaped && c == 't' ?
-      '\t' : c;
+  bool is_text = false;
+  while (text.looks_at_one_of("!&")) {
+    is_text = text.word() == "!!str" || is_text;
+    text.skip_blanks();
   }
-  return result;
-}
-
-std::vector<std::string> split(const std::string & text)
-{
-  std::vector<std::string> parts(1);
-  char quote = 0;
-  for (const char c : text) {
-    if (quote) {
-      quote = c == quote ? 0 : quote;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == ',') {
-      parts.emplace_back();
-      continue;
-    }
-    parts.back() += c;
-  }
-  for (auto & part : parts) {part = trim(part);}
-  if (parts.back().empty()) {parts.pop_back();}  // an empty list, or a trailing comma
-  return parts;
-}
-
-ParameterValue parse_one(const std::string & text)
-{
-  const bool is_quoted = text.size() > 1 && (text[0] == '"' || text[0] == '\'') &&
-    text.back() == text[0];
-  return is_quoted ? ParameterValue(unquote(text)) : parse_scalar(text);
+  if (text.looks_at_one_of("\"'")) {return ParameterValue(text.quoted());}
+  const std::string plain = text.plain(ends);
+  if (plain.empty()) {text.fail();}
+  return is_text ? ParameterValue(plain) : parse_scalar(plain);
 }
 
 template<class T>
@@ -79,14 +44,23 @@ ParameterValue vector_of(const std::vector<ParameterValue> & values)
   return ParameterValue(result);
 }
 
-ParameterValue parse_list(const std::string & text)
+ParameterValue list(YamlText & text)
 {
   std::vector<ParameterValue> values;
-  for (const auto & part : split(text)) {values.push_back(parse_one(part));}
+  for (text.skip(), text.seek(); text.look() != ']'; text.seek()) {
+    values.push_back(scalar(text, ",[]{}"));
+    text.seek();
+    if (text.look() == ',') {
+      text.skip();
+    } else if (text.look() != ']') {
+      text.fail();
+    }
+  }
+  text.skip();
   try {
     return array_of(values);
   } catch (const ParameterTypeException &) {
-    throw std::invalid_argument("Sequence should be of same type: [" + text + "]");
+    throw std::invalid_argument("Sequence should be of same type");
   }
 }
 
@@ -113,31 +87,32 @@ ParameterValue parse_scalar(const std::string & text)
   {
     return ParameterValue(false);
   }
+  // The C library of Emscripten takes "0x" for a number.
+  if (text.empty() || text.back() == 'x' || text.back() == 'X') {return ParameterValue(text);}
   char * end;
   errno = 0;
   const long long integer = std::strtoll(text.c_str(), &end, 0);
-  if (!text.empty() && !*end && !errno) {return ParameterValue(std::int64_t{integer});}
-  if (is_one_of(text, {".nan", ".NaN", ".NAN"})) {
-    return ParameterValue(std::numeric_limits<double>::quiet_NaN());
-  }
-  if (is_one_of(text, {".inf", "+.inf", ".Inf", ".INF"})) {return ParameterValue(HUGE_VAL);}
-  if (is_one_of(text, {"-.inf", "-.Inf", "-.INF"})) {return ParameterValue(-HUGE_VAL);}
-  const bool number = text.find_first_not_of("0123456789+-.eE") == std::string::npos;
-  const double value = std::strtod(text.c_str(), &end);
-  if (number && !text.empty() && !*end) {return ParameterValue(value);}
+  if (!*end && !errno) {return ParameterValue(std::int64_t{integer});}
+  const bool is_special = is_one_of(
+    text, {".inf", "+.inf", "-.inf", ".Inf", "+.Inf", "-.Inf", ".INF", "+.INF", "-.INF", ".nan",
+      ".NaN", ".NAN"});
+  std::string number = text;
+  if (is_special) {number.erase(number.find('.'), 1);}
+  errno = 0;
+  const double value = std::strtod(number.c_str(), &end);
+  if (!*end && !errno) {return ParameterValue(value);}
   return ParameterValue(text);
 }
 
-ParameterValue parse_parameter(const std::string & text)
+ParameterValue parse_parameter(const std::string & value)
 {
-  const std::string value = trim(text);
-  if (!value.empty() && value[0] == '[' && value.back() == ']') {
-    return parse_list(value.substr(1, value.size() - 2));
-  }
-  if (!value.empty() && (value[0] == '{' || value[0] == '[')) {
-    throw std::invalid_argument("Couldn't parse parameter value: '" + text + "'");
-  }
-  return parse_one(value);
+  YamlText text(value);
+  text.seek();
+  const bool is_list = text.look() == '[';
+  ParameterValue parsed = is_list ? list(text) : scalar(text, "");
+  text.seek();
+  if (text.look()) {text.fail();}
+  return parsed;
 }
 
 }  // namespace detail

@@ -64,9 +64,8 @@ bool parse_parameter_rule(const std::string & text, Arguments & arguments)
   const auto colon = name.find(':');
   std::string node = colon == std::string::npos ? "" : name.substr(0, colon);
   if (colon != std::string::npos) {name.erase(0, colon + 1);}
-  // The last rule takes precedence; the list is searched from the start.
-  arguments.parameters.insert(
-    arguments.parameters.begin(), {std::move(node), std::move(name), text.substr(assign + 2)});
+  if (node == "/**") {node.clear();}
+  arguments.parameters.push_back({std::move(node), std::move(name), text.substr(assign + 2)});
   return true;
 }
 
@@ -94,7 +93,8 @@ bool is_about_outputs(const std::string & word)
 void Arguments::append(const Arguments & later)
 {
   remaps.insert(remaps.end(), later.remaps.begin(), later.remaps.end());
-  parameters.insert(parameters.end(), later.parameters.begin(), later.parameters.end());
+  own_parameters_from = later.parameters.size();
+  parameters.insert(parameters.begin(), later.parameters.begin(), later.parameters.end());
 }
 
 Arguments parse_arguments(int argc, char const * const * argv)
@@ -149,10 +149,9 @@ bool fits(const char * form, const char * name)
 
 }  // namespace
 
-bool applies_to(
-  const std::string & rule, const std::string & name, const std::string & full_name)
+bool applies_to(const std::string & rule, const std::string & full_name)
 {
-  return rule.empty() || rule == name || fits(rule.c_str(), full_name.c_str());
+  return rule.empty() || fits(rule.c_str(), full_name.c_str());
 }
 
 std::string remap_node(

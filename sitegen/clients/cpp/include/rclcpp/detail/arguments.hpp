@@ -1,6 +1,7 @@
 // The ROS arguments of the command line, and the names that they remap.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct RemapRule
 /// `--ros-args -p [node:]name:=value`
 struct ParameterRule
 {
-  std::string node;  // empty: of every node
+  std::string node;  // empty: of every node, as `/**`
   std::string name;
   std::string value;
 };
@@ -32,6 +33,8 @@ struct Arguments
 {
   std::vector<RemapRule> remaps;
   std::vector<ParameterRule> parameters;
+  /// Where the rules of the node begin, which come after those of the program.
+  std::size_t own_parameters_from = 0;
   std::map<std::string, int> log_levels;  // by logger, "" for all others
   std::vector<std::string> others;        // what is not for ROS
 
@@ -42,10 +45,9 @@ struct Arguments
 /// Parse a command line. Throws UnknownROSArgsError for arguments that this release does not know.
 Arguments parse_arguments(int argc, char const * const * argv);
 
-/// Whether a rule for `rule` applies to the node with these names: it is one of them, or a pattern
-/// such as `/**` or `/arm/*/gripper`.
-bool applies_to(
-  const std::string & rule, const std::string & name, const std::string & full_name);
+/// Whether a rule for `rule` applies to the node with this name: it is the name, or a pattern such
+/// as `/**` or `/arm/*/gripper`.
+bool applies_to(const std::string & rule, const std::string & full_name);
 
 /// The value of the rule for `from`, "__node" or "__ns", that applies to the node `node`; else
 /// `name`.

@@ -12,8 +12,8 @@ namespace detail
 {
 
 /// Parse a value as rcl parses YAML: a scalar, or a list `[1, 2]` of scalars of one type. Throws
-/// std::invalid_argument for anything else.
-ParameterValue parse_parameter(const std::string & text);
+/// std::invalid_argument for a list of several types, exceptions::RCLError for anything else.
+ParameterValue parse_parameter(const std::string & value);
 
 /// Parse an unquoted scalar.
 ParameterValue parse_scalar(const std::string & text);
