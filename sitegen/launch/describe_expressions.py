@@ -13,19 +13,21 @@ def expression(*parts: Any) -> Text:
     return Text(f"$(expression {' '.join(_words(parts))})")
 
 
-def equal(left: Any, right: Any = None, operator: str = "==") -> Text:
+def applied(name: str, *arguments: Any) -> Text:
+    """Return a substitution of conditions.py with these arguments."""
+    words = " , ".join(" ".join(_words(argument)) for argument in arguments)
+    return Text(f"$(apply {name} {words})")
+
+
+def equal(left: Any, right: Any = None, name: str = "equals") -> Text:
     """Stand in for EqualsSubstitution."""
-    return expression("'''", left, f"''' {operator} '''", "" if right is None else right, "'''")
+    return applied(name, *(_shown(value) for value in (left, right)))
 
 
-def either(value: Any, if_value: Any = "", else_value: Any = "") -> Text:
-    """Stand in for IfElseSubstitution."""
-    parts = ("'''", if_value, "''' if ", _is_true(value), " else '''", else_value, "'''")
-    return expression(*parts)
-
-
-def _is_true(value: Any) -> tuple[Any, ...]:
-    return ("('''", value, "'''.strip().lower() in ('true', '1'))")
+def _shown(value: Any) -> Any:
+    if isinstance(value, bool):
+        return str(value).lower()
+    return "" if value is None else value
 
 
 def _configuration(name: Any) -> Text:
@@ -45,17 +47,16 @@ def _words(parts: Any) -> list[str]:
 MEMBERS: dict[str, Any] = {
     "PythonExpression": lambda parts, *_: expression(parts),
     "EqualsSubstitution": equal,
-    "NotEqualsSubstitution": lambda left, right: equal(left, right, "!="),
-    "AndSubstitution": lambda left, right: expression(_is_true(left), " and ", _is_true(right)),
-    "OrSubstitution": lambda left, right: expression(_is_true(left), " or ", _is_true(right)),
-    "AnySubstitution": lambda *all_: expression(
-        "any([", *((*_is_true(a), ",") for a in all_), "])"
+    "NotEqualsSubstitution": lambda left, right: equal(left, right, "not_equals"),
+    "AndSubstitution": lambda left, right: applied("and", left, right),
+    "OrSubstitution": lambda left, right: applied("or", left, right),
+    "AnySubstitution": lambda *all_: applied("any", *all_),
+    "AllSubstitution": lambda *all_: applied("all", *all_),
+    "NotSubstitution": lambda value: applied("not", value),
+    "IfElseSubstitution": lambda condition, if_value="", else_value="": applied(
+        "if", condition, if_value, else_value
     ),
-    "AllSubstitution": lambda *all_: expression(
-        "all([", *((*_is_true(a), ",") for a in all_), "])"
-    ),
-    "NotSubstitution": lambda value: expression("not ", _is_true(value)),
-    "IfElseSubstitution": either,
+    "AnonName": lambda name: applied("anon", name),
     "LaunchConfigurationEquals": lambda name, value: Condition(
         "if", equal(_configuration(name), value)
     ),

@@ -11,16 +11,13 @@ import yaml
 from sitegen import yamlnodes
 from sitegen.errors import nearest
 from sitegen.launch.tree import Action, Exact, Given
+from sitegen.launch.types import ANY, LISTS, SCALARS, is_of, typed
 from sitegen.rclyaml import EVERYWHERE, NAMES, Overrides, Scalar, Value, scalar, written
 from sitegen.workspace import parameterfiles
 
 # Expands the substitutions of a text.
 Expand = Callable[[str], str]
 
-SCALARS: dict[str, type] = {"str": str, "bool": bool, "int": int, "float": float}
-LISTS = {f"list_of_{name}": kind for name, kind in SCALARS.items()}
-# The type `yaml` stands for the type that the value looks like.
-ANY = "yaml"
 # The parameters that `set_parameter` gives to all nodes after it: names and values.
 Everyones = Iterable[tuple[str, Value]]
 
@@ -74,7 +71,7 @@ class Parameters:
     def _expansion(self, action: Action) -> Expand:
         """Return what is done to the text of a parameter file."""
         wanted = self._expand(action.attributes.get("allow_substs", ""))
-        return self._expand if wanted and _typed(wanted, "bool") else str
+        return self._expand if wanted and typed(wanted, "bool") else str
 
     def _values(self, action: Action, above: str) -> Iterable[tuple[str, Value]]:
         """Yield the parameters of an action, those of nested ones with dotted names."""
@@ -104,7 +101,7 @@ class Parameters:
             raise ValueError(f"a list is not of type '{named}'")
         kind = named.removeprefix("list_of_") if named != ANY else ANY
         items = [self._item(item, kind) for item in given]
-        if not _is_of(items, named):
+        if not is_of(items, named):
             raise ValueError("the values of a list must have the same type")
         return items
 
@@ -113,9 +110,9 @@ class Parameters:
             expanded = self._expand(given)
             # The description of a robot is a string, even if it is valid YAML.
             kind = "str" if expanded.lstrip().startswith("<") and named == ANY else named
-            return _typed(expanded, kind)
+            return typed(expanded, kind)
         value = given.text if isinstance(given, Exact) else given
-        if not _is_of(value, named):
+        if not is_of(value, named):
             raise ValueError(f"'{value}' is not of type '{named}'")
         return value
 
@@ -124,48 +121,13 @@ def _of_xml(text: str, separator: str | None, named: str) -> Given:
     """Return the value of an attribute: it has a type before its substitutions are expanded."""
     if separator:
         kind = named.removeprefix("list_of_")
-        return [_exact(_typed(part, kind, partly=True)) for part in text.split(separator)]
-    value = _typed(text, named, partly=True)
+        return [_exact(typed(part, kind, partly=True)) for part in text.split(separator)]
+    value = typed(text, named, partly=True)
     return [_exact(item) for item in value] if isinstance(value, list) else _exact(value)
 
 
 def _exact(value: Any) -> Given:
     return Exact(value) if isinstance(value, str) and "$(" not in value else value
-
-
-def _typed(text: str, named: str, *, partly: bool = False) -> Any:
-    """Return a text as a value of the type `named`, read by YAML 1.1 as in launch.
-
-    If `partly`, it may have substitutions: what is not of the type is a string.
-
-    Raises: ValueError if it is not of the type.
-    """
-    if named == "str" or (named == ANY and not text):
-        return text
-    try:
-        if named in ("int", "float"):
-            return SCALARS[named](text)
-        is_digit = named == "bool" and text in ("0", "1")
-        value = text == "1" if is_digit else yamlnodes.load(text)
-    except (yaml.YAMLError, ValueError):
-        value = text if partly else None
-    if not _is_of(value, named, partly=partly):
-        advice = "; give it the type 'str' if it is a string" if named == ANY else ""
-        raise ValueError(f"'{text}' is not of type '{named}'{advice}")
-    return value
-
-
-def _is_of(value: Any, named: str, *, partly: bool = False) -> bool:
-    """Return whether a value is of the type `named`; if `partly`, strings are, too."""
-    if named in SCALARS or (named == ANY and not isinstance(value, list)):
-        kinds = [SCALARS[named]] if named in SCALARS else list(SCALARS.values())
-        return isinstance(value, (*kinds, *([str] if partly else [])))
-    if not isinstance(value, list):
-        return False
-    first = next((type(item) for item in value if not isinstance(item, str)), str)
-    kind = LISTS.get(named, first)
-    others = [str] if partly else []
-    return kind in SCALARS.values() and all(isinstance(item, (kind, *others)) for item in value)
 
 
 def _of_mapping(given: Given, expand: Expand) -> Any:
@@ -174,7 +136,7 @@ def _of_mapping(given: Given, expand: Expand) -> Any:
     if isinstance(given, str):
         text = expand(given)
         is_description = text.lstrip().startswith("<")
-        given = text if is_description or not text else _typed(text, ANY, partly=True)
+        given = text if is_description or not text else typed(text, ANY, partly=True)
     elif isinstance(given, list):
         given = [_of_mapping(item, expand) for item in given]
     if isinstance(given, list) and not all(isinstance(item, type(given[0])) for item in given):

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 import shlex
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from urllib.parse import unquote
 
+from sitegen.launch import conditions
 from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
 from sitegen.workspace.manifest import ENVIRONMENT
 
+# The substitutions that only describe_expressions.py writes.
+OF_PYTHON = ("expression", "apply")
 # Longer expressions are cut in messages.
 LONGEST_SHOWN = 200
 # A page shows the values of its launch file to everyone, so the environment of the author's
@@ -55,19 +58,23 @@ def expand(
         "eval": lambda *words: _evaluated(" ".join(words)),
         "expression": lambda *words: _evaluated("".join(map(_part, words))),
         "file_content": lambda path: output(shlex.join(["cat", path])),
+        **conditions.SUBSTITUTIONS,
+        "apply": lambda name, *words: conditions.SUBSTITUTIONS[name](*_arguments(words)),
     }
 
     def call(words: list[str]) -> str:
         name, *arguments = words or [""]
         function = known.get(name.replace("-", "_"))
         if function is None:
-            public = (each.replace("_", "-") for each in known if each != "expression")
+            public = (each.replace("_", "-") for each in known if each not in OF_PYTHON)
             others = ", ".join(f"$({each} …)" for each in public)
             raise SubstitutionError(f"$({name} …) is not supported; supported: {others}")
         try:
             return function(*arguments)
         except TypeError:
             raise SubstitutionError(f"$({name} …) has the wrong number of arguments") from None
+        except ValueError as error:
+            raise SubstitutionError(f"$({name} …): {error}") from None
 
     reader = _Reader(text, call)
     result = reader.plain()
@@ -146,6 +153,17 @@ class _Reader:
             else:
                 found += self._letters()
         return found
+
+
+def _arguments(words: Sequence[str]) -> list[str]:
+    """Return the arguments written by describe_expressions.py, which commas separate."""
+    arguments = [""]
+    for word in words:
+        if word == ",":
+            arguments.append("")
+        else:
+            arguments[-1] += _part(word)
+    return arguments
 
 
 def _part(word: str) -> str:
