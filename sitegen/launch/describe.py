@@ -23,13 +23,9 @@ from sitegen.launch.describe_actions import (
     Folder,
     Text,
     Valued,
-    command,
     composable,
-    configuration,
     container,
     describe,
-    environment,
-    include,
     load,
     managed,
     mapped,
@@ -38,23 +34,29 @@ from sitegen.launch.describe_actions import (
     share,
     text,
 )
+from sitegen.launch.describe_scopes import (
+    argument,
+    command,
+    configuration,
+    environment,
+    group,
+    include,
+)
 
 GENERATE = "generate_launch_description"
 
 CORE: dict[str, Any] = {
     "LaunchDescription": describe,
-    "DeclareLaunchArgument": lambda name, *, default_value=None, condition=None, **_: Described(
-        "arg", name=name, default=default_value, condition=condition
-    ),
+    "DeclareLaunchArgument": argument,
     "SetLaunchConfiguration": lambda name, value, condition=None: Described(
         "let", name=name, value=value, condition=condition
     ),
-    "GroupAction": lambda actions, *, scoped=True, condition=None, **_: Described(
-        "group", actions, scoped=scoped, condition=condition
-    ),
+    "GroupAction": group,
     "IncludeLaunchDescription": include,
     "LogInfo": lambda **_: Described("log"),
-    "SetEnvironmentVariable": lambda *_, **__: Described("set_env"),
+    "SetEnvironmentVariable": lambda name, value, *, condition=None: Described(
+        "set_env", name=name, value=value, condition=condition
+    ),
     "IfCondition": lambda value: Condition("if", value),
     "UnlessCondition": lambda value: Condition("unless", value),
     "LaunchConfiguration": configuration,
@@ -85,6 +87,9 @@ ROS: dict[str, Any] = {
     ),
     "SetParameter": lambda name, value, condition=None: Described(
         "set_parameter", name=name, given=mapped(value), condition=condition
+    ),
+    "SetParametersFromFile": lambda filename, *, condition=None: Described(
+        "set_parameters_from_file", filename=filename, condition=condition
     ),
     "SetRemap": lambda src, dst, condition=None: Described(
         "set_remap", condition=condition, **{"from": src, "to": dst}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import traceback
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -26,6 +25,13 @@ TYPES = {
         for kind in (bool, int, float, str)
         for form in ("list", "typing.List")
     },
+}
+
+
+# The options of processes that make no difference on a page.
+OF_PROCESSES = {
+    *("cached_output", "emulate_tty", "exec_name", "log_cmd", "output", "output_format"),
+    *("respawn_delay", "respawn_max_retries", "shell", "sigkill_timeout", "sigterm_timeout"),
 }
 
 
@@ -245,10 +251,19 @@ def node(
     ros_arguments: Iterable[Any] | None = None,
     on_exit: Any = None,
     condition: Any = None,
-    **_others: Any,
+    additional_env: Mapping[Any, Any] | None = None,
+    env: Mapping[Any, Any] | None = None,
+    respawn: Any = None,
+    prefix: Any = None,
+    cwd: Any = None,
+    **others: Any,
 ) -> Described:
     """Describe a node; options that affect only its process or its output are ignored."""
+    for option in others.keys() - OF_PROCESSES:
+        raise TypeError(f"Node() got an unexpected keyword argument '{option}'")
     inside = _parameters(parameters or ())
+    for variable, value in {**(env or {}), **(additional_env or {})}.items():
+        inside.append(Described("env", name=variable, value=value))
     for old, new in remappings or ():
         inside.append(Described("remap", **{"from": old, "to": new}))
     words = {"args": arguments, "ros_args": ros_arguments}
@@ -263,6 +278,9 @@ def node(
         name=name if name is not None else node_name,
         namespace=namespace if namespace is not None else node_namespace,
         on_exit="shutdown" if on_exit else None,
+        respawn=respawn,
+        launch_prefix=prefix,
+        cwd=cwd,
         condition=condition,
         **lines,
     )
@@ -328,33 +346,6 @@ def load(
     )
 
 
-def include(
-    source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
-) -> Described:
-    """Describe an included launch file; its arguments are pairs or keywords."""
-    pairs = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
-    inside = [Described("arg", name=name, value=value) for name, value in pairs or ()]
-    return Described("include", inside, file=source, condition=condition)
-
-
 def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:
     """Stand in for LaunchDescription."""
     return Described("launch", entities or ())
-
-
-def environment(name: Any, *, default_value: Any = None) -> Text:
-    """Stand in for EnvironmentVariable."""
-    default = "" if default_value is None else f" '{text(default_value)}'"
-    return Text(f"$(env {text(name)}{default})")
-
-
-def configuration(name: Any, default: Any = None, **_: Any) -> Text:
-    """Stand in for LaunchConfiguration."""
-    return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
-
-
-def command(words: Any, **_: Any) -> Text:
-    """Stand in for Command; its parts are joined to one command line."""
-    line = text(words)
-    quote = '"' if "'" in line else "'"
-    return Text(f"$(command {quote}{line}{quote})")

@@ -4,48 +4,36 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
-from sitegen.launch import commandline, processes, python, windows, without, xacro, xml, yaml
+from sitegen.launch import (
+    attributes,
+    commandline,
+    processes,
+    python,
+    windows,
+    without,
+    xacro,
+    xml,
+    yaml,
+)
 from sitegen.launch.names import joined, numbered
 from sitegen.launch.parameters import Parameters
+from sitegen.launch.scope import Scope
 from sitegen.launch.shares import by_package, on_page, shares
 from sitegen.launch.substitutions import SubstitutionError, expand
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.launch.windows import Window
 from sitegen.model import Component, Container, Node, Package
-from sitegen.rclyaml import Overrides, Value
+from sitegen.rclyaml import Overrides
 from sitegen.workspace import containers, parameterfiles
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
 # Files that include themselves would be read for ever.
 DEEPEST, MOST_FILES = 20, 500
-
-
-@dataclass
-class Scope:
-    """The state at one point of a launch file."""
-
-    file: Path
-    variables: dict[str, str]
-    namespace: str = ""
-    remaps: dict[str, str] = field(default_factory=dict)
-    parameters: list[tuple[str, Value]] = field(default_factory=list)
-    depth: int = 0
-    # The functions of the launch file that led to the current actions.
-    calls: tuple[python.Call, ...] = ()
-
-    def inner(self) -> Scope:
-        """Return the scope of a group: as in launch_ros, what is added to rules does not end."""
-        return replace(
-            self,
-            variables=dict(self.variables),
-            remaps=self.remaps or {},
-            parameters=self.parameters or [],
-        )
 
 
 def launched(
@@ -99,9 +87,12 @@ class _Launch:
             "push_ros_namespace": self._push,
             "push_namespace": self._push,
             "set_parameter": self._set_parameter,
+            "set_parameters_from_file": self._set_parameters_from_file,
             "set_remap": self._set_remap,
-            "set_use_sim_time": self._set_use_sim_time,
+            "set_use_sim_time": self._set_parameter,
             "timer": self._timer,
+            "ros_timer": self._timer,
+            "log": lambda *_: None,
             "function": self._function,
         }
 
@@ -136,20 +127,20 @@ class _Launch:
     def _all(self, actions: list[Action], scope: Scope) -> None:
         for action in actions:
             try:
+                if scope.file.suffix != ".py":
+                    attributes.check(action)
                 if self._holds(action, scope):
                     self._do(action, scope)
             except (SubstitutionError, ValueError) as error:
                 self._note(action.location, action.kind, str(error))
 
     def _do(self, action: Action, scope: Scope) -> None:
-        if action.kind in without.IGNORED:
-            return
         if why := without.LEFT_OUT.get(action.kind):
             self._notes.add(action.location, action.kind, why)
             return
         do = self._actions.get(action.kind)
         if do is None:
-            known = sorted([*self._actions, *without.IGNORED, *without.LEFT_OUT])
+            known = sorted([*self._actions, *without.LEFT_OUT])
             advice = nearest(action.kind, known)
             raise ValueError(f"this action is not supported in the browser; {advice}")
         do(action, scope)
@@ -173,20 +164,30 @@ class _Launch:
                     f"'{name}' has no value; give one in 'launch_arguments' of the page"
                 )
             scope.variables[name] = self._text(action, "default", scope)
+        choices = [self._needed(each, "value", scope) for each in action.of_kind("choice")]
+        if choices and scope.variables[name] not in choices:
+            value, listed = scope.variables[name], ", ".join(choices)
+            raise ValueError(f"'{name}' is '{value}', but must be one of: {listed}")
 
     def _let(self, action: Action, scope: Scope) -> None:
         scope.variables[self._needed(action, "name", scope)] = self._needed(action, "value", scope)
 
     def _group(self, action: Action, scope: Scope) -> None:
-        scoped = self._text(action, "scoped", scope).lower() not in ("false", "0")
-        self._all(action.inside, scope.inner() if scoped else scope)
+        flags = ("scoped", "forwarding")
+        is_so = {key: self._text(action, key, scope).lower() not in ("false", "0") for key in flags}
+        kept = {
+            self._needed(each, "name", scope): self._needed(each, "value", scope)
+            for each in action.of_kind("keep")
+        }
+        inner = scope.of_group(**is_so)
+        inner.variables.update(kept)
+        self._all([each for each in action.inside if each.kind != "keep"], inner)
 
     def _include(self, action: Action, scope: Scope) -> None:
         """Evaluate a file in the scope of this one: only groups have a scope of their own."""
         file = Path(self._needed(action, "file", scope))
         for given in action.of_kind("arg", "let"):
-            name = self._needed(given, "name", scope)
-            scope.variables[name] = self._needed(given, "value", scope)
+            self._let(given, scope)
         resolved = file.resolve() if file.is_absolute() else file
         inner = replace(scope, file=resolved, depth=scope.depth + 1, calls=())
         self.file(inner, action.location)
@@ -196,16 +197,17 @@ class _Launch:
         scope.namespace = joined(scope.namespace, self._needed(action, "namespace", scope))
 
     def _set_parameter(self, action: Action, scope: Scope) -> None:
-        name = self._needed(action, "name", scope)
+        is_clock = action.kind == "set_use_sim_time"
+        name = "use_sim_time" if is_clock else self._needed(action, "name", scope)
         scope.parameters.append((name, self._parameters(scope).value(action)))
+
+    def _set_parameters_from_file(self, action: Action, scope: Scope) -> None:
+        scope.parameters.append(self._file(self._needed(action, "filename", scope)))
 
     def _set_remap(self, action: Action, scope: Scope) -> None:
         # Of two rules for one name, the first counts.
         old, new = self._needed(action, "from", scope), self._needed(action, "to", scope)
         scope.remaps.setdefault(old, new)
-
-    def _set_use_sim_time(self, action: Action, scope: Scope) -> None:
-        scope.parameters.append(("use_sim_time", self._parameters(scope).value(action)))
 
     def _timer(self, action: Action, scope: Scope) -> None:
         start = f"these nodes start at once, not after {self._needed(action, 'period', scope)} s"
@@ -235,8 +237,8 @@ class _Launch:
         if why := without.program(package, executable, self._packages):
             self._notes.add(action.location, action.kind, why)
             return
-        if "on_exit" in action.attributes:
-            self._notes.add(action.location, action.kind, without.ON_EXIT)
+        for why in without.parts(action):
+            self._notes.add(action.location, action.kind, why)
         start = self._container if package == containers.PACKAGE else self._started
         start(action, scope)
 

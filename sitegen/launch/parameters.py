@@ -18,8 +18,8 @@ from sitegen.workspace import parameterfiles
 # Expands the substitutions of a text.
 Expand = Callable[[str], str]
 
-# The parameters that `set_parameter` gives to all nodes after it: names and values.
-Everyones = Iterable[tuple[str, Value]]
+# The parameters that all nodes have which come after them: names with values, and files.
+Everyones = Iterable[tuple[str, Value] | Path]
 
 
 class Parameters:
@@ -35,9 +35,13 @@ class Parameters:
         Raises: ValueError if a parameter is not valid.
         """
         found = Overrides()
-        for name, value in everyones:
-            # launch_ros writes a list as Python does, which ROS reads as a string.
-            found.add(name, str(tuple(value) if isinstance(value, list) else value))
+        for one in everyones:
+            if isinstance(one, Path):
+                parameterfiles.add(found, one)
+            else:
+                # launch_ros writes a list as Python does, which ROS reads as a string.
+                given = tuple(one[1]) if isinstance(one[1], list) else one[1]
+                found.add(one[0], str(given))
         for each in action.of_kind("param", "parameter"):
             if "from" in each.attributes:
                 parameterfiles.add(found, self._file(each), self._expansion(each))
@@ -51,7 +55,12 @@ class Parameters:
 
         Raises: ValueError if a parameter is not valid.
         """
-        found = dict(everyones)
+        found: dict[str, Value] = {}
+        for one in everyones:
+            if isinstance(one, Path):
+                found |= _of_file(parameterfiles.text(one), full_name)
+            else:
+                found[one[0]] = one[1]
         for each in action.of_kind("param", "parameter"):
             if "from" in each.attributes:
                 text = self._expansion(each)(parameterfiles.text(self._file(each)))

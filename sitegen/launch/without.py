@@ -2,24 +2,43 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 
-# Actions without an effect in the browser.
-IGNORED = {"append_env", "log", "set_env", "unset_env"}
+from sitegen.launch.tree import Action
+
 STATES = "launch files cannot change node states in the browser"
+ENVIRONMENT = "ignored: nodes in the browser do not see environment variables of launch files"
 LEFT_OUT = {
+    "append_env": ENVIRONMENT,
+    "reset_env": ENVIRONMENT,
+    "set_env": ENVIRONMENT,
+    "unset_env": ENVIRONMENT,
     "event": "skipped: launch events are not supported in the browser",
     "event_handler": "skipped: launch events are not supported in the browser",
     "lifecycle_transition": f"skipped: {STATES}",
     "shutdown": "skipped: a page runs until it is closed",
 }
-ON_EXIT = "'on_exit' is ignored: nodes in the browser do not stop each other"
+OPTIONS = {
+    "cwd": "'cwd' is ignored: a node in the browser has a folder of its own",
+    "launch_prefix": "'launch-prefix' is ignored: nodes in the browser run by themselves",
+    "on_exit": "'on_exit' is ignored: nodes in the browser do not stop each other",
+    "respawn": "'respawn' is ignored: a node in the browser that ends is started by its button",
+}
 AUTOSTART = f"'autostart' is ignored: {STATES}"
 OF_SYSTEM = "skipped: system programs cannot run in the browser"
 # Prefixes of packages whose programs open desktop windows.
 SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")
 # Programs that read keys from a terminal.
 KEYS = {("turtlesim", "turtle_teleop_key"): "use the arrow keys in the turtlesim window"}
+
+
+def parts(action: Action) -> Iterator[str]:
+    """Yield a note about each option of a node that is ignored."""
+    for name, why in OPTIONS.items():
+        if action.attributes.get(name, "false").lower() != "false":
+            yield why
+    if any(action.of_kind("env")):
+        yield f"'env' is {ENVIRONMENT}"
 
 
 def program(package: str, executable: str, packages: Collection[str]) -> str:

@@ -11,7 +11,7 @@ from sitegen.launch.tree import Action, Exact, Given, UnreadableError
 from sitegen.yamlnodes import compose
 
 # Keys of actions that hold a list of what are nested actions in XML.
-PARTS = {"param", "remap", "env", "arg", "let", "composable_node", "extra_arg"}
+PARTS = {"param", "remap", "env", "arg", "let", "composable_node", "extra_arg", "keep", "choice"}
 
 
 def read(file: Path) -> list[Action]:

@@ -1,0 +1,64 @@
+"""Arguments, groups, includes and the substitutions that read them, in Python launch files."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from sitegen.launch.describe_actions import Described, Text, text
+
+
+def argument(
+    name: Any,
+    *,
+    default_value: Any = None,
+    description: Any = None,
+    choices: Iterable[Any] | None = None,
+    condition: Any = None,
+) -> Described:
+    """Describe an argument of the launch file."""
+    inside = [Described("choice", value=choice) for choice in choices or ()]
+    return Described("arg", inside, name=name, default=default_value, condition=condition)
+
+
+def group(
+    actions: Iterable[Any],
+    *,
+    scoped: Any = True,
+    forwarding: Any = True,
+    launch_configurations: Mapping[Any, Any] | None = None,
+    condition: Any = None,
+) -> Described:
+    """Describe a group, with the arguments that it sets."""
+    kept = (launch_configurations or {}).items()
+    inside = [Described("keep", name=name, value=value) for name, value in kept]
+    inside += actions
+    return Described("group", inside, scoped=scoped, forwarding=forwarding, condition=condition)
+
+
+def include(
+    source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
+) -> Described:
+    """Describe an included launch file; its arguments are pairs or keywords."""
+    pairs = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
+    inside = [Described("arg", name=name, value=value) for name, value in pairs or ()]
+    return Described("include", inside, file=source, condition=condition)
+
+
+def environment(name: Any, *, default_value: Any = None) -> Text:
+    """Stand in for EnvironmentVariable."""
+    default = "" if default_value is None else f" '{text(default_value)}'"
+    return Text(f"$(env {text(name)}{default})")
+
+
+def configuration(name: Any, default: Any = None, **_: Any) -> Text:
+    """Stand in for LaunchConfiguration."""
+    return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
+
+
+def command(words: Any, **_: Any) -> Text:
+    """Stand in for Command; its parts are joined to one command line."""
+    line = text(words)
+    quote = '"' if "'" in line else "'"
+    return Text(f"$(command {quote}{line}{quote})")
