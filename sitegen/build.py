@@ -73,6 +73,8 @@ def make(
     renderer = pages.Renderer(site, programs)
     rendered = renderer.every_page()
     artifacts = renderer.site_artifacts(rendered)
+    notes = [*site.notes, *(note for page in rendered for note in page.notes)]
+    site = replace(site, notes=tuple(dict.fromkeys(notes)))
 
     # These artifacts, and the files that they refer to, make up the site.
     others = assets.runtime(site, programs, debug=options.debug)

@@ -6,8 +6,10 @@ import json
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 from sitegen.interfaces.messages import MessageType
+from sitegen.interfaces.values import EXACT_AS_TEXT
 
 # The API itself, the same for all sites: of panels, and of the modules that they can import.
 API = Path(__file__).with_name("ros.d.ts")
@@ -62,11 +64,17 @@ def _is_service(name: str, types: Mapping[str, MessageType]) -> bool:
 
 
 def _message(name: str, definition: MessageType) -> Iterator[str]:
-    constants = [f"{one['name']} = {json.dumps(one['value'])}" for one in definition["constants"]]
+    constants = [f"{one['name']} = {_literal(one)}" for one in definition["constants"]]
     if constants:
         yield f"  /** Constants: {', '.join(constants).replace('*/', '* /')} */"
     fields = (f"{field['name']}: {_type(field['type'])}" for field in definition["fields"])
     yield f'  "{name}": {{ {", ".join(fields)} }};'
+
+
+def _literal(constant: Mapping[str, Any]) -> str:
+    """Return the value of a constant in JavaScript."""
+    big = constant["type"] in EXACT_AS_TEXT
+    return f"{constant['value']}n" if big else json.dumps(constant["value"])
 
 
 def _type(written: str) -> str:

@@ -16,7 +16,7 @@ from sitegen.interfaces import generator
 from sitegen.model import Package, Site
 from sitegen.shipped import INTERFACES, ROS
 
-GENERATOR = ("definitions.py", "generator.py")
+GENERATOR = ("definitions.py", "generator.py", "values.py")
 
 
 def described(site: Site, named: Iterable[str], *, cache: Path) -> Path:

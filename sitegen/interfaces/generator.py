@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.errors import SiteError
-from sitegen.interfaces import definitions, rosidl, typesupport
+from sitegen.interfaces import definitions, rosidl, typesupport, values
 from sitegen.shipped import INTERFACES, ROS
 
 KINDS = ("msg", "srv", "action")
@@ -150,6 +150,7 @@ def describe(
     for name in files:
         if name.endswith(".idl"):
             idls.append(f"{folder}:{name}")
+            values.write_idl_values(folder / name, share / Path(name).parent)
         else:
             idl = adapter.convert_to_idl(folder, package, Path(name), share)
             shutil.copyfile(folder / name, Path(idl).with_suffix(Path(name).suffix))

@@ -8,8 +8,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from sitegen.interfaces import rosidl, typesupport
+from sitegen.interfaces import typesupport
 from sitegen.interfaces.generator import shares
+from sitegen.interfaces.values import values_of
 from sitegen.shipped import ROS
 
 # The name of a type in a compiled program: the end of the string that names its type support.
@@ -65,12 +66,10 @@ def _describe(
         if one in found or one not in described:
             continue
         fields = [field for field in described[one] if field["name"] != FILLER]
-        source = _source(one, packages)
-        defaults = {f.name: f.default_value for f in source.fields} if source else {}
-        constants = source.constants if source else []
+        values = values_of(one, packages)
         found[one] = {
-            "fields": [_field(field, defaults) for field in fields],
-            "constants": [{"name": c.name, "type": c.type, "value": c.value} for c in constants],
+            "fields": [_field(field, values.defaults) for field in fields],
+            "constants": values.constants,
         }
         # A request has the hash of its service, by which others know it.
         if digest := hashes.get(one.removesuffix("_Request")):
@@ -93,20 +92,3 @@ def _type(kind: Mapping[str, Any]) -> str:
     if number in BOUNDED:
         name += f"<={kind['string_capacity']}"
     return str(name + ARRAYS[array].format(kind["capacity"]))
-
-
-def _source(name: str, packages: Mapping[str, Path]) -> Any:
-    """Return the parsed definition of a message as its author wrote it, None for IDL files.
-
-    It has the constants and defaults, which type descriptions lack.
-    """
-    package, kind, interface = typesupport.interface_of(name).split("/")
-    file = packages.get(package, Path()) / kind / f"{interface}.{kind}"
-    if not file.is_file():
-        return None
-    part = name.split("/")[2].partition("_")[2]
-    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8"), flags=re.M)
-    index = {"": 0, "Request": 0, "Goal": 0, "Response": 1, "Result": 1, "Feedback": 2}.get(part)
-    if index is None or index >= len(texts):
-        return None
-    return rosidl.module(rosidl.PARSER).parse_message_string(package, interface, texts[index])

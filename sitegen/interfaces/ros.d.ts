@@ -42,7 +42,7 @@ export interface Ros {
   /** The nodes of the page, by the names in site.yaml. */
   nodes: Map<string, NodeHandle>;
   graph: Graph;
-  /** The definitions of messages, by name. */
+  /** The definitions of messages, by name. Constants and defaults of 64 bits are decimal texts. */
   types: Record<string, {
     fields: { name: string, type: string, default?: any }[],
     constants: { name: string, type: string, value: any }[],

@@ -84,7 +84,7 @@
  *
  * The definition of a message type ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). The types of fields are
  * written as in .msg files, with the full names of nested types: "float64[3]", "string<=10[<=5]",
- * "geometry_msgs/msg/Point[]".
+ * "geometry_msgs/msg/Point[]". Defaults and constants are as in JSON; 64-bit integers are decimal texts.
  * @typedef {{fields: {name: string, type: string, default?: any}[],
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *

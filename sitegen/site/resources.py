@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from html import unescape
 from pathlib import Path
+from urllib.parse import unquote
+from xml.etree import ElementTree
 
 from sitegen import workspace
-from sitegen.errors import SiteError
+from sitegen.errors import Location, Problems, SiteError
 from sitegen.ignored import is_ignored
 from sitegen.launch import description
 from sitegen.model import Artifact, Node, Package, Page, Site, Widget
+from sitegen.site import meshes
 
 KIND = "3d"
-MESH = re.compile(
-    r"package://([A-Za-z]\w*)/([\w./+@ -]+?\.(?:stl|dae|obj|gltf|glb))\b", re.I | re.A
-)
 # Files that programs and descriptions are written in; longer ones are data.
 TEXTS = {".cpp", ".hpp", ".h", ".py", ".urdf", ".xacro", ".xml", ".yaml", ".rviz", ".sdf"}
 LONGEST = 1_000_000
@@ -28,14 +29,20 @@ INSIDE = {
     ".mtl": re.compile(rb"^\s*(?:map_\w+|bump|norm)[ \t]+(?:-.*[ \t])?(.+?)\s*$", re.M),
     ".gltf": re.compile(rb'"uri"\s*:\s*"([^"]+)"'),
 }
+# A file and its text.
+Source = tuple[Path, str]
 
 
 @dataclass(frozen=True)
 class Resources:
-    """What the 3D views of a page load: the paths in `dist/` by URL, and all files."""
+    """What the 3D views of a page load: the paths in `dist/` by URL, and all files.
+
+    `notes` say which meshes the site does not have.
+    """
 
     paths: Mapping[str, str]
     artifacts: Sequence[Artifact]
+    notes: Sequence[str] = ()
 
 
 def resources(site: Site, page: Page) -> Resources:
@@ -50,30 +57,51 @@ def resources(site: Site, page: Page) -> Resources:
     if not views:
         return Resources({}, ())
     packages = {**workspace.shipped_packages(), **(site.packages or workspace.scan(site.workspace))}
-    files = sorted({str(one["file"]) for view in views for one in _displays(view) if "file" in one})
-    descriptions = {name: _description(site, page, name, packages) for name in files}
-    texts = [*descriptions.values(), *_texts(page.nodes.values(), packages)]
-    named = {match[0]: (match[1], match[2]) for text in texts for match in MESH.finditer(text)}
-    found = {name: _described(name, text) for name, text in descriptions.items()}
-    meshes = {url: one for url, place in named.items() if (one := _mesh(*place, packages))}
-    inside = _inside(meshes.values(), packages)
-    paths = {url: one.path for url, one in {**found, **meshes}.items()}
-    return Resources(paths, [*found.values(), *meshes.values(), *inside])
+    sources = list(_sources(page.nodes.values(), packages))
+    notes = Problems(site.root)
+    found: dict[str, Artifact] = {}
+    urls: dict[str, None] = {}
+    for name in sorted(
+        {str(one["file"]) for view in views for one in _displays(view) if "file" in one}
+    ):
+        text, named = _description(site, page, name, packages)
+        found[name] = _described(name, text)
+        urls |= dict.fromkeys(named)
+        file = site.root / name
+        own = [(file, _text(file)), *_texts(_package_of(file, packages))]
+        _note(named, own, Location(file, 1), packages, notes)
+    for node in page.nodes.values():
+        given = (*node.parameters.values(), *node.arguments)
+        named = [url for value in given for url in meshes.of_parameter(value)]
+        urls |= dict.fromkeys(named)
+        _note(named, sources, node.location, packages, notes)
+    urls |= dict.fromkeys(url for source in sources for url in meshes.of_source(*source))
+    urls |= dict.fromkeys(_by_name(sources, page.nodes.values(), packages))
+    files = {meshes.canonical(url): one for url in urls if (one := _mesh(url, packages))}
+    inside = _inside(files.values(), packages)
+    paths = {url: one.path for url, one in {**found, **files}.items()}
+    return Resources(paths, [*found.values(), *files.values(), *inside], notes.lines)
 
 
-def _description(site: Site, page: Page, name: str, packages: Mapping[str, Package]) -> str:
+def _description(
+    site: Site, page: Page, name: str, packages: Mapping[str, Package]
+) -> tuple[str, list[str]]:
+    """Return the description in a file, as it is published, and the meshes that it names."""
     try:
         folders = {each.name: each.path for each in packages.values()}
-        return description(site.root / name, folders)
+        text = description(site.root / name, folders)
+        text = meshes.published(text, packages, (site.workspace, site.root))
+        return text, meshes.of_description(text)
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        what = f"not well-formed XML (column {column + 1})"
+        raise SiteError([f"{name}:{line}: {what}: {error.msg.partition(':')[0]}"]) from error
     except ValueError as error:
         raise SiteError([f"{page.path or '/'}: 3d: {name}: {error}"]) from error
 
 
-def _texts(nodes: Collection[Node], packages: Mapping[str, Package]) -> Iterator[str]:
-    """Yield what could name a mesh: values of parameters, and the sources of the programs."""
-    for node in nodes:
-        yield from node.parameters.values()
-        yield from node.arguments
+def _used(nodes: Iterable[Node], packages: Mapping[str, Package]) -> Mapping[str, Package]:
+    """Return the packages of nodes, and those that they depend on."""
     used: dict[str, Package] = {}
     left = [node.package for node in nodes]
     while left:
@@ -81,17 +109,52 @@ def _texts(nodes: Collection[Node], packages: Mapping[str, Package]) -> Iterator
         if package and package.name not in used:
             used[package.name] = package
             left += package.depends
-    for package in used.values():
-        yield from _sources(package.path)
+    return used
 
 
-def _mesh(package: str, path: str, packages: Mapping[str, Package]) -> Artifact | None:
-    """Return a mesh of a package; the page says which one it does not find."""
-    folder = packages[package].path.resolve() if package in packages else None
-    file = (folder / path).resolve() if folder else None
-    if not folder or not file or not file.is_relative_to(folder) or not file.is_file():
+def _by_name(
+    sources: Sequence[Source], nodes: Iterable[Node], packages: Mapping[str, Package]
+) -> Iterator[str]:
+    """Yield the meshes whose names are in programs that join them with the folder of a package."""
+    names = {name for source in sources for name in meshes.names_of_source(*source)}
+    for package in _used(nodes, packages).values() if names else ():
+        for file in sorted(package.path.rglob("*")):
+            if file.name in names:
+                yield f"{meshes.SCHEME}{package.name}/{file.relative_to(package.path).as_posix()}"
+
+
+def _note(
+    urls: Iterable[str],
+    sources: Sequence[Source],
+    otherwise: Location,
+    packages: Mapping[str, Package],
+    notes: Problems,
+) -> None:
+    """Say which of `urls` name no file, and where a source names it."""
+    for url in urls:
+        if meshes.is_remote(url):
+            continue
+        try:
+            meshes.find(url, packages)
+        except LookupError as error:
+            name = url.rpartition("/")[2]
+            places = (
+                Location(file, number)
+                for wanted in (f"/{name}", name, "<mesh")
+                for file, text in sources
+                for number, line in enumerate(text.splitlines(), 1)
+                if wanted in unescape(line)
+            )
+            notes.add(next(places, otherwise), "mesh", str(error.args[0]))
+
+
+def _mesh(url: str, packages: Mapping[str, Package]) -> Artifact | None:
+    try:
+        package, file = meshes.find(url, packages)
+    except LookupError:
         return None
-    return Artifact(f"meshes/{package}/{file.relative_to(folder).as_posix()}", file)
+    path = file.relative_to(package.path.resolve()).as_posix()
+    return Artifact(f"meshes/{package.name}/{path}", file)
 
 
 def _inside(found: Iterable[Artifact], packages: Mapping[str, Package]) -> Iterator[Artifact]:
@@ -105,9 +168,10 @@ def _inside(found: Iterable[Artifact], packages: Mapping[str, Package]) -> Itera
         folder = packages[package].path.resolve()
         pattern = INSIDE.get(one.source.suffix.lower())
         for name in pattern.findall(one.source.read_bytes()) if pattern else ():
-            text = name.decode("utf-8", "replace").replace("\\", "/")
-            file = (one.source.parent / text).resolve()
-            if text.startswith("data:") or not file.is_relative_to(folder) or not file.is_file():
+            text = unescape(name.decode("utf-8", "replace").replace("\\", "/"))
+            places = [one.source.parent / each for each in (text, unquote(text))]
+            file = next((each.resolve() for each in places if each.is_file()), folder)
+            if text.startswith("data:") or file == folder or not file.is_relative_to(folder):
                 continue
             path = f"meshes/{package}/{file.relative_to(folder).as_posix()}"
             if path not in seen:
@@ -127,11 +191,27 @@ def _described(name: str, text: str) -> Artifact:
     return Artifact(f"meshes/{stem}.{digest}.urdf", text.encode())
 
 
-def _sources(folder: Path) -> Iterator[str]:
-    """Yield the texts of a package."""
+def _package_of(file: Path, packages: Mapping[str, Package]) -> Path:
+    """Return the folder of the package that a file is in, or the folder of the file."""
+    folders = {package.path for package in packages.values()}
+    return next((folder for folder in file.parents if folder in folders), file.parent)
+
+
+def _sources(nodes: Iterable[Node], packages: Mapping[str, Package]) -> Iterator[Source]:
+    """Yield the texts of the packages that could name a mesh."""
+    for package in _used(nodes, packages).values():
+        yield from _texts(package.path)
+
+
+def _texts(folder: Path) -> Iterator[Source]:
+    """Yield the texts of a folder."""
     for file in sorted(folder.rglob("*")):
         inside = file.relative_to(folder).parts
         if file.suffix not in TEXTS or any(is_ignored(name, at_root=False) for name in inside):
             continue
         if file.is_file() and file.stat().st_size <= LONGEST:
-            yield file.read_text(encoding="utf-8", errors="replace")
+            yield file, _text(file)
+
+
+def _text(file: Path) -> str:
+    return file.read_text(encoding="utf-8", errors="replace")

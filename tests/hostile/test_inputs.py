@@ -196,7 +196,7 @@ def test_a_page_of_text(tmp_path: Path, text: str, expected: str) -> None:
         ),
         ("<a href=javascript:alert(1)>x</a>", ["a link cannot run a script"]),
         ('<button formaction="https://e.vil">x</button>', ["'formaction=' is not allowed"]),
-        ('<img src="a.svg" alt="" srcset="https://e.vil/a.png 1x">', ["'srcset=' is not"]),
+        ('<img src="a.svg" alt="" srcset="https://e.vil/a.png 1x">', ["is on another site"]),
         ("<body onload=alert(1)>", ["'<body>' is not allowed"]),
         ("Hello\n{: onclick='x()' }", ["'onclick=' is not allowed"]),
         ("<svg><style>a { color: red }</style></svg>", ["'<style>' is not allowed"]),

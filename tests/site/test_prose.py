@@ -14,6 +14,7 @@ from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.report import Report
 from sitegen.site.pages import render
+from sitegen.site.prose import resourced
 
 
 def written(folder: Path, text: str, **files: str) -> Path:
@@ -188,3 +189,59 @@ def test_commands_have_buttons_that_a_terminal_shows(tmp_path: Path) -> None:
     ]
     assert found.count('<span class="command">') == 2
     assert "$ ros2 topic list" in re.sub(r"<[^>]*>", "", found)
+
+
+PICTURE = """<picture>
+<source media="(prefers-color-scheme: dark)" srcset="{dark}">
+<img alt="Logo" src="light.svg" srcset="light.svg 1x,
+  {dark} 2x">
+</picture>
+"""
+LIGHT = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>'
+DARK = LIGHT.replace("9", "8")
+
+
+def test_pictures_of_srcset_are_copied_and_named(tmp_path: Path) -> None:
+    files = {"light__svg": LIGHT, "dark, two__svg": DARK}
+    folder = written(tmp_path, "# T\n\n" + PICTURE.format(dark="dark,%20two.svg"), **files)
+    (folder / "site.yaml").write_text("site: {title: T}\npages: [{path: a/, file: page.md}]\n")
+    found = {one.path: one.source for one in render(load(folder / "site.yaml"))}
+    light, dark = sorted(path for path in found if path.startswith("media/"))[::-1]
+    assert (found[light], found[dark]) == (folder / "light.svg", folder / "dark, two.svg")
+    page = found["a/index.html"]
+    assert isinstance(page, bytes)
+    text = page.decode()
+    assert f'media="(prefers-color-scheme: dark)" srcset="../{dark}"' in text
+    assert f'src="../{light}" srcset="../{light}, ../{dark} 2x"'.replace(",", " 1x,", 1) in text
+
+
+@pytest.mark.parametrize(
+    ("written_as", "expected"),
+    [
+        ("a.png", "[a.png]"),
+        ("a.png 1x, b.png 2x", "[a.png] 1x, [b.png] 2x"),
+        (" a,b.png 1.5x,c.png 100w ", "[a,b.png] 1.5x, [c.png] 100w"),
+        ("a.png, b.png", "[a.png], [b.png]"),
+        (", a.png ,\n b.png 2x,", "[a.png], [b.png] 2x"),
+        ("data:image/png;base64,AA== 1x", "[data:image/png;base64,AA==] 1x"),
+        ("", ""),
+    ],
+)
+def test_a_srcset_is_read_as_browsers_read_it(written_as: str, expected: str) -> None:
+    assert resourced(written_as, lambda url: f"[{url}]") == expected
+
+
+@pytest.mark.parametrize(
+    ("url", "fault"),
+    [
+        ("drak.svg", "no file 'drak.svg' in .; did you mean 'dark.svg'?"),
+        ("https://example.org/a.svg", "is on another site; copy the file into this site"),
+        ("../a.svg", "is outside the site's folder; move it below the folder of site.yaml"),
+    ],
+)
+def test_a_picture_of_srcset_that_is_missing_is_told(tmp_path: Path, url: str, fault: str) -> None:
+    (tmp_path / "dark.svg").write_text(DARK)
+    found = problems(tmp_path, f'<img alt="" srcset="dark.svg 1x, {url} 2x">')
+    assert len(found) == 1
+    assert found[0].startswith("page.md:3: image: ")
+    assert found[0].endswith(fault)

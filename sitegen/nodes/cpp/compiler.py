@@ -33,6 +33,7 @@ GENERATOR = (
     "interfaces/messages.py",
     "interfaces/rosidl.py",
     "interfaces/typesupport.py",
+    "interfaces/values.py",
     "nodes/cpp/cmake.py",
     "nodes/cpp/precompiled.py",
     "nodes/cpp/sourcemap.py",

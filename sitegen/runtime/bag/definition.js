@@ -2,7 +2,7 @@
 // Definitions of messages as the schemas of bags have them: the text of a .msg file, followed by those of the types
 // nested in it.
 
-import { isMessage, parseFieldType } from "../messages/fieldType.js";
+import { isInteger, isMessage, parseFieldType } from "../messages/fieldType.js";
 import { Fault } from "./orders.js";
 
 /** @import { MessageType } from "../protocol.js" */
@@ -15,6 +15,9 @@ const NAME = /^[A-Za-z]\w*$/;
 const CONSTANT = /^(\S+)\s+([A-Z]\w*)\s*=\s*(.*)$/;
 const FIELD = /^(\S+)\s+([A-Za-z]\w*)(?:\s+(.+))?$/;
 const NUMBERS = /^(?:u?int(?:8|16|32|64)|float(?:32|64)|bool)$/;
+const ESCAPE = /\\([0-7]{1,3}|x[\da-f]{2}|u[\da-f]{4}|[abfnrtv"'\\])/gi;
+/** @type {Record<string, string>} */
+const LETTERS = { a: "\x07", b: "\b", f: "\f", n: "\n", r: "\r", t: "\t", v: "\v" };
 /** Other names of types. @type {Record<string, string>} */
 const ALIASES = { byte: "uint8", char: "uint8", octet: "uint8" };
 /** Types that need no package. @type {Record<string, string>} */
@@ -62,21 +65,34 @@ function definitionOf(types, name) {
 
 /** @param {MessageType | undefined} type */
 function linesOf(type) {
-  const constants = type?.constants.map(({ type: kind, name, value }) => `${kind} ${name}=${literal(value)}\n`) ?? [];
+  const constants = type?.constants.map(({ type: kind, name, value }) => `${kind} ${name}=${literal(value, kind)}\n`) ?? [];
   const fields = type?.fields.map(({ type: kind, name, default: value }) => {
     const { base } = parseFieldType(kind);
     const written = isMessage(base) ? kind.replace(base, short(base)) : kind;
-    return `${written} ${name}${value === undefined || value === null ? "" : ` ${literal(value)}`}\n`;
+    return `${written} ${name}${value === undefined || value === null ? "" : ` ${literal(value, base)}`}\n`;
   }) ?? [];
   return [...constants, ...fields].join("");
 }
 
-/** @param {any} value @returns {string} */
-function literal(value) {
+/** @param {any} value @param {string} base its type @returns {string} */
+function literal(value, base) {
   if (Array.isArray(value) || ArrayBuffer.isView(value)) {
-    return `[${Array.from(/** @type {any[]} */ (value), literal).join(", ")}]`;
+    return `[${Array.from(/** @type {any[]} */ (value), (one) => literal(one, base)).join(", ")}]`;
   }
-  return typeof value === "string" ? `"${value.replace(/["\\]/g, "\\$&").replaceAll("\n", "\\n")}"` : String(value);
+  return typeof value === "string" && !isInteger(base) ? quoted(value) : String(value);
+}
+
+/** Return a text as .msg files have it: rosidl decodes escapes twice. @param {string} text */
+export function quoted(text) {
+  return JSON.stringify(text).replace(/\\([^"t])/g, (_, what) => (what === "\\" ? "\\\\\\\\" : `\\\\${what}`));
+}
+
+/** Decode the escapes of a text once. @param {string} text */
+function decoded(text) {
+  return text.replace(ESCAPE, (_, code) => {
+    if (/^[0-7]/.test(code)) return String.fromCharCode(parseInt(code, 8));
+    return /^[xu]./.test(code) ? String.fromCharCode(parseInt(code.slice(1), 16)) : LETTERS[code] ?? code;
+  });
 }
 
 /** In these texts, types have no "msg" in the middle. @param {string} name */
@@ -138,8 +154,10 @@ function withoutComment(line) {
 /** @param {string} kind @param {string} value */
 function valueOf(kind, value) {
   if (kind === "bool") return /^(true|1)$/i.test(value);
+  if (/^u?int64$/.test(kind)) return value;
   if (NUMBERS.test(kind) || kind in ALIASES) return Number(value);
-  return value.replace(/^"(.*)"$|^'(.*)'$/, "$1$2");
+  const [, quote, inner = value] = /^(["'])(.*)\1$/.exec(value) ?? [];
+  return decoded(decoded(quote ? inner.replaceAll(`\\${quote}`, quote) : inner));
 }
 
 /** The full name of the type of a field, with its array. @param {string} kind @param {string} where its package */

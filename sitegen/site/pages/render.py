@@ -43,7 +43,8 @@ class Rendered:
     """The result for one page: its artifacts, and what the whole site needs to know about it.
 
     `ids` are the targets for links into the page, `anchors` the links whose targets must exist,
-    `sheets` the joined style sheets that it loads, `found` its problems in the form of Problems.
+    `sheets` the joined style sheets that it loads, `found` its problems in the form of Problems,
+    `notes` hints about a page that has none.
     """
 
     page: Page
@@ -53,6 +54,7 @@ class Rendered:
     passages: tuple[search.Passage, ...]
     sheets: tuple[Sheet, ...]
     found: tuple[tuple[str, int, str], ...]
+    notes: tuple[str, ...] = ()
 
 
 def render(site: Site, programs: Programs | None = None) -> list[Artifact]:
@@ -120,11 +122,13 @@ class Renderer:
         parts = blocks(self.site, page, prose, problems)
         shown = list(flat(parts))
         entry = None
+        notes: tuple[str, ...] = ()
         if page.script or any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
             # A page opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site
             loaded = resources(site, page)
+            notes = tuple(loaded.notes)
             played = bags(site, page)
             own = own_panels(site, page, problems, lambda: self._interfaces)
             entry = page_entry(site, page, self._programs, files, loaded.paths, played.paths, own)
@@ -145,6 +149,7 @@ class Renderer:
             tuple(search.passages(page, (block.html for block in shown))),
             tuple(sheets),
             tuple(problems.found),
+            notes,
         )
 
     def alone(self, page: Page) -> tuple[str, list[Artifact]]:

@@ -2,7 +2,7 @@
 
 from sitegen.site.prose.highlight import code, language_of
 from sitegen.site.prose.links import Anchor, Library, address
-from sitegen.site.prose.media import lasting_name
+from sitegen.site.prose.media import lasting_name, resourced
 from sitegen.site.prose.text import Heading, Prose, plain, without_text
 
 __all__ = [
@@ -15,5 +15,6 @@ __all__ = [
     "language_of",
     "lasting_name",
     "plain",
+    "resourced",
     "without_text",
 ]

@@ -5,10 +5,12 @@ from __future__ import annotations
 import functools
 import hashlib
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 # A name with only these characters needs no quoting in a URL.
 _UNSAFE = re.compile(r"[^\w.-]+")
+_CANDIDATE = re.compile(r"[\s,]*([^\s,](?:\S*[^\s,])?)(?:,+(?=\s|$)|\s*$|\s+([^,]*)(?:,|$))")
 _LENGTH = re.compile(r"""\s(width|height)\s*=\s*["']?(\d+)["'\s>]""", re.IGNORECASE)
 _LAZY = ("loading", "lazy"), ("decoding", "async")
 
@@ -17,6 +19,16 @@ def lasting_name(file: Path) -> str:
     """Return a path inside `dist/` that depends on the content of `file`."""
     name = _UNSAFE.sub("-", file.stem) or "file"
     return f"media/{name}.{_digest(file, file.stat().st_mtime_ns)}{file.suffix.lower()}"
+
+
+def resourced(text: str, address: Callable[[str], str]) -> str:
+    """Return a `srcset` with other addresses.
+
+    A comma ends a picture after its address or its descriptor; one inside of an address belongs to
+    it, as in https://html.spec.whatwg.org/multipage/images.html#parsing-a-srcset-attribute.
+    """
+    pictures = _CANDIDATE.findall(text)
+    return ", ".join(f"{address(url)} {size}".strip() for url, size in pictures)
 
 
 def sized(tag: str, file: Path) -> str:

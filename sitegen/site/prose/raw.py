@@ -9,7 +9,7 @@ from typing import Any
 # Most pages have neither tags of their author nor any of these words, and reading HTML as browsers
 # do takes its time. Attributes can also come from `{: onclick="…" }` in Markdown.
 _TAG = re.compile(r"<[a-z]", re.IGNORECASE)
-_SUSPECT = re.compile(r"[\s/\"'](?:on\w+|style|srcset)\s*=", re.IGNORECASE)
+_SUSPECT = re.compile(r"[\s/\"'](?:on\w+|style)\s*=", re.IGNORECASE)
 # Browsers ignore these characters in the scheme of an address.
 _IGNORED = re.compile(r"[\x00-\x20]")
 _SCRIPT = re.compile(r"(?:javascript|vbscript):", re.IGNORECASE)
@@ -37,10 +37,10 @@ ATTRIBUTES = {
     "formaction": NO_FORMS,
     "ping": "pages send nothing to other sites; remove it",
     "srcdoc": NO_DOCUMENTS,
-    "srcset": "only the file in 'src' is copied into the site; remove it",
 }
 # The addresses that links.py checks, with the tags that text.py finds them in.
 LINKED = {
+    *(("img", "srcset"), ("source", "srcset")),
     *((tag, "src") for tag in ("img", "source", "video", "audio", "track", "iframe")),
     *(("a", "href"), ("video", "poster")),
 }

@@ -17,7 +17,7 @@ from sitegen.site.prose.extensions import converter
 from sitegen.site.prose.fences import DIAGRAM
 from sitegen.site.prose.links import Library, Links, line_of
 from sitegen.site.prose.mathematics import FormulaError, formulas
-from sitegen.site.prose.media import sized
+from sitegen.site.prose.media import resourced, sized
 
 # Every `<` in code is escaped, so these match real tags only, including raw HTML of the author.
 _TAG = re.compile(
@@ -27,6 +27,7 @@ _ADDRESS = re.compile(
     r"""([\s/](?:href|src|poster)\s*=\s*)(?:(["'])(?P<quoted>.*?)\2|(?P<bare>[^\s"'>]+))""",
     re.I | re.S,
 )
+_SRCSET = re.compile(_ADDRESS.pattern.replace("href|src|poster", "srcset"), re.I | re.S)
 # A heading, or the start of a table, which the heading above it names.
 _HEADING = re.compile(r"<h([1-6])((?:\s[^>]*)?)>(.*?)</h\1>|<table\b", re.I | re.S)
 _ID = re.compile(r"""\sid\s*=\s*["']?([^"'\s>]+)""", re.I)
@@ -153,7 +154,15 @@ class Prose:
             image = image or file
             return found[0] if new is None else f'{found[1]}"{html.escape(new)}"'
 
+        def picture(url: str) -> str:
+            return self.links.resolve(url, "image", source)[0] or url
+
+        def rewrite_all(found: re.Match[str]) -> str:
+            urls = found["bare"] if found["quoted"] is None else found["quoted"]
+            return f'{found[1]}"{html.escape(resourced(html.unescape(urls), picture))}"'
+
         written = _ADDRESS.sub(rewrite, tag[0])
+        written = _SRCSET.sub(rewrite_all, written) if name in ("img", "source") else written
         return sized(written, image) if name == "img" and image else written
 
 

@@ -17,6 +17,7 @@ from urllib.parse import unquote, urljoin, urlsplit
 
 from sitegen import pagepath
 from sitegen.model import Artifact, Page, Site
+from sitegen.site.prose import resourced
 from sitegen.site.single.bundle import bundle
 
 # Marks a file that sitegen wrote.
@@ -83,6 +84,9 @@ class _Writer(HTMLParser):
             for name in ("src", "poster", "href"):
                 if name in given:
                     written = self._attribute(tag, name, given[name], written)
+            if "srcset" in given:
+                sources = html.escape(resourced(given["srcset"], self._inside))
+                written = written.replace(html.escape(given["srcset"]), sources, 1)
         self.out.append(written)
 
     handle_startendtag = handle_starttag
@@ -151,6 +155,11 @@ class _Writer(HTMLParser):
             if not self.site.url:
                 return re.sub(rf"""\s{name}=("[^"]*"|'[^']*'|[^\s>]+)""", "", written, count=1)
         return written.replace(html.escape(value), html.escape(found), 1)
+
+    def _inside(self, address: str) -> str:
+        """Return a file of the site as a URL that contains it; other URLs are unchanged."""
+        path = self._path(address)
+        return self._data(path) if path and path in self.artifacts else address
 
     def _absolute(self, address: str) -> str:
         # urljoin resolves relative paths of http URLs only.

@@ -10,6 +10,7 @@ import struct
 from pathlib import Path
 
 import pytest
+from PIL import Image
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
 from scenes import at, emit, expect_colors, pixels, view
@@ -87,6 +88,20 @@ def test_a_mesh_of_each_format_is_drawn(stage: Tab, tmp_path: Path, kind: str) -
     expect_colors(panel, {(0.8, 0.8): "red", (-0.8, 0.5): "red", (1.3, 0): "black"})
 
 
+def test_a_mesh_without_normals_is_lit(stage: Tab, tmp_path: Path) -> None:
+    facet = "facet normal 0 0 0\nouter loop\n{}endloop\nendfacet\n"
+    corners = [f"vertex {x} {y} {z}\n" for x, y, z in CORNERS]
+    facets = [facet.format("".join(corners[at : at + 3])) for at in (0, 3)]
+    (tmp_path / "square.stl").write_text(f"solid square\n{''.join(facets)}endsolid square\n")
+    url = "package://robot/square.stl"
+    add(stage, "publisher", "/node", "/t", "visualization_msgs/msg/Marker")
+    panel = view(stage, {"kind": "markers", "topic": "/t"}, resources={url: "square.stl"})
+    # A program may name the file by the folder of its package, too.
+    named = "file:///ros/share/robot/square.stl"
+    emit(stage, "/t", f"marker({{ type: 10, mesh_resource: '{named}' }})")
+    expect_colors(panel, {(0.8, 0.8): "red", (-0.8, 0.5): "red", (1.3, 0): "black"})
+
+
 def test_a_mesh_that_is_damaged_is_told(stage: Tab, tmp_path: Path) -> None:
     (tmp_path / "bad.gltf").write_bytes(b"{")
     url = "package://robot/bad.gltf"
@@ -128,6 +143,61 @@ def test_a_robot_stands_where_its_frames_are(stage: Tab, tmp_path: Path) -> None
     emit(stage, "/tf", "{ transforms: [transform('base', 'mast', [0, -2, 0])] }")
     expect(note).to_have_text("")
     assert at(pixels(panel), 0, -1) == "green"
+
+
+def box(name: str, x: float, material: str) -> str:
+    """A link with a box, and the joint that puts it at `x`."""
+    joint = f'''<joint name="to_{name}" type="fixed"><parent link="base"/><child link="{name}"/>
+      <origin xyz="{x} 0 0"/></joint>'''
+    return f'''<link name="{name}"><visual><geometry><box size="0.4 0.4 0.1"/></geometry>
+      {material}</visual></link>{joint}'''
+
+
+GREEN, BLUE = '<color rgba="0 1 0 1"/>', '<color rgba="0 0 1 1"/>'
+MATERIALS = f"""<robot name="r"><link name="base"/>
+  {box("a", -1.5, f'<material name="one">{GREEN}</material>')}
+  {box("b", -0.9, '<material name="one"/>')}
+  {box("c", -0.3, f'<material name="one">{BLUE}</material>')}
+  {box("d", 0.3, f'<material name="two">{BLUE}</material>')}
+  {box("e", 0.9, f'<material name="">{BLUE}</material>')}
+  {box("f", 1.5, '<material name="none"/>')}
+  <material name="two"><color rgba="1 0 0 1"/></material>
+  <material name="two">{GREEN}</material>
+</robot>"""
+
+
+def test_materials_are_shared_by_the_rules_of_urdfdom(stage: Tab) -> None:
+    """The first definition of a name holds; those of the robot come before those of its links."""
+    add(stage, "publisher", "/node", "/t", "std_msgs/msg/String", transientLocal=True)
+    panel = view(stage, {"kind": "robot", "topic": "/t"}, frame="")
+    emit(stage, "/t", json.dumps({"data": MATERIALS}))
+    colors: dict[tuple[float, float], str] = {
+        **{(-1.5, 0): "green", (-0.9, 0): "green", (-0.3, 0): "green"},
+        **{(0.3, 0): "red", (0.9, 0): "blue", (1.5, 0): "white"},
+    }
+    expect_colors(panel, colors)
+    # A robot without frames is complete, so this is only about its materials.
+    expect(panel.locator(".ros-display-list .ros-note")).to_have_text(
+        "material 'two' is defined twice; material 'none' of link 'f' is not defined"
+    )
+
+
+def test_a_material_may_be_a_texture_alone(stage: Tab, tmp_path: Path) -> None:
+    Image.new("RGB", (2, 2), (0, 255, 0)).save(tmp_path / "green.png")
+    texture = '<texture filename="{}"/>'
+    url = "package://robot/green.png"
+    robot = f"""<robot name="r"><link name="base"/>
+      {box("a", -0.5, f'<material name="one">{texture.format(url)}</material>')}
+      {box("b", 0.5, f'<material name="one">{BLUE}</material>')}
+      {box("c", 1.5, f'<material name="two">{texture.format("package://robot/no.png")}</material>')}
+    </robot>"""
+    add(stage, "publisher", "/node", "/t", "std_msgs/msg/String", transientLocal=True)
+    panel = view(stage, {"kind": "robot", "topic": "/t"}, frame="", resources={url: "green.png"})
+    emit(stage, "/t", json.dumps({"data": robot}))
+    expect_colors(panel, {(-0.5, 0): "green", (0.5, 0): "green", (1.5, 0): "white"})
+    expect(panel.locator(".ros-display-list .ros-note")).to_have_text(
+        "the site does not contain package://robot/no.png"
+    )
 
 
 Matrix = list[list[float]]

@@ -213,6 +213,31 @@ def test_constants_are_offered_as_values(stage: Tab) -> None:
     assert selects.count() == 2
 
 
+def test_64_bit_integers_of_definitions_stay_exact(stage: Tab) -> None:
+    constants = """[{"name": "SERIAL_ALL", "type": "uint64", "value": "18446744073709551615"},
+      {"name": "SERIAL_ONE", "type": "uint64", "value": "9007199254740993"}]"""
+    fields = (
+        'uint64 serial "9007199254740993", int64 offset "-9007199254740993", '
+        'uint64[] keys ["9007199254740993","1"]'
+    )
+    found = read_form(stage, fields, constants)
+    assert found["message"] == {
+        "serial": "9007199254740993n", "offset": "-9007199254740993n",
+        "keys": {"BigUint64Array": ["9007199254740993", "1"]},
+    }  # fmt: skip
+    expect(stage.get_by_label("keys")).to_have_value("[9007199254740993, 1]")
+    assert stage.locator("#panel option").all_inner_texts()[:2] == [
+        "SERIAL_ALL (18446744073709551615)", "SERIAL_ONE (9007199254740993)"
+    ]  # fmt: skip
+
+
+def test_a_default_with_line_ends_is_sent_as_it_is(stage: Tab) -> None:
+    constants = r'[{"name": "TWO", "type": "wstring", "value": "b\nc"}]'
+    text = r'string lines "one\r\ntwo", wstring other "x\ny"'
+    assert read_form(stage, text, constants)["message"] == {"lines": "one\r\ntwo", "other": "x\ny"}
+    expect(stage.get_by_label("lines")).to_have_value("one\ntwo")
+
+
 def test_items_are_added_and_removed_with_the_keyboard(stage: Tab) -> None:
     found = read_form(stage, "a/msg/Point[<=2] ps", act="press('Add to ps'); press('Add to ps')")
     assert len(found["message"]["ps"]) == 2

@@ -26,7 +26,7 @@ export function filled(given, type, types) {
   return message;
 }
 
-/** Defaults come as JSON, where 64-bit integers are numbers. @param {any} value @param {string} base */
+/** Defaults come as JSON, where 64-bit integers are texts. @param {any} value @param {string} base */
 function typed(value, base) {
   return base.endsWith("int64") && typeof value !== "bigint" ? BigInt(value) : value;
 }

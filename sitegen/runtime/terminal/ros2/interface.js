@@ -1,7 +1,8 @@
 // @ts-check
 // ros2 interface: the message, service and action types of the page.
 
-import { parseFieldType } from "../../messages/fieldType.js";
+import { quoted } from "../../bag/definition.js";
+import { isInteger, parseFieldType } from "../../messages/fieldType.js";
 import { typesOf, unique } from "../args/words.js";
 import { Failure } from "../shell/shell.js";
 import { filled } from "./filled.js";
@@ -135,7 +136,7 @@ function definition(ros, name, indent) {
 /** @param {any} value @param {string} type @returns {string} */
 function constant(value, type) {
   if (Array.isArray(value)) return `[${value.map((one) => constant(one, type.replace(/\[.*$/, ""))).join(", ")}]`;
-  if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "string" && !isInteger(type)) return quoted(value);
   return /^float/.test(type) ? float(value) : String(value);
 }
 

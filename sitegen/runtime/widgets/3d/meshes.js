@@ -16,10 +16,7 @@ const loaded = new Map();
  * @returns {Promise<any>} a group, in metres and with z up as ROS has it
  */
 export async function loadMesh(url, resource) {
-  const address = resource(url);
-  if (!address || /^(package|file|model):/.test(address)) {
-    throw new Error(say("the site does not contain {}", url));
-  }
+  const address = siteAddress(url, resource);
   let loading = loaded.get(address);
   if (!loading) {
     loading = load(url, address);
@@ -27,6 +24,17 @@ export async function loadMesh(url, resource) {
     loading.catch(() => loaded.delete(address));
   }
   return (await loading).clone();
+}
+
+/**
+ * Return the address of what a description names. Throws an Error if the site does not have it.
+ * @param {string} url @param {(url: string) => string} resource
+ */
+export function siteAddress(url, resource) {
+  const address = resource(url);
+  const known = address !== url || !/^(\/|(package|file|model):)/.test(url);
+  if (!address || !known) throw new Error(say("the site does not contain {}", url));
+  return address;
 }
 
 /** @param {string} url @param {string} address */
@@ -47,6 +55,7 @@ async function load(url, address) {
 const READERS = {
   async stl(address, manager) {
     const geometry = await new STLLoader(manager).loadAsync(address);
+    if (lacksNormals(geometry.getAttribute("normal"))) geometry.computeVertexNormals();
     return upright(new Mesh(geometry, new MeshLambertMaterial({ color: new Color(0xd0d3da) })));
   },
   async dae(address, manager) {
@@ -75,6 +84,14 @@ const READERS = {
 async function readGltf(address, manager) {
   const { scene } = await new GLTFLoader(manager).loadAsync(address);
   return upright(scene);
+}
+
+/** Whether a file left the normals of triangles at zero, as some exporters do. @param {any} normals */
+function lacksNormals(normals) {
+  for (let i = 0; i < normals.count; i++) {
+    if (normals.getX(i) ** 2 + normals.getY(i) ** 2 + normals.getZ(i) ** 2 < 1e-3) return true;
+  }
+  return false;
 }
 
 /** @param {string} address */

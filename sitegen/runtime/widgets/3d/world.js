@@ -14,6 +14,8 @@ import { Shown } from "./shown.js";
 const TF = "tf2_msgs/msg/TFMessage";
 // The frames that are fixed in most systems, the best first.
 const USUAL = ["map", "world", "odom"];
+// The folder of packages in the page, for URLs that programs make of the folder of a package.
+const SHARE = /^(?:file:\/\/)?\/ros\/share\//;
 // A page without a list of displays shows this many topics at most.
 const MOST_SHOWN = 30;
 
@@ -48,7 +50,7 @@ export class World {
     this.#stage = stage;
     this.#automatic = !displays;
     this.resource = (/** @type {string} */ url) => {
-      const address = resources[url] ?? url;
+      const address = resources[url.replace(SHARE, "package://")] ?? url;
       // A page that is a single file contains them.
       return address.startsWith("sitegen:") ? place(address) : address;
     };

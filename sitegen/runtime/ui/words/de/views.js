@@ -56,6 +56,8 @@ export const views = {
   "not a COLLADA file": "keine COLLADA-Datei",
   "not an STL, COLLADA, OBJ or glTF file": "keine Datei in STL, COLLADA, OBJ oder glTF",
   "not a robot description: its root is not <robot>": "keine Roboterbeschreibung: ihre Wurzel ist nicht <robot>",
+  "material '{}' is defined twice": "das Material '{}' ist doppelt definiert",
+  "material '{}' of link '{}' is not defined": "das Material '{}' des Gliedes '{}' ist nicht definiert",
   "the description has more than {} links": "die Beschreibung hat mehr als {} Glieder",
   "the description has more than {} joints": "die Beschreibung hat mehr als {} Gelenke",
   "the site does not contain {}": "die Site enthält {} nicht",

@@ -3,7 +3,8 @@
 
 import { Group, LoadingManager, Matrix4, URDFLoader } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
-import { loadMesh } from "../meshes.js";
+import { shareMaterials } from "../materials.js";
+import { loadMesh, siteAddress } from "../meshes.js";
 import { Axes, dispose } from "../shapes.js";
 
 /** @import { Context, Kind } from "../shown.js" */
@@ -70,8 +71,11 @@ class Model {
   show(text) {
     this.clear();
     const version = this.#version;
-    const { root, world } = this.#context;
-    this.#links = readLinks(text, (url, material, done) => this.#mesh(url, material, done, version));
+    const { root, world, resource } = this.#context;
+    const robot = parse(text);
+    this.#faults = new Set([...shareMaterials(robot), ...placeTextures(robot, resource)]);
+    this.#links = readLinks(robot, (url, material, done) => this.#mesh(url, material, done, version),
+      () => world.redraw());
     for (const { group } of this.#links) root.add(group);
     this.style();
     place(world, this.#options.prefix, this.#links);
@@ -113,7 +117,8 @@ class Model {
   update() {
     const { world, say: tell } = this.#context;
     const without = place(world, this.#options.prefix, this.#links);
-    const missing = without.length ? [say("no transforms of {}", without.slice(0, 5).join(", "))] : [];
+    // A robot alone is complete without frames.
+    const missing = without.length && world.fixed ? [say("no transforms of {}", without.slice(0, 5).join(", "))] : [];
     if (this.#links.length) tell([...this.#faults, ...missing].join("; "));
     this.#axes.begin();
     for (const { group } of this.#options.axes ? this.#links : []) this.#axes.add(group.position, group.quaternion, 0.1, 0.01);
@@ -128,24 +133,48 @@ class Model {
   }
 }
 
-/**
- * Return the links of a description, each with its shapes and with where it is in its parent if all joints are at 0.
- * Throws an Error if the text is no description.
- * @param {string} text @param {(url: string, material: any, done: (mesh: any) => void) => void} load
- */
-function readLinks(text, load) {
+/** Return the root of a description. Throws an Error if the text is no description. @param {string} text */
+function parse(text) {
   const { documentElement } = new DOMParser().parseFromString(text, "application/xml");
   if (documentElement.nodeName !== "robot") throw new Error(say("not a robot description: its root is not <robot>"));
   if (documentElement.getElementsByTagName("link").length > MOST_LINKS) {
     throw new Error(say("the description has more than {} links", MOST_LINKS));
   }
-  const loader = new URDFLoader(new LoadingManager());
+  return documentElement;
+}
+
+/**
+ * Give the textures of materials their addresses, and return the errors about those that the site does not have.
+ * @param {Element} robot @param {(url: string) => string} resource
+ */
+function placeTextures(robot, resource) {
+  const faults = [];
+  for (const texture of [...robot.getElementsByTagName("texture")]) {
+    const url = texture.getAttribute("filename");
+    if (!url) continue;
+    try {
+      texture.setAttribute("filename", siteAddress(url, resource));
+    } catch (error) {
+      faults.push(error instanceof Error ? error.message : String(error));
+      texture.remove();
+    }
+  }
+  return faults;
+}
+
+/**
+ * Return the links of a description, each with its shapes and with where it is in its parent if all joints are at 0.
+ * @param {Element} root @param {(url: string, material: any, done: (mesh: any) => void) => void} load
+ * @param {() => void} textured called when textures are loaded
+ */
+function readLinks(root, load, textured) {
+  const loader = new URDFLoader(new LoadingManager(textured));
   loader.parseCollision = true;
   // Keeps "package://" in the paths: the site knows where these files are.
   loader.packages = (/** @type {string} */ name) => `package://${name}`;
   loader.loadMeshCb = (/** @type {string} */ url, /** @type {any} */ _manager, /** @type {any} */ material,
     /** @type {any} */ done) => load(url, material, done);
-  const robot = loader.parse(/** @type {any} */ (documentElement));
+  const robot = loader.parse(/** @type {any} */ (root));
   repaint(robot);
   robot.updateMatrixWorld(true);
   return Object.entries(robot.links).map(([name, link]) => {
