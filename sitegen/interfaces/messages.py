@@ -105,7 +105,7 @@ def _source(name: str, packages: Mapping[str, Path]) -> Any:
     if not file.is_file():
         return None
     part = name.split("/")[2].partition("_")[2]
-    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8"), flags=re.M)
+    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8-sig"), flags=re.M)
     index = {"": 0, "Request": 0, "Goal": 0, "Response": 1, "Result": 1, "Feedback": 2}.get(part)
     if index is None or index >= len(texts):
         return None

@@ -134,4 +134,4 @@ def _sources(folder: Path) -> Iterator[str]:
         if file.suffix not in TEXTS or any(is_ignored(name, at_root=False) for name in inside):
             continue
         if file.is_file() and file.stat().st_size <= LONGEST:
-            yield file.read_text(encoding="utf-8", errors="replace")
+            yield file.read_text(encoding="utf-8-sig", errors="replace")

@@ -201,7 +201,7 @@ def written(path: Path, seen: set[Path]) -> Iterator[Command]:
     """
     try:
         file = (path / "CMakeLists.txt" if path.is_dir() else path).resolve(strict=True)
-        text = file.read_text(encoding="utf-8", errors="replace")
+        text = file.read_text(encoding="utf-8-sig", errors="replace")
     except (OSError, RuntimeError, ValueError):
         # CMake looks for modules in more folders, and reports those that it does not find.
         return

@@ -23,7 +23,7 @@ def read(file: Path) -> dict[str, str]:
     Raises: ValueError if the file cannot be read.
     """
     try:
-        given = yamlnodes.load(file.read_text(encoding="utf-8")) or {}
+        given = yamlnodes.load(file.read_text(encoding="utf-8-sig")) or {}
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f"'{file.name}' cannot be read: {error}") from None
     except yaml.YAMLError as error:

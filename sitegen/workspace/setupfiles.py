@@ -69,7 +69,7 @@ def _py(folder: Path) -> dict[str, Any]:
     if not file.is_file():
         return {}
     try:
-        tree = ast.parse(file.read_text(encoding="utf-8"))
+        tree = ast.parse(file.read_bytes())
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
         line = getattr(error, "lineno", None) or 1
         raise _UnreadableError(file, line, f"not valid Python: {error}") from None
@@ -103,7 +103,7 @@ def _cfg(folder: Path) -> dict[str, Any]:
     file = folder / "setup.cfg"
     parser = configparser.ConfigParser(interpolation=None)
     try:
-        parser.read(file, encoding="utf-8")
+        parser.read(file, encoding="utf-8-sig")
     except (configparser.Error, ValueError) as error:
         line = getattr(error, "lineno", 1)
         raise _UnreadableError(file, line, f"cannot be read: {error}") from None
@@ -134,7 +134,7 @@ def _pyproject(folder: Path) -> dict[str, Any]:
     if not file.is_file():
         return {}
     try:
-        data = tomllib.loads(file.read_text(encoding="utf-8"))
+        data = tomllib.loads(file.read_text(encoding="utf-8-sig"))
     except ValueError as error:
         found = re.search(r"line (\d+)", str(error))
         raise _UnreadableError(file, int(found[1]) if found else 1, str(error)) from None

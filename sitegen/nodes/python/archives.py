@@ -249,7 +249,7 @@ def _sources(package: Package) -> Iterator[str]:
     scripts = package.setup.scripts.values() if package.setup else ()
     for path, file in (package.setup.files if package.setup else {}).items():
         if file.suffix == ".py" or path in scripts:
-            yield file.read_text(encoding="utf-8", errors="replace")
+            yield file.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def _with_nested(names: Iterable[str], prefix: Path) -> list[str]:

@@ -51,7 +51,7 @@ def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
     found: set[str] = set()
     for file in _walk(files, program)[1]:
         try:
-            tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+            tree = ast.parse(file.read_bytes())
         except (SyntaxError, ValueError):
             continue
         known: set[str] = set()
@@ -111,7 +111,7 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
     A name imported from a package may be a module or not.
     """
     try:
-        tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+        tree = ast.parse(file.read_bytes())
     except (SyntaxError, ValueError):
         return  # Python will say so, in the console
     for node, sure in _unconditional(tree):
