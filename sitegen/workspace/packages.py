@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
 from sitegen.errors import Location, Problems, relative
-from sitegen.ignored import is_ignored
 from sitegen.model import Package, Setup
-from sitegen.workspace import cmakelists, setupfiles
+from sitegen.workspace import cmakelists, folders, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
-IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
 # The interface packages that come with sitegen.
 SHARES = [shipped.ROS / "share", shipped.INTERFACES]
 KINDS = ("msg", "srv")
@@ -27,7 +24,7 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
     """Return the packages below `folder` by name, and report (or raise) what is wrong with them."""
     found = Problems(folder) if problems is None else problems
     packages: dict[str, Package] = {}
-    for path in _folders(folder):
+    for path in folders.packages(folder, found.root):
         package = _package(path, found)
         if package is None:
             continue
@@ -64,23 +61,7 @@ def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
 @cache
 def _shipped_names() -> frozenset[str]:
     """Return the names of the packages that come with sitegen."""
-    return frozenset(path.name for path in _folders(shipped.PACKAGES))
-
-
-def _folders(folder: Path) -> Iterator[Path]:
-    for path, folders, files in os.walk(folder):
-        if IGNORE & set(files):
-            folders.clear()
-        elif "package.xml" in files:
-            # As in colcon, a package contains no other packages.
-            folders.clear()
-            yield Path(path)
-        at_root = Path(path) == folder
-        folders[:] = sorted(
-            name
-            for name in folders
-            if not is_ignored(name, at_root=at_root) and not name.startswith(".")
-        )
+    return frozenset(path.name for path in folders.packages(shipped.PACKAGES, shipped.PACKAGES))
 
 
 def _package(path: Path, problems: Problems) -> Package | None:
