@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
 from functools import cache
@@ -76,7 +77,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
     build_type = manifest.build_type or ("ament_cmake" if cmake.is_file() else "catkin")
     executables, sources = listing.executables, listing.sources
     if build_type == PYTHON:
-        setup: Setup | None = _setup(path)
+        setup: Setup | None = _setup(path, problems.root)
         executables, sources = [], {}
     else:
         setup = _scripts(path, name, listing)
@@ -97,8 +98,8 @@ def _package(path: Path, problems: Problems) -> Package | None:
     )
 
 
-def _setup(path: Path) -> Setup:
-    listing = setupfiles.read(path)
+def _setup(path: Path, root: Path) -> Setup:
+    listing = setupfiles.read(path, root)
     fault = listing.fault and (Location(*listing.fault[:2]), listing.fault[2])
     files = {installed: path / file for installed, file in listing.files.items()}
     return Setup(listing.scripts, files, fault)
@@ -134,5 +135,5 @@ def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
         module = target.partition(":")[0].replace(".", "/")
         paths = (target, f"python/{module}.py", f"python/{module}/__init__.py")
         files = (setup.files[each] for each in paths if each in setup.files)
-        found[name] = [file.relative_to(path).as_posix() for file in files]
+        found[name] = [Path(os.path.relpath(file, path)).as_posix() for file in files]
     return found
