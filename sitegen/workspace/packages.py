@@ -80,7 +80,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         setup: Setup | None = _setup(path, problems.root)
         executables, sources = [], {}
     else:
-        setup = _scripts(path, name, listing)
+        setup = _scripts(path, name, listing, problems.root)
     if setup:
         executables = None if executables is None else [*executables, *setup.scripts]
         sources = sources | _modules(path, setup)
@@ -105,20 +105,21 @@ def _setup(path: Path, root: Path) -> Setup:
     return Setup(listing.scripts, files, fault)
 
 
-def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None:
+def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> Setup | None:
     """Return the Python programs and modules that a package installs by CMake, if any."""
-    files = cmakelists.installed(listing, path)
+    files = cmakelists.installed(listing, path, root)
     programs = {
         installed: file
         for installed, file in files.items()
         if PurePosixPath(installed).parent == PurePosixPath("lib", name) and _is_python(file)
     }
     if not programs and not any(installed.startswith("python/") for installed in files):
-        return None
+        return Setup({}, {}, listing.fault) if listing.fault else None
     # The files that ament_package() installs; of the file in the index, only the name matters.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
-    return Setup({PurePosixPath(installed).name: installed for installed in programs}, files)
+    scripts = {PurePosixPath(installed).name: installed for installed in programs}
+    return Setup(scripts, files, listing.fault)
 
 
 def _is_python(file: Path) -> bool:

@@ -32,6 +32,13 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
 def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
     """Return the modules from elsewhere, and the files of the program's own modules."""
     modules = {_name(path): file for path, file in files.items() if _is_module(path)}
+    if program in files:
+        # As Python does, it finds the modules beside the program.
+        folder = PurePosixPath(program).parent
+        beside = {
+            path: file for path, file in files.items() if PurePosixPath(path).parent == folder
+        }
+        modules |= {PurePosixPath(path).stem: f for path, f in beside.items() if f.suffix == ".py"}
     found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
     seen: dict[str, Path] = {}
