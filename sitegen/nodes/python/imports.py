@@ -29,6 +29,11 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
     return _walk(files, program)[0]
 
 
+def own(files: Mapping[str, Path], program: str) -> list[Path]:
+    """Return the files of a program: its own module, and those that it imports from `files`."""
+    return _walk(files, program)[1]
+
+
 def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
     """Return the modules from elsewhere, and the files of the program's own modules."""
     modules = {_name(path): file for path, file in files.items() if _is_module(path)}
@@ -120,7 +125,7 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
     try:
         tree = ast.parse(file.read_bytes())
     except (SyntaxError, ValueError):
-        return  # Python will say so, in the console
+        return  # reported by syntax.check()
     for node, sure in _unconditional(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno, sure) for alias in node.names)
