@@ -100,17 +100,23 @@ def _files(root: Path, without: Path | None) -> Iterator[tuple[str, os.stat_resu
         if root.exists():
             yield str(root), root.stat()
         return
-    left_out = str(without)
+    left_out, seen = str(without), set[str]()
     waiting = [str(root)]
     while waiting:
         folder = waiting.pop()
+        # Links may lead back to a folder above.
+        if (real := os.path.realpath(folder)) in seen:
+            continue
+        seen.add(real)
         with os.scandir(folder) as entries:
             here = list(entries)
         if any(entry.name == "pyvenv.cfg" for entry in here):
             continue
         for entry in here:
-            if entry.is_dir():
+            # Unlike an entry, a path takes a link to itself for neither a file nor a folder.
+            target = Path(entry) if entry.is_symlink() else entry
+            if target.is_dir():
                 if entry.path != left_out and not is_ignored(entry.name, at_root=False):
                     waiting.append(entry.path)
-            elif entry.is_file():
+            elif target.is_file():
                 yield entry.path, entry.stat()

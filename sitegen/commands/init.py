@@ -77,7 +77,10 @@ def _write_site(folder: Path, report: Report) -> None:
     problems = Problems(root)
     packages = workspace.scan(root, problems=problems)
     problems.raise_if_any()
+    links = Problems(root)
+    workspace.report_outside(root, links)
     runs = _runs(root, packages)
+    runs = replace(runs, faults=[*runs.faults, *links.lines])
     if not runs.packages and not runs.launch:
         raise SiteError([_nothing(root, packages), *runs.faults])
     file.write_text("\n".join(_lines(root, runs, packages)) + "\n", encoding="utf-8")

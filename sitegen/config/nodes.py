@@ -120,7 +120,7 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
             f"this release supports {' and '.join(BUILD_TYPES)}"
         )
         problems.add(*declared.where("package"), message)
-    elif package.setup and package.setup.fault:
+    elif package.setup and package.setup.fault and _depends_on_setup(package, node.executable):
         problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
     elif package.build_type == "ament_python" and not package.executables:
         message = f"package '{package.name}' has no entry points; declare them in its setup.py"
@@ -144,6 +144,12 @@ def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
     if isinstance(node.kind, Cpp) and setup and node.executable in setup.scripts:
         return replace(node, kind=Python(setup))
     return node
+
+
+def _depends_on_setup(package: Package, executable: str) -> bool:
+    """Return whether a program is Python, or unknown: then it is missing what was not read."""
+    scripts = package.setup.scripts if package.setup else {}
+    return executable in scripts or executable not in (package.executables or ())
 
 
 def _has_executable(package: Package, executable: str) -> bool:

@@ -107,7 +107,7 @@ def _fences(file: Path, problems: Problems) -> Iterator[Part]:
 
 def _cells(file: Path, location: Location) -> Iterator[Part]:
     """Yield the cells of a Jupyter notebook, with the outputs that its author saved."""
-    for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]:
+    for cell in json.loads(file.read_text(encoding="utf-8-sig"))["cells"]:
         if not isinstance(cell, dict):
             continue
         text = _joined(cell.get("source"))
@@ -174,7 +174,7 @@ def _notebooks(folder: Path, problems: Problems) -> list[str]:
 
 def _fault(file: Path) -> str:
     try:
-        notebook = json.loads(file.read_text(encoding="utf-8"))
+        notebook = json.loads(file.read_text(encoding="utf-8-sig"))
     except (OSError, ValueError, RecursionError):
         return "not a Jupyter notebook: it is not valid JSON; save it again in Jupyter"
     cells = notebook.get("cells") if isinstance(notebook, dict) else None

@@ -59,7 +59,7 @@ def _loaded(script: Path) -> Iterator[Path]:
     seen = {script}
     waiting = [script]
     while waiting:
-        text = waiting.pop().read_text(encoding="utf-8", errors="replace")
+        text = waiting.pop().read_text(encoding="utf-8-sig", errors="replace")
         for name in dict.fromkeys(NAMED.findall(text)):
             file = script.parent / name
             # A .wasm file is always required; any other name may not stand for a file at all.

@@ -161,7 +161,7 @@ def read_configuration(file: Path) -> Configuration:
     Raises: ValueError with the reason if it cannot be read.
     """
     try:
-        root = compose(file.read_text(encoding="utf-8"))
+        root = compose(file.read_text(encoding="utf-8-sig"))
         found = yaml.SafeLoader("").construct_document(root) if root else None
     except (LimitError, OSError, UnicodeDecodeError, ValueError, yaml.YAMLError) as error:
         line = " ".join(str(error).split())[:200]

@@ -67,6 +67,9 @@ def _site(file: Section, problems: Problems) -> Site:
     reader = PageReader(problems, declared, themes, languages, scanned, joined)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
     packages = _packages(scanned, reader.declared, problems) if folder else {}
+    if folder and reader.declared:
+        # A package that is not found may be behind such a link.
+        workspace.report_outside(folder, problems if problems.found else reader.notes)
     pages = tuple(_with_kinds(page, packages) for page in pages)
     nav = file.get("nav")
     return Site(

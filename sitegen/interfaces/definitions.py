@@ -59,6 +59,9 @@ class _Checker:
         except UnicodeDecodeError:
             yield f"{file}: not UTF-8; save the file as UTF-8"
             return
+        if text.startswith("\ufeff"):
+            yield f"{file}:1: ROS reads no byte order mark; save the file as UTF-8 without it"
+            return
         check = self._idl if file.suffix == ".idl" else self._definition
         for line, what in check(file, text):
             yield f"{file}:{line}: {what}"

@@ -165,7 +165,7 @@ def main() -> None:
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
     install()
-    if "xacro" in Path(RUN.file).read_text(encoding="utf-8", errors="replace"):
+    if "xacro" in Path(RUN.file).read_text(encoding="utf-8-sig", errors="replace"):
         import xacro
 
         from sitegen.launch.describe_robot import described

@@ -35,7 +35,7 @@ def printed(line: str, folders: Mapping[str, Path], roots: Collection[Path]) -> 
             raise SubstitutionError(f"'{path}' is outside the workspace")
     if name == "xacro":
         return _expanded(words, folders)
-    return "".join(Path(path).read_text(encoding="utf-8") for path in paths)
+    return "".join(Path(path).read_text(encoding="utf-8-sig") for path in paths)
 
 
 def description(file: Path, folders: Mapping[str, Path]) -> str:
@@ -46,7 +46,7 @@ def description(file: Path, folders: Mapping[str, Path]) -> str:
     try:
         if file.name.endswith(".xacro"):
             return _expanded([str(file)], folders)
-        return file.read_text(encoding="utf-8")
+        return file.read_text(encoding="utf-8-sig")
     except (OSError, SubstitutionError, UnicodeDecodeError) as error:
         raise ValueError(str(error)) from error
 

@@ -20,7 +20,7 @@ def read(file: Path) -> list[Action]:
     Raises: UnreadableError if the file is not valid.
     """
     try:
-        root = compose(file.read_text(encoding="utf-8"))
+        root = compose(file.read_text(encoding="utf-8-sig"))
     except (yaml.YAMLError, ValueError) as error:
         line = getattr(getattr(error, "problem_mark", None), "line", 0) + 1
         message = getattr(error, "problem", None) or str(error)

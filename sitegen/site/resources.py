@@ -214,4 +214,4 @@ def _texts(folder: Path) -> Iterator[Source]:
 
 
 def _text(file: Path) -> str:
-    return file.read_text(encoding="utf-8", errors="replace")
+    return file.read_text(encoding="utf-8-sig", errors="replace")

@@ -1,6 +1,7 @@
 """Find and read the packages of a colcon workspace."""
 
 from sitegen.workspace.dependencies import with_dependencies, with_plugins
+from sitegen.workspace.folders import report_outside
 from sitegen.workspace.packages import PYTHON, interfaces, scan
 from sitegen.workspace.shipped import (
     CELLS,
@@ -17,6 +18,7 @@ __all__ = [
     "PYTHON",
     "SITEGEN",
     "interfaces",
+    "report_outside",
     "scan",
     "shipped_packages",
     "sitegen_package",

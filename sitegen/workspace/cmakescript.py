@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import glob
+import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from sitegen.errors import Location
 
 TOKEN = re.compile(
     r"""
@@ -18,7 +23,6 @@ TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-HERE = re.compile(r"\$\{CMAKE_(CURRENT_)?(SOURCE|LIST)_DIR\}")
 VARIABLE = re.compile(r"\$\{(\w+)\}")
 INCLUDES = ("add_subdirectory", "include")
 # Commands that stand for other commands, or for none.
@@ -28,8 +32,25 @@ SETS = ("cmake_path", "execute_process", "file", "get_filename_component", "list
 DEEPEST, LONGEST = 20, 1000
 TRUE = ("1", "ON", "YES", "TRUE", "Y")
 
-# The name in lower case, and the arguments as written.
-Command = tuple[str, list[str]]
+PREFIX = "/prefix"
+# The folders of an installation, as GNUInstallDirs and ament set them.
+FOLDERS = {
+    "BINDIR": "bin",
+    "DATADIR": "share",
+    "DATAROOTDIR": "share",
+    "INCLUDEDIR": "include",
+    "LIBDIR": "lib",
+    "LIBEXECDIR": "libexec",
+    "SYSCONFDIR": "etc",
+}
+
+
+class Command(NamedTuple):
+    """The name in lower case, and the arguments as written."""
+
+    name: str
+    words: list[str]
+    location: Location
 
 
 @dataclass(frozen=True)
@@ -46,12 +67,45 @@ class Script:
     """The known variables at one point of a script."""
 
     variables: dict[str, list[str]]
+    # The folder of the current CMakeLists.txt, and the current command.
+    folder: Path
+    location: Location
     _functions: dict[str, Function] = field(default_factory=dict)
     # Variables whose values depend on conditions, and the number of conditions around a command.
     _unsure: set[str] = field(default_factory=set)
     _conditions: int = 0
     # The values of options. Builds for the browser have no tests.
     _options: dict[str, bool] = field(default_factory=lambda: {"BUILD_TESTING": False})
+
+    _seen: set[Path] = field(default_factory=set)
+
+    @classmethod
+    def of(cls, file: Path, package: str) -> Script:
+        """Return the script of the CMakeLists.txt of a package."""
+        folder = file.parent.resolve()
+        here = [folder.as_posix()]
+        variables = {
+            "PROJECT_NAME": [package],
+            "PYTHON_INSTALL_DIR": ["python"],
+            "CMAKE_INSTALL_PREFIX": [PREFIX],
+            **dict.fromkeys(("CMAKE_SOURCE_DIR", "PROJECT_SOURCE_DIR"), here),
+            **dict.fromkeys(("CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"), here),
+            **{f"CMAKE_INSTALL_{name}": [path] for name, path in FOLDERS.items()},
+            **{f"CMAKE_INSTALL_FULL_{n}": [f"{PREFIX}/{path}"] for n, path in FOLDERS.items()},
+        }
+        return cls(variables, folder, Location(file, 1))
+
+    def read(self, file: Path, depth: int = 0) -> Iterator[Command]:
+        """Yield the commands of a file, and of the files it includes; each file is read once."""
+        try:
+            real = file.resolve(strict=True)
+            text = real.read_text(encoding="utf-8-sig", errors="replace")
+        except (OSError, RuntimeError, ValueError):
+            # CMake looks for modules in more folders, and reports those that it does not find.
+            return
+        if real not in self._seen:
+            self._seen.add(real)
+            yield from self.run(_parse(text, file), depth)
 
     def run(self, commands: Iterable[Command], depth: int = 0) -> Iterator[Command]:
         """Yield the commands that are not control flow, in order.
@@ -60,7 +114,8 @@ class Script:
         yielded, except for those of options, which have their default values.
         """
         rest = iter(commands)
-        for name, words in rest:
+        for command in rest:
+            name, words, self.location = command
             if name in BLOCKS:
                 yield from self._block(name, words, list(_until(f"end{name}", name, rest)), depth)
             elif name == "if" and (value := self._decided(words)) is not None:
@@ -68,10 +123,30 @@ class Script:
                 yield from self.run(branch, depth)
             elif name in self._functions and depth < DEEPEST:
                 yield from self._call(self._functions[name], words, depth)
+            elif name in INCLUDES and words:
+                yield Command(name, self.values(words), self.location)
+                yield from self._include(name, self.values(words[:1]), depth)
             else:
                 self._conditions += (name == "if") - (name == "endif")
                 self._set(name, words)
-                yield name, words
+                yield command
+
+    def _include(self, name: str, given: list[str], depth: int) -> Iterator[Command]:
+        path = self.folder / "".join(given[:1])
+        before, folder = self.variables, self.folder
+        if depth >= DEEPEST or "$" in str(path):
+            return
+        if name == "add_subdirectory":
+            # Unlike an included file, it has variables of its own.
+            self.folder, self.variables = path, dict(before)
+            path /= "CMakeLists.txt"
+            self.variables["CMAKE_CURRENT_SOURCE_DIR"] = [self.folder.as_posix()]
+        outer = self.variables["CMAKE_CURRENT_LIST_DIR"]
+        self.variables["CMAKE_CURRENT_LIST_DIR"] = [path.parent.as_posix()]
+        yield from self.read(path, depth + 1)
+        self.variables["CMAKE_CURRENT_LIST_DIR"] = outer
+        if name == "add_subdirectory":
+            self.folder, self.variables = folder, before
 
     def values(self, words: Iterable[str]) -> list[str]:
         """Replace variables by their values; unknown variables are left in place."""
@@ -114,12 +189,17 @@ class Script:
             return
         if name == "project" and words:
             variable, values = "PROJECT_NAME", words[:1]
+            here = [self.folder.as_posix()]
+            self.variables |= {"PROJECT_SOURCE_DIR": here, f"{words[0]}_SOURCE_DIR": here}
         elif name == "set" and words:
-            end = words.index("CACHE") if "CACHE" in words else len(words)
+            ends = (n for n, word in enumerate(words) if word in ("CACHE", "PARENT_SCOPE"))
+            end = next(ends, len(words))
             values = self.values(words[1:end])
         elif name == "list" and words[:1] == ["APPEND"] and len(words) > 1:
             variable = words[1]
             values = [*self.variables.get(variable, []), *self.values(words[2:])]
+        elif name == "file" and (words or [""])[0] in ("GLOB", "GLOB_RECURSE") and len(words) > 2:
+            variable, values = words[1], self._glob(words)
         else:
             for word in words if name in SETS else ():
                 self.variables.pop(word, None)
@@ -127,6 +207,30 @@ class Script:
         self.variables[variable] = values
         self._options.pop(variable, None)
         (self._unsure.add if self._conditions else self._unsure.discard)(variable)
+
+    def _glob(self, words: list[str]) -> list[str]:
+        """Return the files that file(GLOB) finds, or the pattern if only CMake knows it."""
+        base, given = None, self.values(words[2:])
+        patterns, rest = list[str](), iter(given)
+        for word in rest:
+            if word == "RELATIVE":
+                base = next(rest, "")
+            elif word == "LIST_DIRECTORIES":
+                next(rest, "")
+            elif word != "CONFIGURE_DEPENDS":
+                patterns.append(word)
+        if any("$" in word for word in given):
+            return ["".join(word for word in given if "$" in word)]
+        found = set[Path]()
+        for pattern in patterns:
+            # An absolute pattern begins with the folder of the package.
+            below = os.path.relpath(self.folder / pattern, self.folder)
+            if words[0] == "GLOB_RECURSE":
+                below = str(PurePosixPath(below).parent / "**" / PurePosixPath(below).name)
+            names = glob.glob(below, root_dir=self.folder, recursive=True)  # noqa: PTH207
+            found |= {Path(os.path.normpath(self.folder / name)) for name in names}
+        files = sorted(path for path in found if path.is_file())
+        return [os.path.relpath(file, base) if base else file.as_posix() for file in files]
 
     def _block(
         self, name: str, words: list[str], body: list[Command], depth: int
@@ -172,52 +276,31 @@ class Script:
 def _until(end: str, begin: str, commands: Iterator[Command]) -> Iterator[Command]:
     """Yield the commands up to the end of the current block."""
     depth = 1
-    for name, words in commands:
-        depth += (name == begin) - (name == end)
+    for command in commands:
+        depth += (command.name == begin) - (command.name == end)
         if depth == 0:
             return
-        yield name, words
+        yield command
 
 
 def _branch(block: Iterator[Command], *, first: bool) -> list[Command]:
     """Return the commands of an if() block up to else(), or what is left of it without them."""
     found, depth, other = list[Command](), 0, False
-    for name, words in block:
+    for command in block:
+        name, words, location = command
         if depth == 0 and name in ("else", "elseif") and not other:
             other = True
             if name == "elseif" and not first:
-                return [("if", words), *block, ("endif", [])]
+                return [Command("if", words, location), *block, Command("endif", [], location)]
             continue
         depth += (name == "if") - (name == "endif")
         if other != first:
-            found.append((name, words))
+            found.append(command)
     return found
 
 
-def written(path: Path, seen: set[Path]) -> Iterator[Command]:
-    """Yield the commands of a file, or of a folder's CMakeLists.txt, and of the files it includes.
-
-    Each file is read once; `seen` collects them.
-    """
-    try:
-        file = (path / "CMakeLists.txt" if path.is_dir() else path).resolve(strict=True)
-        text = file.read_text(encoding="utf-8", errors="replace")
-    except (OSError, RuntimeError, ValueError):
-        # CMake looks for modules in more folders, and reports those that it does not find.
-        return
-    if file in seen:
-        return
-    seen.add(file)
-    for name, words in _parse(text):
-        if name in INCLUDES and words:
-            words[0] = HERE.sub(lambda _: file.parent.as_posix(), words[0])
-        yield name, words
-        if name in INCLUDES and words:
-            yield from written(file.parent / words[0], seen)
-
-
-def _parse(text: str) -> Iterator[Command]:
-    name, words, depth = "", list[str](), 0
+def _parse(text: str, file: Path) -> Iterator[Command]:
+    name, words, depth, line = "", list[str](), 0, 1
     for token in TOKEN.finditer(text):
         word = next((token[kind] for kind in ("word", "quoted", "bracket") if token[kind]), "")
         if token["paren"] == "(":
@@ -225,9 +308,9 @@ def _parse(text: str) -> Iterator[Command]:
         elif token["paren"] == ")":
             depth -= 1
             if depth == 0:
-                yield name, words
+                yield Command(name, words, Location(file, line))
                 name, words = "", []
         elif word and depth == 0:
-            name = word.lower()
+            name, line = word.lower(), text.count("\n", 0, token.start()) + 1
         elif word:
             words.append(word)

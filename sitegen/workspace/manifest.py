@@ -73,7 +73,9 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
 def location_of(file: Path, tag: str) -> Location:
     """Return the location of the first tag with this name; the parser does not record it."""
     try:
-        before, found, _ = file.read_text(encoding="utf-8", errors="replace").partition(f"<{tag}")
+        before, found, _ = file.read_text(encoding="utf-8-sig", errors="replace").partition(
+            f"<{tag}"
+        )
     except OSError:
         return Location(file, 1)
     return Location(file, before.count("\n") + 1 if found else 1)

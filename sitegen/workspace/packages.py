@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
 from sitegen.errors import Location, Problems, relative
-from sitegen.ignored import is_ignored
 from sitegen.model import Package, Setup
-from sitegen.workspace import cmakelists, setupfiles
+from sitegen.workspace import cmakelists, folders, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
-IGNORE = {"COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"}
 # The interface packages that come with sitegen.
 SHARES = [shipped.ROS / "share", shipped.INTERFACES]
 KINDS = ("msg", "srv")
@@ -27,7 +25,7 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
     """Return the packages below `folder` by name, and report (or raise) what is wrong with them."""
     found = Problems(folder) if problems is None else problems
     packages: dict[str, Package] = {}
-    for path in _folders(folder):
+    for path in folders.packages(folder, found.root):
         package = _package(path, found)
         if package is None:
             continue
@@ -64,23 +62,7 @@ def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
 @cache
 def _shipped_names() -> frozenset[str]:
     """Return the names of the packages that come with sitegen."""
-    return frozenset(path.name for path in _folders(shipped.PACKAGES))
-
-
-def _folders(folder: Path) -> Iterator[Path]:
-    for path, folders, files in os.walk(folder):
-        if IGNORE & set(files):
-            folders.clear()
-        elif "package.xml" in files:
-            # As in colcon, a package contains no other packages.
-            folders.clear()
-            yield Path(path)
-        at_root = Path(path) == folder
-        folders[:] = sorted(
-            name
-            for name in folders
-            if not is_ignored(name, at_root=at_root) and not name.startswith(".")
-        )
+    return frozenset(path.name for path in folders.packages(shipped.PACKAGES, shipped.PACKAGES))
 
 
 def _package(path: Path, problems: Problems) -> Package | None:
@@ -95,10 +77,10 @@ def _package(path: Path, problems: Problems) -> Package | None:
     build_type = manifest.build_type or ("ament_cmake" if cmake.is_file() else "catkin")
     executables, sources = listing.executables, listing.sources
     if build_type == PYTHON:
-        setup: Setup | None = _setup(path)
+        setup: Setup | None = _setup(path, problems.root)
         executables, sources = [], {}
     else:
-        setup = _scripts(path, name, listing)
+        setup = _scripts(path, name, listing, problems.root)
     if setup:
         executables = None if executables is None else [*executables, *setup.scripts]
         sources = sources | _modules(path, setup)
@@ -116,27 +98,28 @@ def _package(path: Path, problems: Problems) -> Package | None:
     )
 
 
-def _setup(path: Path) -> Setup:
-    listing = setupfiles.read(path)
+def _setup(path: Path, root: Path) -> Setup:
+    listing = setupfiles.read(path, root)
     fault = listing.fault and (Location(*listing.fault[:2]), listing.fault[2])
     files = {installed: path / file for installed, file in listing.files.items()}
     return Setup(listing.scripts, files, fault)
 
 
-def _scripts(path: Path, name: str, listing: cmakelists.Listing) -> Setup | None:
+def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> Setup | None:
     """Return the Python programs and modules that a package installs by CMake, if any."""
-    files = cmakelists.installed(listing, path)
+    files = cmakelists.installed(listing, path, root)
     programs = {
         installed: file
         for installed, file in files.items()
         if PurePosixPath(installed).parent == PurePosixPath("lib", name) and _is_python(file)
     }
     if not programs and not any(installed.startswith("python/") for installed in files):
-        return None
+        return Setup({}, {}, listing.fault) if listing.fault else None
     # The files that ament_package() installs; of the file in the index, only the name matters.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
-    return Setup({PurePosixPath(installed).name: installed for installed in programs}, files)
+    scripts = {PurePosixPath(installed).name: installed for installed in programs}
+    return Setup(scripts, files, listing.fault)
 
 
 def _is_python(file: Path) -> bool:
@@ -153,5 +136,5 @@ def _modules(path: Path, setup: Setup) -> dict[str, list[str]]:
         module = target.partition(":")[0].replace(".", "/")
         paths = (target, f"python/{module}.py", f"python/{module}/__init__.py")
         files = (setup.files[each] for each in paths if each in setup.files)
-        found[name] = [file.relative_to(path).as_posix() for file in files]
+        found[name] = [Path(os.path.relpath(file, path)).as_posix() for file in files]
     return found

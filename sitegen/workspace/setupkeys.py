@@ -57,6 +57,10 @@ KEYS: dict[str, tuple[Callable[[Any], bool], str]] = {
         lambda value: _mapping(value, _paths),
         "a mapping of packages to lists of relative paths",
     ),
+    "exclude_package_data": (
+        lambda value: _mapping(value, _paths),
+        "a mapping of packages to lists of relative paths",
+    ),
     "data_files": (_data_files, "a list of pairs: a folder, and a list of paths"),
     "entry_points": (_entry_points, "a mapping of groups to lists of 'name = module:function'"),
 }

@@ -64,4 +64,4 @@ def _imported(package: Package) -> Iterator[str]:
     scripts = package.setup.scripts.values() if package.setup else ()
     for path, file in (package.setup.files if package.setup else {}).items():
         if file.suffix == ".py" or path in scripts:
-            yield from IMPORT.findall(file.read_text(encoding="utf-8", errors="replace"))
+            yield from IMPORT.findall(file.read_text(encoding="utf-8-sig", errors="replace"))

@@ -52,7 +52,7 @@ def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
         if file in seen or not file.is_file():
             continue
         seen.add(file)
-        text = file.read_text(encoding="utf-8", errors="replace")
+        text = file.read_text(encoding="utf-8-sig", errors="replace")
         yield text
         near = (file.parent, folder / "include", folder / "src", folder)
         waiting += (folder / name for name in HEADER.findall(text) for folder in near)

@@ -35,7 +35,6 @@ setup(
         (os.path.join("share", package_name), ["package.xml", *glob("launch/*.py")]),
         ("/etc", ["package.xml"]),
         ("share/../../elsewhere", ["package.xml"]),
-        ("share/%s" % package_name, ["../../site.yaml"]),
     ],
     entry_points={"console_scripts": [f"talker = {package_name}.talker:main"]},
 )
@@ -119,7 +118,8 @@ def test_setup_cfg_is_read(package: Path) -> None:
         "talker": "py_pubsub.talker:main",
         "listener": "py_pubsub.listener:Listener.main",
     }
-    assert set(listing.files) == MODULES | {"python/py_pubsub/talker.py"}
+    tests = {"python/test/__init__.py", "python/test/test_talker.py"}
+    assert set(listing.files) == MODULES | tests | {"python/py_pubsub/talker.py"}
 
 
 def test_pyproject_is_read(package: Path) -> None:
@@ -148,9 +148,8 @@ def test_pyproject_is_read(package: Path) -> None:
         (
             "from setuptools import setup\n\nsetup(entry_points=make())\n",
             "talker",
-            "src/py_pubsub/setup.py:3: setup: entry_points: 'make()' is known only when "
-            "setup.py runs; "
-            "sitegen does not run setup.py; write the value out, or move it to setup.cfg",
+            "src/py_pubsub/setup.py:3: setup: entry_points: sitegen does not evaluate 'make()'; "
+            "write the values out, or move them to setup.cfg",
         ),
         (
             "setup(\n",

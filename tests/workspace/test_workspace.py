@@ -133,7 +133,11 @@ def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: st
             "add_executable(${name}_${n} a.cpp)\nendforeach()\nendforeach()",
             ("a_0", "a_1", "c_0", "c_1", "d_0", "d_1"),
         ),
-        ("file(GLOB names *)\nforeach(name ${names})\nadd_executable(${name} a.cpp)\n", None),
+        (
+            "execute_process(COMMAND ls OUTPUT_VARIABLE names)\n"
+            "foreach(name ${names})\nadd_executable(${name} a.cpp)\n",
+            None,
+        ),
         (
             "function(demo folder target)\nadd_executable(${target} ${folder}/a.cpp ${ARGN})\n"
             "endfunction()\nDemo(topics talker b.cpp)\ndemo(topics listener)",

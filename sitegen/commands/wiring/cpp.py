@@ -68,7 +68,7 @@ def _take(file: Path, package: Package, program: Program, seen: set[Path], *, su
         return
     seen.add(file)
     try:
-        text = Text.of(file.read_text(encoding="utf-8"))
+        text = Text.of(file.read_text(encoding="utf-8-sig"))
     except (OSError, UnicodeDecodeError):
         program.open = True
         return

@@ -61,7 +61,7 @@ def _modules(first: str, setup: Setup, program: Program) -> dict[str, _Module]:
             program.open |= name == first and file is None
             continue
         try:
-            tree = ast.parse(file.read_text(encoding="utf-8"))
+            tree = ast.parse(file.read_bytes())
         except (OSError, SyntaxError, ValueError):
             program.open = True
             continue

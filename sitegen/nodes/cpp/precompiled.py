@@ -112,7 +112,7 @@ class Reader:
     def _reads(self, file: Path) -> bool | None:
         """Return what comes first: rclcpp.hpp (True), something else (False), or the end (None)."""
         self._read.add(file)
-        text = COMMENT.sub(" ", file.read_text(encoding="utf-8", errors="replace"))
+        text = COMMENT.sub(" ", file.read_text(encoding="utf-8-sig", errors="replace"))
         lines = [line.strip() for line in text.splitlines() if line.strip()]
         guard = GUARD.match("\n".join(lines[:2]))
         if guard and guard[1] == guard[2]:

@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen import workspace
+from sitegen.errors import Problems
 from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, dependencies, imports, ipython
+from sitegen.nodes.python import bytecode, dependencies, imports, ipython, syntax
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.shipped import INTERFACES, ROS
@@ -101,13 +102,18 @@ def bundle(
 ) -> Bundles:
     """Return the archives of the Python programs among `nodes`.
 
-    Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
+    Raises: SiteError if interface definitions or the syntax of a program are wrong, or modules are
+        missing.
     """
     programs = {(node.package, node.executable) for node in nodes if isinstance(node.kind, Python)}
     if not programs:
         return Bundles()
     names = sorted({package for package, _ in programs})
     needs = {name: workspace.with_dependencies(site.packages, name) for name in names}
+    problems = Problems(site.root)
+    for package, executable in sorted(programs):
+        syntax.check(imports.own(*_program(needs[package], executable)), problems)
+    problems.raise_if_any()
     parts = {one.name: one for packages in needs.values() for one in packages}
     prefix = described(site, parts, cache=cache)
     wanted = {*_named(parts.values()), *_named_by_rclpy()}
@@ -249,7 +255,7 @@ def _sources(package: Package) -> Iterator[str]:
     scripts = package.setup.scripts.values() if package.setup else ()
     for path, file in (package.setup.files if package.setup else {}).items():
         if file.suffix == ".py" or path in scripts:
-            yield file.read_text(encoding="utf-8", errors="replace")
+            yield file.read_text(encoding="utf-8-sig", errors="replace")
 
 
 def _with_nested(names: Iterable[str], prefix: Path) -> list[str]:
@@ -291,7 +297,7 @@ def _imported(text: str, shares: Mapping[str, Path]) -> Iterator[str]:
     try:
         tree = ast.parse(text)
     except SyntaxError:
-        return  # Python will say so, in the console
+        return  # reported by syntax.check()
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module and not node.level:
             package, _, kind = node.module.partition(".")

@@ -124,7 +124,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
 
 def _line(file: Path, package: str) -> int:
     """Return the location of `package` in a requirements file."""
-    lines = file.read_text(encoding="utf-8").splitlines()
+    lines = file.read_text(encoding="utf-8-sig").splitlines()
     names = (canonicalize_name(re.split(r"[\[=; ]", line.strip())[0]) for line in lines)
     return next((n for n, name in enumerate(names, 1) if name == package), 1)
 

@@ -29,9 +29,21 @@ def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
     return _walk(files, program)[0]
 
 
+def own(files: Mapping[str, Path], program: str) -> list[Path]:
+    """Return the files of a program: its own module, and those that it imports from `files`."""
+    return _walk(files, program)[1]
+
+
 def _walk(files: Mapping[str, Path], program: str) -> tuple[dict[str, Import], list[Path]]:
     """Return the modules from elsewhere, and the files of the program's own modules."""
     modules = {_name(path): file for path, file in files.items() if _is_module(path)}
+    if program in files:
+        # As Python does, it finds the modules beside the program.
+        folder = PurePosixPath(program).parent
+        beside = {
+            path: file for path, file in files.items() if PurePosixPath(path).parent == folder
+        }
+        modules |= {PurePosixPath(path).stem: f for path, f in beside.items() if f.suffix == ".py"}
     found: dict[str, Import] = {}
     waiting = [name for name in [program.partition(":")[0]] if name in modules]
     seen: dict[str, Path] = {}
@@ -51,7 +63,7 @@ def names_of(module: str, files: Mapping[str, Path], program: str) -> set[str]:
     found: set[str] = set()
     for file in _walk(files, program)[1]:
         try:
-            tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+            tree = ast.parse(file.read_bytes())
         except (SyntaxError, ValueError):
             continue
         known: set[str] = set()
@@ -111,9 +123,9 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
     A name imported from a package may be a module or not.
     """
     try:
-        tree = ast.parse(file.read_text(encoding="utf-8", errors="replace"))
+        tree = ast.parse(file.read_bytes())
     except (SyntaxError, ValueError):
-        return  # Python will say so, in the console
+        return  # reported by syntax.check()
     for node, sure in _unconditional(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno, sure) for alias in node.names)

@@ -203,7 +203,7 @@ class _Files:
 
     def _sheet(self, importer: str, one: Reference, name: str) -> str | None:
         try:
-            text = self._read(name).decode("utf-8")
+            text = self._read(name).decode("utf-8-sig")
         except UnicodeDecodeError:
             self._report(name, 1, "not UTF-8; save the file as UTF-8")
             return None

@@ -43,7 +43,7 @@ def _file(site: Site, node: Node, widget: Widget, problems: Problems) -> dict[st
         problems.add(widget.location, "editor", message)
         return None
     try:
-        text = (package.path / name).read_text(encoding="utf-8")
+        text = (package.path / name).read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         problems.add(
             widget.location, "editor", f"'{name}' is not a UTF-8 text file; choose another"

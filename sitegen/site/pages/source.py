@@ -22,7 +22,10 @@ def shown(source: Source, site: Site, problems: Problems) -> str:
         return ""
     try:
         lines = (
-            file.read_text(encoding="utf-8").replace("\r\n", "\n").removesuffix("\n").split("\n")
+            file.read_text(encoding="utf-8-sig")
+            .replace("\r\n", "\n")
+            .removesuffix("\n")
+            .split("\n")
         )
     except (OSError, UnicodeDecodeError):
         problems.add(

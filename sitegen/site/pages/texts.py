@@ -21,5 +21,5 @@ def texts(folders: Iterable[Path], language: str) -> SimpleNamespace:
         for folder in folders:
             file = folder / "texts" / f"{tag}.yaml"
             if file.is_file():
-                found |= yaml.safe_load(file.read_text(encoding="utf-8")) or {}
+                found |= yaml.safe_load(file.read_text(encoding="utf-8-sig")) or {}
     return SimpleNamespace(**found)

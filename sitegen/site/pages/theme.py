@@ -47,7 +47,7 @@ class Theme:
         """Return the theme of a folder, with the look of the site."""
         folders = tuple(dict.fromkeys((DEFAULT_THEME, folder)))
         environment = jinja2.Environment(
-            loader=jinja2.FileSystemLoader(folders[::-1]),
+            loader=jinja2.FileSystemLoader(folders[::-1], encoding="utf-8-sig"),
             autoescape=True,
             undefined=jinja2.StrictUndefined,
             trim_blocks=True,
@@ -96,7 +96,7 @@ class Theme:
             if name == "site.css":
                 text = self.style
             elif name in files:
-                text = files[name].read_text(encoding="utf-8")
+                text = files[name].read_text(encoding="utf-8-sig")
             else:
                 where = f"themes/{self.folders[-1].name}: theme"
                 known = nearest(name, (file for file in files if file.endswith(".css")))

@@ -187,7 +187,7 @@ class _Writer(HTMLParser):
             name = posixpath.normpath(posixpath.join(posixpath.dirname(path), match[1]))
             return f'url("{self._data(name)}")' if name in self.artifacts else match[0]
 
-        return URL.sub(inlined, self._read(path).decode())
+        return URL.sub(inlined, self._read(path).decode("utf-8-sig"))
 
     def _files(self) -> str:
         entry = self.artifacts.get(f"{self.page.path}page.json")
