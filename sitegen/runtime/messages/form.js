@@ -106,14 +106,14 @@ function listText(field, { base, array, size }) {
   const none = base === "bool" ? false : isInteger(base) || isFloat(base) ? 0 : "";
   /** @type {unknown[]} */
   const values = field.default ?? (array === "fixed" ? Array(size).fill(none) : []);
-  return `[${values.map((value) => (isInteger(base) ? String(value) : JSON.stringify(value))).join(", ")}]`;
+  return `[${values.map((value) => (isInteger(base) ? value : JSON.stringify(value))).join(", ")}]`;
 }
 
 /** @param {Field} field @param {string} text @param {(typed: string) => any} read @returns {Part} */
 function inputPart(field, text, read) {
   const { array, base } = parseFieldType(field.type);
-  const input = array || text.includes("\n") ? create("textarea", "") : create("input", "");
-  const now = content(input, text);
+  const input = array ? create("textarea", "") : create("input", "");
+  input.value = text;
   input.spellcheck = false;
   input.autocomplete = "off";
   if (input instanceof HTMLTextAreaElement) input.rows = 1;
@@ -122,18 +122,7 @@ function inputPart(field, text, read) {
   const put = (/** @type {string} */ value) => {
     input.value = value;
   };
-  return labelled(field, input, () => read(now()), () => (now() === text ? undefined : now()), put);
-}
-
-/**
- * Put a text into a field. Returns what reads the field: the text itself until somebody types, because fields leave
- * out or replace line ends.
- * @param {HTMLInputElement | HTMLTextAreaElement} input @param {string} text
- */
-function content(input, text) {
-  input.value = text;
-  const shown = input.value;
-  return () => (input.value === shown ? text : input.value);
+  return labelled(field, input, () => read(input.value), () => (input.value === text ? undefined : input.value), put);
 }
 
 /**
@@ -146,7 +135,7 @@ function choicePart(field, text, choices, read) {
   const select = create("select", "", ...options, new Option(say("another value…"), ""));
   const other = create("input", "");
   other.setAttribute("aria-label", say("{}, another value", field.name));
-  const typed = content(other, text);
+  other.value = text;
   select.value = text;
   if (select.selectedIndex < 0) select.selectedIndex = options.length;
   const show = () => {
@@ -154,7 +143,7 @@ function choicePart(field, text, choices, read) {
   };
   select.addEventListener("change", show);
   show();
-  const value = () => (other.hidden ? select.value : typed());
+  const value = () => (other.hidden ? select.value : other.value);
   const put = (/** @type {string} */ now) => {
     other.value = now;
     select.value = now;

@@ -231,13 +231,6 @@ def test_64_bit_integers_of_definitions_stay_exact(stage: Tab) -> None:
     ]  # fmt: skip
 
 
-def test_a_default_with_line_ends_is_sent_as_it_is(stage: Tab) -> None:
-    constants = r'[{"name": "TWO", "type": "wstring", "value": "b\nc"}]'
-    text = r'string lines "one\r\ntwo", wstring other "x\ny"'
-    assert read_form(stage, text, constants)["message"] == {"lines": "one\r\ntwo", "other": "x\ny"}
-    expect(stage.get_by_label("lines")).to_have_value("one\ntwo")
-
-
 def test_items_are_added_and_removed_with_the_keyboard(stage: Tab) -> None:
     found = read_form(stage, "a/msg/Point[<=2] ps", act="press('Add to ps'); press('Add to ps')")
     assert len(found["message"]["ps"]) == 2
