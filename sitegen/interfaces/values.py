@@ -40,11 +40,11 @@ def values_of(message: str, packages: Mapping[str, Path]) -> Values:
     stem = packages.get(package, Path()) / kind / interface
     idl, file = stem.with_suffix(SUFFIX), stem.with_suffix(f".{kind}")
     if idl.is_file():
-        found = json.loads(idl.read_text(encoding="utf-8")).get(message.split("/")[2])
+        found = json.loads(idl.read_text(encoding="utf-8-sig")).get(message.split("/")[2])
         return Values(**found) if found else Values()
     if not file.is_file() or part not in PARTS:
         return Values()
-    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8"), flags=re.M)
+    texts = re.split(r"^---\s*$", file.read_text(encoding="utf-8-sig"), flags=re.M)
     if PARTS[part] >= len(texts):
         return Values()
     parser = rosidl.module(rosidl.PARSER)
@@ -63,7 +63,7 @@ def write_idl_values(idl: Path, share: Path) -> None:
     """Write the values of an .idl file to the folder `share`, where `values_of` finds them."""
     parser = rosidl.module("rosidl_parser.parser")
     rosidl_types = rosidl.module("rosidl_parser.definition")
-    content = parser.parse_idl_string(idl.read_text(encoding="utf-8"))
+    content = parser.parse_idl_string(idl.read_text(encoding="utf-8-sig"))
     messages = content.get_elements_of_type(rosidl_types.Message)
     for one in content.get_elements_of_type(rosidl_types.Service):
         messages += [one.request_message, one.response_message]
