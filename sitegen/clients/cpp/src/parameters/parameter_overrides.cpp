@@ -16,27 +16,24 @@ namespace
 using Overrides = std::map<std::string, ParameterValue>;
 using Rules = std::vector<ParameterRule>::const_iterator;
 
-/// Take a later value, unless the one that is there is of a type that rcl prefers: it keeps a value
-/// of each type, and the first in the order of types counts.
-void keep(ParameterValue & kept, ParameterValue value)
-{
-  const bool is_first = kept.get_type() == PARAMETER_NOT_SET;
-  const bool is_set = value.get_type() != PARAMETER_NOT_SET;
-  if (is_first || (is_set && value.get_type() <= kept.get_type())) {kept = std::move(value);}
-}
-
-/// Add the parameters of `rules`. Patterns count in the order in which they first appear.
+/// Add the parameters of rules. Patterns count in the order in which they first appear. For one
+/// pattern, a value does not replace one of a type that comes first in the order of types: rcl keeps
+/// a value of each type, and the first of them counts.
 void add(Overrides & overrides, Rules begin, Rules end, const std::string & full_name)
 {
   for (Rules rule = begin; rule != end; ++rule) {
     const auto is_same = [rule](const ParameterRule & one) {return one.node == rule->node;};
-    const bool is_known = std::any_of(begin, rule, is_same);
-    if (is_known || !applies_to(rule->node, full_name)) {continue;}
-    Overrides values;
+    if (std::any_of(begin, rule, is_same) || !applies_to(rule->node, full_name)) {continue;}
     for (Rules one = rule; one != end; ++one) {
-      if (is_same(*one)) {keep(values[one->name], parse_parameter(one->value));}
+      if (!is_same(*one)) {continue;}
+      const bool is_first = std::none_of(
+        rule, one, [&](const auto & other) {return is_same(other) && other.name == one->name;});
+      ParameterValue value = parse_parameter(one->value);
+      ParameterValue & kept = overrides[one->name];
+      const int type = value.get_type();
+      const int kept_type = is_first ? PARAMETER_NOT_SET : kept.get_type();
+      if (kept_type == PARAMETER_NOT_SET || (type && type <= kept_type)) {kept = std::move(value);}
     }
-    for (auto & [name, value] : values) {overrides[name] = std::move(value);}
   }
 }
 

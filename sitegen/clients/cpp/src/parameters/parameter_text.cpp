@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 
 #include "yaml_text.hpp"
@@ -14,10 +15,13 @@ namespace detail
 namespace
 {
 
-bool is_one_of(const std::string & text, std::initializer_list<const char *> words)
+/// Whether `text` is one of `words`, which have spaces between them.
+bool is_one_of(const std::string & text, const char * words)
 {
-  for (const char * word : words) {
-    if (text == word) {return true;}
+  while (*words) {
+    const std::size_t size = std::strcspn(words, " ");
+    if (size == text.size() && std::memcmp(words, text.data(), size) == 0) {return true;}
+    words += size + (words[size] != 0);
   }
   return false;
 }
@@ -25,11 +29,8 @@ bool is_one_of(const std::string & text, std::initializer_list<const char *> wor
 /// Read a scalar, which ends at one of `ends` if it has no quotes.
 ParameterValue scalar(YamlText & text, const char * ends)
 {
-  bool is_text = false;
-  while (text.looks_at_one_of("!&")) {
-    is_text = text.word() == "!!str" || is_text;
-    text.skip_blanks();
-  }
+  const bool is_text = text.look() == '!' && text.word() == "!!str";
+  text.skip_blanks();
   if (text.looks_at_one_of("\"'")) {return ParameterValue(text.quoted());}
   const std::string plain = text.plain(ends);
   if (plain.empty()) {text.fail();}
@@ -49,6 +50,9 @@ ParameterValue list(YamlText & text)
   std::vector<ParameterValue> values;
   for (text.skip(), text.seek(); text.look() != ']'; text.seek()) {
     values.push_back(scalar(text, ",[]{}"));
+    if (values.back().get_type() != values.front().get_type()) {
+      throw std::invalid_argument("Sequence should be of same type");
+    }
     text.seek();
     if (text.look() == ',') {
       text.skip();
@@ -57,11 +61,7 @@ ParameterValue list(YamlText & text)
     }
   }
   text.skip();
-  try {
-    return array_of(values);
-  } catch (const ParameterTypeException &) {
-    throw std::invalid_argument("Sequence should be of same type");
-  }
+  return array_of(values);
 }
 
 }  // namespace
@@ -79,12 +79,8 @@ ParameterValue array_of(const std::vector<ParameterValue> & values)
 
 ParameterValue parse_scalar(const std::string & text)
 {
-  if (is_one_of(text, {"Y", "y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"})) {
-    return ParameterValue(true);
-  }
-  if (is_one_of(
-      text, {"N", "n", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}))
-  {
+  if (is_one_of(text, "Y y yes Yes YES true True TRUE on On ON")) {return ParameterValue(true);}
+  if (is_one_of(text, "N n no No NO false False FALSE off Off OFF")) {
     return ParameterValue(false);
   }
   // The C library of Emscripten takes "0x" for a number.
@@ -94,8 +90,7 @@ ParameterValue parse_scalar(const std::string & text)
   const long long integer = std::strtoll(text.c_str(), &end, 0);
   if (!*end && !errno) {return ParameterValue(std::int64_t{integer});}
   const bool is_special = is_one_of(
-    text, {".inf", "+.inf", "-.inf", ".Inf", "+.Inf", "-.Inf", ".INF", "+.INF", "-.INF", ".nan",
-      ".NaN", ".NAN"});
+    text, ".inf +.inf -.inf .Inf +.Inf -.Inf .INF +.INF -.INF .nan .NaN .NAN");
   std::string number = text;
   if (is_special) {number.erase(number.find('.'), 1);}
   errno = 0;

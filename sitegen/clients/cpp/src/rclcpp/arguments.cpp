@@ -64,7 +64,6 @@ bool parse_parameter_rule(const std::string & text, Arguments & arguments)
   const auto colon = name.find(':');
   std::string node = colon == std::string::npos ? "" : name.substr(0, colon);
   if (colon != std::string::npos) {name.erase(0, colon + 1);}
-  if (node == "/**") {node.clear();}
   arguments.parameters.push_back({std::move(node), std::move(name), text.substr(assign + 2)});
   return true;
 }
@@ -78,23 +77,28 @@ bool parse_log_level(const std::string & text, Arguments & arguments)
   return level >= 0;
 }
 
-bool is_about_outputs(const std::string & word)
+/// Whether `word` is an option such as `--disable-rosout-logs`.
+bool is_about_outputs(const char * word)
 {
-  for (const char * known : {"rosout-logs", "stdout-logs", "external-lib-logs"}) {
-    if (word == std::string("--disable-") + known || word == std::string("--enable-") + known) {
-      return true;
-    }
+  std::size_t start = 0;
+  for (const char * begin : {"--enable-", "--disable-"}) {
+    const std::size_t size = std::strlen(begin);
+    if (std::strncmp(word, begin, size) == 0) {start = size;}
   }
-  return false;
+  const char * rest = word + start;
+  return start && (std::strcmp(rest, "rosout-logs") == 0 || std::strcmp(rest, "stdout-logs") == 0 ||
+         std::strcmp(rest, "external-lib-logs") == 0);
 }
 
 }  // namespace
 
 void Arguments::append(const Arguments & later)
 {
-  remaps.insert(remaps.end(), later.remaps.begin(), later.remaps.end());
+  for (const auto & rule : later.remaps) {remaps.push_back(RemapRule(rule));}
   own_parameters_from = later.parameters.size();
-  parameters.insert(parameters.begin(), later.parameters.begin(), later.parameters.end());
+  auto all = later.parameters;
+  for (auto & rule : parameters) {all.push_back(std::move(rule));}
+  parameters = std::move(all);
 }
 
 Arguments parse_arguments(int argc, char const * const * argv)
@@ -117,7 +121,7 @@ Arguments parse_arguments(int argc, char const * const * argv)
       parse_parameter_rule(argv[i + 1], arguments))
     {
       ++i;
-    } else if (is_about_outputs(word)) {
+    } else if (is_about_outputs(argv[i])) {
       // The page determines where log messages go.
     } else if (word == "--enclave" || word == "-e") {
       i += more;
@@ -141,10 +145,13 @@ bool fits(const char * form, const char * name)
   while (*name == '/') {++name;}
   const char * end = form + std::strcspn(form, "/");
   const char * rest = name + std::strcspn(name, "/");
-  const std::string part(form, end);
-  if (part == "**") {return fits(end, name) || (*name && fits(form, rest));}
-  if (part.empty() || !*name) {return part.empty() && !*name;}
-  return (part == "*" || part == std::string(name, rest)) && fits(end, rest);
+  const std::size_t size = end - form;
+  const auto is = [&](const char * text, std::size_t length) {
+      return size == length && std::memcmp(form, text, length) == 0;
+    };
+  if (is("**", 2)) {return fits(end, name) || (*name && fits(form, rest));}
+  if (size == 0 || !*name) {return size == 0 && !*name;}
+  return (is("*", 1) || is(name, rest - name)) && fits(end, rest);
 }
 
 }  // namespace

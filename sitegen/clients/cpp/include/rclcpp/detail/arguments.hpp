@@ -24,7 +24,7 @@ struct RemapRule
 /// `--ros-args -p [node:]name:=value`
 struct ParameterRule
 {
-  std::string node;  // empty: of every node, as `/**`
+  std::string node;  // empty: of every node
   std::string name;
   std::string value;
 };
