@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sitegen import rclyaml
+from sitegen import rclyaml, yamlnodes
 from sitegen.build import make
 from sitegen.commands.check import check
 from sitegen.errors import SiteError
@@ -60,6 +60,12 @@ def test_a_parameter_may_be_any_text(text: str) -> None:
     written = rclyaml.written(text)
     assert "\n" not in written
     assert rclyaml.value(written) == text
+
+
+@pytest.mark.parametrize("text", ["[" * 101, "{a: " * 101, "- " * 101 + "a", "x" * 4_000_001])
+def test_events_of_yaml_have_limits(text: str) -> None:
+    with pytest.raises(yamlnodes.LimitError):
+        yamlnodes.events(text)
 
 
 @pytest.mark.parametrize("value", [["a\nb", "c, d", "[", "it's"], [1.0, 2.5], [True], None, 3])
