@@ -39,6 +39,7 @@ const ALONE = [
   "workers/bag/bagNode.js",
   "workers/cpp/cppNode.js",
   "workers/cpp/stackTrace.js",
+  "workers/environment.js",
   "workers/gateway/gatewayNode.js",
   "workers/python/pythonNode.js",
   "workers/python/pythonSync.js",

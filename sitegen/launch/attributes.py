@@ -16,25 +16,38 @@ PAIR = ("name", "value")
 KNOWN = {
     "append_env": (*PAIR, "prepend", "separator"),
     "arg": ("name", "default", "description"),
+    "bool_arg": ("name", "default", "description"),
     "executable": ("cmd", *PROCESS),
+    "for": ("len", "name"),
+    "for_each": ("values",),
     "group": ("scoped", "forwarding"),
     "include": ("file",),
     "let": PAIR,
     "lifecycle_node": (*NODE, "autostart"),
     "load_composable_node": ("target",),
     "log": ("message", "level"),
+    **{f"log_{level}": ("message",) for level in ("debug", "error", "info", "warning")},
     "node": NODE,
     "node_container": NODE,
     "push_namespace": ("namespace",),
     "push_ros_namespace": ("namespace",),
+    "rep_env": (),
+    "reset": (),
+    "reset_env": (),
     "set_env": PAIR,
     "set_parameter": PAIR,
     "set_parameters_from_file": ("filename",),
     "set_remap": ("from", "to"),
+    "set_ros_log_dir": ("new_log_dir",),
     "set_use_sim_time": ("value",),
     "timer": ("period", "cancel_on_shutdown"),
     "ros_timer": ("period",),
     "unset_env": ("name",),
+}
+# Actions that only Python has.
+OF_PYTHON = {
+    *("function", "pop_env", "pop_launch_configurations", "push_env"),
+    *("push_launch_configurations", "unset_launch_configuration"),
 }
 # Those of the parts of an action, by the name of the part.
 PARTS = {
@@ -48,7 +61,7 @@ PARTS = {
     "param": (*PAIR, "allow_substs", "from", "type"),
     "remap": ("from", "to"),
 }
-# The parts that an action has; a group and timers have actions besides.
+# The parts that an action has; groups, loops and timers have actions besides.
 OF = {
     "arg": ("choice",),
     "composable_node": ("extra_arg", "param", "remap"),
@@ -59,12 +72,16 @@ OF = {
     "node": ("env", "param", "remap", "composable_node"),
     "node_container": ("composable_node", "env", "param", "remap"),
     "param": ("param",),
+    "rep_env": ("env",),
+    "reset": ("keep",),
 }
-WITH_ACTIONS = ("group", "timer", "ros_timer")
+WITH_ACTIONS = ("for", "for_each", "group", "timer", "ros_timer")
 
 
 def check(action: Action) -> None:
     """Raise a ValueError about an attribute or a part that the action does not have."""
+    if action.kind in OF_PYTHON:
+        raise ValueError(f"only launch files in Python contain '{action.kind}'")
     if action.kind in KNOWN:
         _check(action, (*KNOWN[action.kind], *CONDITIONS))
 

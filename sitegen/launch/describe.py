@@ -15,12 +15,19 @@ import types
 from pathlib import Path
 from typing import Any
 
-from sitegen.launch import describe_events, describe_expressions, describe_functions
+from sitegen.launch import (
+    describe_events,
+    describe_expressions,
+    describe_functions,
+    describe_missing,
+    describe_settings,
+)
 from sitegen.launch.describe_actions import (
     RUN,
     Condition,
     Described,
     Folder,
+    PackageNotFoundError,
     Text,
     Valued,
     composable,
@@ -28,7 +35,6 @@ from sitegen.launch.describe_actions import (
     describe,
     load,
     managed,
-    mapped,
     node,
     parameter,
     share,
@@ -36,33 +42,30 @@ from sitegen.launch.describe_actions import (
 )
 from sitegen.launch.describe_scopes import (
     argument,
+    boolean,
     command,
     configuration,
     environment,
     group,
     include,
+    setting,
 )
+from sitegen.launch.substitutions import SubstitutionError
 
 GENERATE = "generate_launch_description"
 
 CORE: dict[str, Any] = {
     "LaunchDescription": describe,
+    "DeclareBooleanLaunchArgument": boolean,
     "DeclareLaunchArgument": argument,
-    "SetLaunchConfiguration": lambda name, value, condition=None: Described(
-        "let", name=name, value=value, condition=condition
-    ),
     "GroupAction": group,
     "IncludeLaunchDescription": include,
-    "LogInfo": lambda **_: Described("log"),
-    "SetEnvironmentVariable": lambda name, value, *, condition=None: Described(
-        "set_env", name=name, value=value, condition=condition
-    ),
     "IfCondition": lambda value: Condition("if", value),
     "UnlessCondition": lambda value: Condition("unless", value),
     "LaunchConfiguration": configuration,
     "TextSubstitution": lambda *, text: Text(text),
     "PathSubstitution": lambda path: Text(text(path)),
-    "PathJoinSubstitution": lambda parts: Text("/".join(text(part) for part in parts)),
+    "LaunchLogDir": lambda: Text("$(log_dir)"),
     "EnvironmentVariable": environment,
     "ThisLaunchFileDir": lambda: Text("$(dirname)"),
     "ThisLaunchFile": lambda: Text("$(filename)"),
@@ -73,27 +76,15 @@ CORE: dict[str, Any] = {
         f"{kind}LaunchDescriptionSource": lambda file, **_: file
         for kind in ("Python", "XML", "YAML", "Any", "Frontend")
     },
-    "AppendEnvironmentVariable": lambda *_, **__: Described("set_env"),
-    "UnsetEnvironmentVariable": lambda *_, **__: Described("unset_env"),
+    "SubstitutionFailure": SubstitutionError,
     **describe_events.MEMBERS,
     **describe_expressions.MEMBERS,
     **describe_functions.MEMBERS,
+    **describe_settings.MEMBERS,
 }
 ROS: dict[str, Any] = {
     "Node": node,
     "LifecycleNode": managed,
-    "PushRosNamespace": lambda namespace, condition=None: Described(
-        "push_ros_namespace", namespace=namespace, condition=condition
-    ),
-    "SetParameter": lambda name, value, condition=None: Described(
-        "set_parameter", name=name, given=mapped(value), condition=condition
-    ),
-    "SetParametersFromFile": lambda filename, *, condition=None: Described(
-        "set_parameters_from_file", filename=filename, condition=condition
-    ),
-    "SetRemap": lambda src, dst, condition=None: Described(
-        "set_remap", condition=condition, **{"from": src, "to": dst}
-    ),
     "FindPackageShare": lambda package: Folder(f"$(find-pkg-share {text(package)})"),
     "FindPackagePrefix": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
     "FindPackage": lambda package: Folder(f"$(find-pkg-prefix {text(package)})"),
@@ -108,16 +99,17 @@ ROS: dict[str, Any] = {
     "ComposableNode": composable,
     "ComposableNodeContainer": container,
     "LoadComposableNodes": load,
-    "SetUseSimTime": lambda value, condition=None: Described(
-        "set_parameter", name="use_sim_time", given=mapped(value), condition=condition
-    ),
+    **describe_settings.ROS,
 }
-ROS["PushROSNamespace"] = ROS["PushRosNamespace"]
 INDEX = {
+    "PackageNotFoundError": PackageNotFoundError,
     "get_package_share_directory": share,
     "get_package_share_path": lambda package: Path(share(package)),
     "get_package_prefix": share,
+    "get_packages_with_prefixes": lambda: {name: str(path) for name, path in RUN.folders.items()},
 }
+# Of two things with this name, the one that is a substitution.
+SUBSTITUTIONS = {"Parameter": setting}
 # Every name is available in each of these modules, which is more than upstream has and does no
 # harm.
 MODULES = {
@@ -153,10 +145,12 @@ def install() -> None:
         sys.modules[name] = top
         for part in BELOW[name]:
             module = types.ModuleType(f"{name}.{part}")
-            vars(module).update(members, __path__=[])
+            others = SUBSTITUTIONS if part == "substitutions" else {}
+            vars(module).update({**members, **others}, __path__=[])
             above, _, own = module.__name__.rpartition(".")
             setattr(sys.modules[above], own, module)
             sys.modules[module.__name__] = module
+    describe_missing.install([name for name in sys.modules if name.partition(".")[0] in MODULES])
 
 
 def main() -> None:
@@ -164,6 +158,8 @@ def main() -> None:
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
+    # Launch files import modules of packages of the workspace.
+    sys.path += given["roots"]
     install()
     if "xacro" in Path(RUN.file).read_text(encoding="utf-8-sig", errors="replace"):
         import xacro
@@ -177,13 +173,13 @@ def main() -> None:
         if GENERATE not in members:
             raise LookupError(f"no function {GENERATE}() found")
         found = members[GENERATE]()
-        for number, variables in given["calls"]:
-            found = describe_functions.called(number, variables)
+        for call in given["calls"]:
+            found = describe_functions.called(*call)
         answer = found.plain()
     except BaseException as error:
         frames = traceback.extract_tb(error.__traceback__)
         lines = [frame.lineno for frame in frames if frame.filename == RUN.file]
-        line = getattr(error, "lineno", None) or (lines[-1] if lines else 1)
+        line = getattr(error, "lineno", None) or (lines[-1] if lines else RUN.line)
         answer = {"error": f"{type(error).__name__}: {error}", "line": line}
     json.dump(answer, output)
 

@@ -9,11 +9,13 @@ from types import SimpleNamespace
 from typing import Any
 
 from sitegen.launch import commandline
-from sitegen.launch.substitutions import SubstitutionError, expand
+from sitegen.launch.environment import Environment
+from sitegen.launch.substitutions import Known, SubstitutionError, expand
 from sitegen.launch.xacro import printed
 
-# The launch file that runs, the folders of the packages, and the folders that may be read.
-RUN = SimpleNamespace(file="", folders={}, roots=[])
+# The launch file that runs, the line of the action whose function runs, the folders of the
+# packages, and the folders that may be read.
+RUN = SimpleNamespace(file="", line=1, folders={}, roots=[])
 
 
 # The names of types in launch files, by those of Python.
@@ -82,7 +84,8 @@ class Described:
         elif condition is not None:
             self.kind = f"condition {type(condition).__name__}"
         frames = traceback.extract_stack()
-        self.line = next((f.lineno for f in reversed(frames) if f.filename == RUN.file), 1)
+        lines = (frame.lineno for frame in reversed(frames) if frame.filename == RUN.file)
+        self.line: int = next(lines, None) or 1
 
     def add_action(self, action: Any) -> None:
         """Add an action to the description."""
@@ -119,8 +122,14 @@ class Condition:
 class Context:
     """The launch arguments, as functions of launch files read them."""
 
-    def __init__(self, variables: Mapping[str, str]) -> None:
-        self.launch_configurations = dict(variables)
+    def __init__(
+        self,
+        variables: Mapping[str, str] | None = None,
+        environment: Mapping[str, str | None] | None = None,
+    ) -> None:
+        self.launch_configurations = dict(variables or {})
+        self._given = dict(environment or {})
+        self.environment = {name: value for name, value in self._given.items() if value is not None}
 
     def perform_substitution(self, given: Any) -> str:
         """Return the text with its substitutions expanded."""
@@ -135,8 +144,9 @@ class Context:
             folders = {name: Path(path) for name, path in RUN.folders.items()}
             return printed(line, folders, [*map(Path, RUN.roots)])
 
-        variables = self.launch_configurations
-        return expand(text(given), variables, Path(RUN.file), folder, output)
+        environment = Environment({**self._given, **self.environment})
+        known = Known(Path(RUN.file), self.launch_configurations, environment)
+        return expand(text(given), known, folder, output)
 
 
 def unknown(action: Any) -> Described:
@@ -195,10 +205,17 @@ def _is_one_text(value: Iterable[Any]) -> bool:
     )
 
 
+class PackageNotFoundError(KeyError):
+    """The workspace has no such package."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
 def share(package: str, *_: Any) -> str:
     """Return the share folder of a package of the workspace."""
     if package not in RUN.folders:
-        raise LookupError(f"no package '{package}' in the workspace")
+        raise PackageNotFoundError(f"no package '{package}' in the workspace")
     return str(RUN.folders[package])
 
 
@@ -262,8 +279,7 @@ def node(
     for option in others.keys() - OF_PROCESSES:
         raise TypeError(f"Node() got an unexpected keyword argument '{option}'")
     inside = _parameters(parameters or ())
-    for variable, value in {**(env or {}), **(additional_env or {})}.items():
-        inside.append(Described("env", name=variable, value=value))
+    inside += variables(env, additional_env)
     for old, new in remappings or ():
         inside.append(Described("remap", **{"from": old, "to": new}))
     words = {"args": arguments, "ros_args": ros_arguments}
@@ -282,11 +298,18 @@ def node(
         launch_prefix=prefix,
         cwd=cwd,
         condition=condition,
+        clean_env=None if env is None else True,
         **lines,
     )
 
 
 _parameters = parameters
+
+
+def variables(*given: Mapping[Any, Any] | None) -> list[Described]:
+    """Describe environment variables of a process; later ones replace earlier ones."""
+    merged = {text(name): value for each in given for name, value in (each or {}).items()}
+    return [Described("env", name=name, value=value) for name, value in merged.items()]
 
 
 def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> Described:

@@ -5,11 +5,12 @@ A page has no events: what these describe is skipped, and reported by its name i
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
 from sitegen.launch import commandline
-from sitegen.launch.describe_actions import Described, text
+from sitegen.launch.describe_actions import Described, text, variables
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
 HANDLERS = (
@@ -48,12 +49,20 @@ def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) 
 
 
 def process(
-    *_: Any, cmd: Any = (), shell: bool = False, condition: Any = None, **__: Any
+    *_: Any,
+    cmd: Any = (),
+    shell: bool = False,
+    env: Mapping[Any, Any] | None = None,
+    additional_env: Mapping[Any, Any] | None = None,
+    condition: Any = None,
+    **__: Any,
 ) -> Described:
     """Describe a process by its command line."""
     words = [text(word) for word in cmd]
     line = " ".join(words) if shell else commandline.join(words)
-    return Described("executable", cmd=line, condition=condition)
+    alone = None if env is None else True
+    inside = variables(env, additional_env)
+    return Described("executable", inside, cmd=line, clean_env=alone, condition=condition)
 
 
 def nothing(*_: Any, **__: Any) -> None:
@@ -70,6 +79,6 @@ MEMBERS: dict[str, Any] = {
     "LifecycleTransition": lambda *_, **__: Described("lifecycle_transition"),
     "Shutdown": lambda *_, **__: Described("shutdown"),
     "TimerAction": timer,
-    "RosTimer": timer,
+    **dict.fromkeys(("RosTimer", "ROSTimer"), timer),
     "LocalSubstitution": lambda *_, **__: "",  # tells of an event
 }

@@ -14,7 +14,7 @@ def expression(*parts: Any) -> Text:
 
 
 def applied(name: str, *arguments: Any) -> Text:
-    """Return a substitution of conditions.py with these arguments."""
+    """Return a substitution with these arguments."""
     words = " , ".join(" ".join(_words(argument)) for argument in arguments)
     return Text(f"$(apply {name} {words})")
 
@@ -44,7 +44,18 @@ def _words(parts: Any) -> list[str]:
     return [f"={quote(str(parts) if other is None else other, safe='')}"]
 
 
+def looped(name: Any, *, default_value: Any = None) -> Text:
+    """Stand in for ForEachVar."""
+    return applied("for_var", name, *([] if default_value is None else [default_value]))
+
+
 MEMBERS: dict[str, Any] = {
+    "ForEachVar": looped,
+    "ForLoopIndex": lambda name: applied("index", name),
+    "PathJoinSubstitution": lambda parts: applied("path_join", *parts),
+    "StringJoinSubstitution": lambda substitutions, delimiter="": applied(
+        "string_join", delimiter, *substitutions
+    ),
     "PythonExpression": lambda parts, *_: expression(parts),
     "EqualsSubstitution": equal,
     "NotEqualsSubstitution": lambda left, right: equal(left, right, "not_equals"),

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import Context, Described, text
+from sitegen.launch.describe_actions import RUN, Context, Described, text
 
-# In the order in which the file creates them, which is the same in every run.
-CALLS: list[Callable[[Context], Any]] = []
+# The functions, each called with the context and keyword arguments, and the lines of their actions,
+# in the order in which the file creates them, which is the same in every run.
+CALLS: list[tuple[Callable[..., Any], int]] = []
 
 
 def function(
@@ -24,18 +25,53 @@ def function(
     **_: Any,
 ) -> Described:
     """Stand in for OpaqueFunction."""
-    CALLS.append(lambda context: function(context, *(args or ()), **(kwargs or {})))
-    return Described("function", number=len(CALLS) - 1, condition=condition)
+
+    def call(context: Context) -> Any:
+        return function(context, *(args or ()), **(kwargs or {}))
+
+    return _noted("function", call, condition=condition)
 
 
-def called(number: int, variables: Mapping[str, str]) -> Described:
-    """Return what a function describes, preceded by the arguments that it sets."""
-    context = Context(variables)
-    found = CALLS[number](context)
+def each(input_values: Any, *, function: Callable[..., Any], condition: Any = None) -> Described:
+    """Stand in for ForEach."""
+    call = _without_context(function)
+    return _noted("for_each", call, values=input_values, condition=condition)
+
+
+def loop(
+    length: Any, *, function: Callable[..., Any], name: str | None = None, condition: Any = None
+) -> Described:
+    """Stand in for ForLoop."""
+    call = _without_context(function)
+    return _noted("for", call, len=length, name=name, condition=condition)
+
+
+def _without_context(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda _, **given: function(**given)
+
+
+def _noted(kind: str, call: Callable[..., Any], **attributes: Any) -> Described:
+    described = Described(kind, number=len(CALLS), **attributes)
+    CALLS.append((call, described.line))
+    return described
+
+
+def called(
+    number: int,
+    variables: Mapping[str, str],
+    environment: Mapping[str, str | None],
+    given: Mapping[str, Any],
+) -> Described:
+    """Return what a function describes, preceded by what it sets."""
+    context = Context(variables, environment)
+    call, RUN.line = CALLS[number]
+    found = call(context, **given)
     fresh = context.launch_configurations.items() - dict(variables).items()
-    lets = [Described("let", name=name, value=text(value)) for name, value in sorted(fresh)]
-    given = found if isinstance(found, (list, tuple)) else [found] if found is not None else []
-    return Described("launch", [*lets, *given])
+    sets = [Described("let", name=name, value=text(value)) for name, value in sorted(fresh)]
+    changed = context.environment.items() - environment.items()
+    sets += [Described("set_env", name=name, value=value) for name, value in sorted(changed)]
+    listed = found if isinstance(found, (list, tuple)) else [found] if found is not None else []
+    return Described("launch", [*sets, *listed])
 
 
 def perform_substitutions(context: Context, given: Any) -> str:
@@ -49,6 +85,8 @@ def normalized(given: Any) -> list[Any]:
 
 
 MEMBERS: dict[str, Any] = {
+    "ForEach": each,
+    "ForLoop": loop,
     "OpaqueFunction": function,
     "LaunchContext": Context,
     "perform_substitutions": perform_substitutions,

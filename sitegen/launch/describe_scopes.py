@@ -22,6 +22,13 @@ def argument(
     return Described("arg", inside, name=name, default=default_value, condition=condition)
 
 
+def boolean(
+    name: Any, *, default_value: Any = None, description: Any = None, condition: Any = None
+) -> Described:
+    """Describe an argument that is a boolean."""
+    return Described("bool_arg", name=name, default=default_value, condition=condition)
+
+
 def group(
     actions: Iterable[Any],
     *,
@@ -55,6 +62,13 @@ def environment(name: Any, *, default_value: Any = None) -> Text:
 def configuration(name: Any, default: Any = None, **_: Any) -> Text:
     """Stand in for LaunchConfiguration."""
     return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
+
+
+def setting(name: Any, *, default: Any = None) -> Text:
+    """Stand in for the substitution Parameter, a parameter that was set for all nodes."""
+    parts = default if isinstance(default, (list, tuple)) else [default]
+    whole = "".join(part.text if isinstance(part, Text) else str(part) for part in parts)
+    return Text(f"$(param {text(name)}{'' if default is None else f' {shlex.quote(whole)}'})")
 
 
 def command(words: Any, **_: Any) -> Text:

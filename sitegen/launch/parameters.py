@@ -10,6 +10,7 @@ import yaml
 
 from sitegen import yamlnodes
 from sitegen.errors import nearest
+from sitegen.launch.substitutions import unescaped
 from sitegen.launch.tree import Action, Exact, Given
 from sitegen.launch.types import ANY, LISTS, SCALARS, is_of, typed
 from sitegen.rclyaml import EVERYWHERE, NAMES, Overrides, Scalar, Value, scalar, written
@@ -23,10 +24,14 @@ Everyones = Iterable[tuple[str, Value] | Path]
 
 
 class Parameters:
-    """Reads the parameters of actions; `find` returns a file that a launch file names."""
+    """Reads the parameters of actions.
 
-    def __init__(self, expand: Expand, find: Callable[[str], Path]) -> None:
+    `expand_file` expands the text of a parameter file; `find` returns the file of a name.
+    """
+
+    def __init__(self, expand: Expand, expand_file: Expand, find: Callable[[str], Path]) -> None:
         self._expand = expand
+        self._expand_file = expand_file
         self._find = find
 
     def of_node(self, action: Action, everyones: Everyones, full_name: str) -> dict[str, str]:
@@ -80,7 +85,7 @@ class Parameters:
     def _expansion(self, action: Action) -> Expand:
         """Return what is done to the text of a parameter file."""
         wanted = self._expand(action.attributes.get("allow_substs", ""))
-        return self._expand if wanted and typed(wanted, "bool") else str
+        return self._expand_file if wanted and typed(wanted, "bool") else str
 
     def _values(self, action: Action, above: str) -> Iterable[tuple[str, Value]]:
         """Yield the parameters of an action, those of nested ones with dotted names."""
@@ -135,8 +140,10 @@ def _of_xml(text: str, separator: str | None, named: str) -> Given:
     return [_exact(item) for item in value] if isinstance(value, list) else _exact(value)
 
 
-def _exact(value: Any) -> Given:
-    return Exact(value) if isinstance(value, str) and "$(" not in value else value
+def _exact(value: Scalar) -> Given:
+    if isinstance(value, str) and "$(" not in value:
+        return Exact(unescaped(value))
+    return value
 
 
 def _of_mapping(given: Given, expand: Expand) -> Any:

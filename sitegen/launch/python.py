@@ -7,7 +7,7 @@ import subprocess
 import sys
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from sitegen.errors import Location
 from sitegen.launch.tree import Action, Exact, UnreadableError
@@ -17,8 +17,16 @@ DESCRIBE = Path(__file__).with_name("describe.py")
 LIMIT = 20
 
 
-# A function of a launch file, by its number, and the arguments with which it is called.
-Call = tuple[int, Mapping[str, str]]
+class Call(NamedTuple):
+    """A call of a function of a launch file, which is given by its number.
+
+    `variables` and `environment` are those at this point, `given` are its keyword arguments.
+    """
+
+    number: int
+    variables: Mapping[str, str]
+    environment: Mapping[str, str | None]
+    given: Mapping[str, object]
 
 
 def read(
@@ -36,7 +44,7 @@ def read(
     """
     command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
     paths = {name: str(path) for name, path in folders.items()}
-    given = json.dumps({"folders": paths, "roots": [*map(str, roots)], "calls": calls})
+    given = json.dumps({"folders": paths, "roots": [*map(str, roots)], "calls": calls}, default=str)
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:

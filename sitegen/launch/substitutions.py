@@ -3,51 +3,78 @@
 from __future__ import annotations
 
 import os
+import re
 import shlex
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import unquote
 
 from sitegen.launch import conditions
+from sitegen.launch.environment import Environment
 from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
-from sitegen.workspace.manifest import ENVIRONMENT
 
 # The substitutions that only describe_expressions.py writes.
 OF_PYTHON = ("expression", "apply")
 # Longer expressions are cut in messages.
 LONGEST_SHOWN = 200
-# A page shows the values of its launch file to everyone, so the environment of the author's
-# computer is not read, except for what ROS is configured with.
-PUBLIC = ("ROS_", "RMW_", "RCUTILS_")
+# Where launch would write its logs. A page has none, but the name may be a part of a value.
+LOGS = "/root/.ros/log"
+ESCAPED = re.compile(r"\\(.)")
 
 
 class SubstitutionError(Exception):
     """A substitution cannot be expanded; the message says why."""
 
 
+@dataclass(frozen=True)
+class Known:
+    """What substitutions can refer to at one point of a launch file.
+
+    `file` contains the text, `loop` has the variables of the loops around it, and `parameters`
+    those of all nodes so far: names with values, and files.
+    """
+
+    file: Path
+    variables: Mapping[str, str]
+    environment: Environment = field(default_factory=Environment)
+    loop: Mapping[str, str] = field(default_factory=dict)
+    parameters: Sequence[tuple[str, object] | Path] = ()
+
+
 def expand(
     text: str,
-    variables: Mapping[str, str],
-    file: Path,
+    given: Known,
     share: Callable[[str], Path],
     output: Callable[[str], str],
+    *,
+    escapes: bool = False,
 ) -> str:
     """Return `text` with all substitutions expanded.
 
-    `variables` are the launch arguments; `file` is the file that contains the text; `share` returns
-    the folder of a package and `output` the output of a command; both may raise a
-    SubstitutionError.
+    `share` returns the folder of a package and `output` the output of a command; both may raise a
+    SubstitutionError. With `escapes`, as in XML and YAML files, a backslash takes the next
+    character literally.
 
     Raises: SubstitutionError if a substitution cannot be expanded.
     """
     known: dict[str, Callable[..., str]] = {
         "var": lambda name, *default: _first(
-            variables.get(name), *default, what=f"argument '{name}'"
+            given.variables.get(name), *default, what=f"argument '{name}'"
         ),
-        "env": _variable,
-        "dirname": lambda: str(file.parent),
-        "filename": lambda: str(file),
+        "env": lambda name, *default: _variable(given.environment, name, *default),
+        "for_var": lambda name, *default: _first(
+            given.loop.get(name), *default, what=f"variable '{name}' of the loop"
+        ),
+        "index": lambda name: _first(given.loop.get(name), what=f"index '{name}' of the loop"),
+        "param": lambda name, *default: _first(
+            _parameter(given, name), *default, what=f"parameter '{name}'"
+        ),
+        "dirname": lambda: str(given.file.parent),
+        "filename": lambda: str(given.file),
+        "log_dir": lambda: LOGS,
+        "launch_log_dir": lambda: LOGS,
         "find_pkg_share": lambda package: str(share(package)),
         "find_pkg_prefix": lambda package: str(share(package)),
         "find_exec": lambda name: name,
@@ -58,9 +85,12 @@ def expand(
         "eval": lambda *words: _evaluated(" ".join(words)),
         "expression": lambda *words: _evaluated("".join(map(_part, words))),
         "file_content": lambda path: output(shlex.join(["cat", path])),
+        "string_join": lambda delimiter, first, *others: delimiter.join([first, *others]),
         **conditions.SUBSTITUTIONS,
-        "apply": lambda name, *words: conditions.SUBSTITUTIONS[name](*_arguments(words)),
+        "apply": lambda name, *words: applied[name](*_arguments(words)),
     }
+    # Python files join paths, too.
+    applied: dict[str, Callable[..., str]] = {**known, "path_join": os.path.join}
 
     def call(words: list[str]) -> str:
         name, *arguments = words or [""]
@@ -76,20 +106,25 @@ def expand(
         except ValueError as error:
             raise SubstitutionError(f"$({name} …): {error}") from None
 
-    reader = _Reader(text, call)
+    reader = _Reader(text, call, escapes=escapes)
     result = reader.plain()
     if reader.at < len(text):
         raise SubstitutionError(f"'{text}' has an unmatched ')'")
     return result
 
 
-def pieces(text: str) -> Iterator[tuple[str, bool]]:
+def unescaped(text: str) -> str:
+    """Return a text without substitutions, with its escapes replaced."""
+    return ESCAPED.sub(r"\1", text)
+
+
+def pieces(text: str, *, escapes: bool = False) -> Iterator[tuple[str, bool]]:
     """Yield the parts of `text`, and whether each is a substitution; nothing is expanded."""
-    reader = _Reader(text, lambda _: "")
+    reader = _Reader(text, lambda _: "", escapes=escapes)
     plain = ""
     while reader.at < len(text):
         begin = reader.at
-        if text.startswith("$(", begin):
+        if reader.begins():
             if plain:
                 yield plain, False
             plain = ""
@@ -104,9 +139,10 @@ def pieces(text: str) -> Iterator[tuple[str, bool]]:
 class _Reader:
     """Reads text with substitutions, which may be nested."""
 
-    def __init__(self, text: str, call: Callable[[list[str]], str]) -> None:
+    def __init__(self, text: str, call: Callable[[list[str]], str], *, escapes: bool) -> None:
         self._text = text
         self._call = call
+        self._escapes = escapes
         self.at = 0
 
     def plain(self) -> str:
@@ -118,10 +154,17 @@ class _Reader:
 
     def _letters(self) -> str:
         """Return the value of the next substitution, which may be empty, or the next character."""
-        return self.substitution() if self._text.startswith("$(", self.at) else self.next()
+        return self.substitution() if self.begins() else self.next()
+
+    def begins(self) -> bool:
+        """Return whether a substitution begins here, which it never does after a backslash."""
+        is_escaped = self._escapes and self._text.endswith("\\", 0, self.at)
+        return self._text.startswith("$(", self.at) and not is_escaped
 
     def next(self) -> str:
-        """Return the next character."""
+        """Return the next character, of an escape the second one."""
+        if self._escapes and ESCAPED.match(self._text, self.at):
+            self.at += 1
         self.at += 1
         return self._text[self.at - 1]
 
@@ -187,17 +230,20 @@ def _short(expression: str) -> str:
     return expression if len(expression) <= LONGEST_SHOWN else f"{expression[:LONGEST_SHOWN]}…"
 
 
-def _variable(name: str, *default: str) -> str:
+def _variable(environment: Environment, name: str, *default: str) -> str:
     """Return a variable of the environment."""
-    if name.startswith(PUBLIC):
-        value = ENVIRONMENT.get(name, os.environ.get(name))
-        return _first(value, *default, what=f"environment variable '{name}'")
-    if not default:
+    if name not in environment and not default:
         raise SubstitutionError(
             f"environment variable '{name}' is not read, because the page would publish its value; "
             f"use an argument, or a default: $(env {name} …)"
         )
-    return default[0]
+    return _first(environment.value(name), *default, what=f"environment variable '{name}'")
+
+
+def _parameter(given: Known, name: str) -> str | None:
+    """Return the first value that all nodes get for a parameter."""
+    pairs = (each for each in given.parameters if isinstance(each, tuple))
+    return next((str(value) for own, value in pairs if own == name), None)
 
 
 def _first(*values: str | None, what: str) -> str:

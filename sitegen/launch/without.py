@@ -7,12 +7,9 @@ from collections.abc import Collection, Iterator
 from sitegen.launch.tree import Action
 
 STATES = "launch files cannot change node states in the browser"
-ENVIRONMENT = "ignored: nodes in the browser do not see environment variables of launch files"
+# Actions that only write to the log of launch.
+LOGS = ("log", "log_debug", "log_error", "log_info", "log_warning")
 LEFT_OUT = {
-    "append_env": ENVIRONMENT,
-    "reset_env": ENVIRONMENT,
-    "set_env": ENVIRONMENT,
-    "unset_env": ENVIRONMENT,
     "event": "skipped: launch events are not supported in the browser",
     "event_handler": "skipped: launch events are not supported in the browser",
     "lifecycle_transition": f"skipped: {STATES}",
@@ -24,6 +21,8 @@ OPTIONS = {
     "on_exit": "'on_exit' is ignored: nodes in the browser do not stop each other",
     "respawn": "'respawn' is ignored: a node in the browser that ends is started by its button",
 }
+DOMAIN = "ROS_DOMAIN_ID"
+ONE_DOMAIN = f"'{DOMAIN}' has no effect: all nodes of a page are in one domain"
 AUTOSTART = f"'autostart' is ignored: {STATES}"
 OF_SYSTEM = "skipped: system programs cannot run in the browser"
 # Prefixes of packages whose programs open desktop windows.
@@ -37,8 +36,6 @@ def parts(action: Action) -> Iterator[str]:
     for name, why in OPTIONS.items():
         if action.attributes.get(name, "false").lower() != "false":
             yield why
-    if any(action.of_kind("env")):
-        yield f"'env' is {ENVIRONMENT}"
 
 
 def program(package: str, executable: str, packages: Collection[str]) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 import yaml
 
 from sitegen.errors import Location
+from sitegen.launch.substitutions import unescaped
 from sitegen.launch.tree import Action, Exact, Given, UnreadableError
 from sitegen.yamlnodes import compose
 
@@ -77,7 +78,9 @@ def _given(file: Path, node: yaml.Node) -> Given:
     if not isinstance(value, (bool, int, float, str)):
         message = "expected a boolean, a number, a string or a list of these"
         raise UnreadableError(_location(file, node), message)
-    return Exact(value) if isinstance(value, str) and "$(" not in value else value
+    if isinstance(value, str) and "$(" not in value:
+        return Exact(unescaped(value))
+    return value
 
 
 def _items(file: Path, node: yaml.Node) -> list[yaml.Node]:

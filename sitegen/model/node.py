@@ -94,6 +94,7 @@ class Node:
     remap: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, str] = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
+    environment: Mapping[str, str] = field(default_factory=dict)
     group: str = ""
     needs: tuple[str, ...] = ()
     kind: Kind = Cpp()

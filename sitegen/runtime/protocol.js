@@ -11,7 +11,8 @@
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[]}} Launch the launch file that starts these nodes
  * @typedef {{
- *   package: string, executable: string, arguments: string[], autostart: boolean, needs?: string[],
+ *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
+ *   autostart: boolean, needs?: string[],
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry, fault?: string,
  * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `needs`
@@ -169,7 +170,7 @@ export const DEFAULT_QOS = Object.freeze({
  * From page to worker. docs/protocol.md explains each message.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
- *     arguments: string[], lines?: string}
+ *     arguments: string[], environment?: Record<string, string>, lines?: string}
  *   | {op: "join"}
  *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
@@ -187,6 +188,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "stop"}} ToWorker
  *
  * @typedef {{op: "interpret", id: number, name: string, program: PythonEntry, arguments: string[],
+ *   environment?: Record<string, string>,
  *   edits: Record<string, string>, byte?: Uint8Array}} Interpret run a Python node. `edits` are the files that the
  *   visitor has changed, by path; with `byte`, in shared memory, the page interrupts the program
  *

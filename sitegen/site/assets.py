@@ -38,7 +38,7 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     names = {name for page in site.pages for name in _start(site, page)}
     if not names:
         return []
-    nodes = (node for page in site.pages for node in page.nodes.values())
+    nodes = [node for page in site.pages for node in page.nodes.values()]
     workers = {programs[node.program].worker for node in nodes}
     names |= {f"workers/{worker}.js" for worker in workers}
     if "cpp/cppNode" in workers:
@@ -46,6 +46,8 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
         names.add("messages/filter/contentFilter.js")
     if debug:
         names.add("workers/cpp/stackTrace.js")
+    if any(node.environment for node in nodes):
+        names.add("workers/environment.js")
     if any(widget.kind in ("bag", "terminal") for widget in _widgets(site.pages)):
         # The player and the recorder, and what only recorders load.
         names |= {"workers/bag/bagNode.js", "bag/zstd.js"}

@@ -117,7 +117,7 @@ def test_the_same_of_yaml(root: Path, text: str, expected: str) -> None:
         (
             "from ament_index_python import get_package_share_directory as share\n"
             "def generate_launch_description():\n    return share('other')\n",
-            "3: launch: LookupError: no package 'other' in the workspace",
+            "3: launch: PackageNotFoundError: no package 'other' in the workspace",
         ),
     ],
 )

@@ -67,6 +67,7 @@ class CppProgram:
             "package": self.package,
             "executable": self.executable,
             "arguments": node.command_line(),
+            **({"environment": dict(node.environment)} if node.environment else {}),
             **({"fault": self.fault} if self.fault else {"builds": builds}),
         }
 

@@ -83,5 +83,6 @@ class PythonProgram:
             "package": self.package,
             "executable": self.executable,
             "arguments": node.command_line(),
+            **({"environment": dict(node.environment)} if node.environment else {}),
             "python": python,
         }

@@ -46,6 +46,8 @@ export class Instances {
     if (this.#names.size >= MOST) throw new Error(`${MOST} programs run already`);
     const name = this.#free(wanted ?? node.executable);
     const { python, needs: _, ...entry } = node.entry;
+    // A launch file sets it for the node that it starts, not for the program.
+    if (typeof program !== "string") delete entry.environment;
     // Beside the others of its group, its modules would be theirs.
     const alone = python && { ...python, group: undefined };
     const instance = this.#add(name, { ...entry, ...(alone && { python: alone }), arguments: words, autostart: false });

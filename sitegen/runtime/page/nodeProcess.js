@@ -145,8 +145,8 @@ export class NodeProcess extends EventTarget {
     this.#launch("cpp/cppNode", async (id, worker) => {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
-      const { executable: name } = this.#entry;
-      return { op: "start", id, engine: built, module, name, arguments: this.arguments, lines };
+      const { executable: name, environment } = this.#entry;
+      return { op: "start", id, engine: built, module, name, arguments: this.arguments, environment, lines };
     });
   }
 
@@ -157,14 +157,14 @@ export class NodeProcess extends EventTarget {
       return;
     }
     const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
-    const { executable: name } = this.#entry;
+    const { executable: name, environment } = this.#entry;
     const args = this.arguments;
     const program = { ...entry, bundles };
     // Programs share an interpreter as stacks of it, which JSPI sets aside.
     const group = engine === "jspi" ? entry.group : undefined;
     this.#launch("python/pythonNode", async (id, _, byte) => {
       await this.#mounted; // an editor may restore the visitor's changes
-      return { op: "interpret", id, name, program, arguments: args, edits: this.#edits, byte };
+      return { op: "interpret", id, name, program, arguments: args, environment, edits: this.#edits, byte };
     }, group);
   }
 

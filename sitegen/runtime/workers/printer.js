@@ -4,6 +4,7 @@
 import { now } from "../protocol.js";
 
 /** @import { FromWorker, Line, Severity } from "../protocol.js" */
+/** @import { Format, Where } from "./environment.js" */
 
 const BATCH = 256;
 // In each period of PAUSE ms, the first AT_ONCE lines are sent immediately and further ones in batches. So the output
@@ -18,6 +19,8 @@ export class Printer {
   /** The beginning of the present period, and the number of messages since. */
   #since = 0;
   #posts = 0;
+  /** How log messages become lines, if not as usual. @type {Format | undefined} */
+  format;
 
   /** @param {(message: FromWorker) => void} post to the page */
   constructor(post) {
@@ -38,13 +41,18 @@ export class Printer {
    * Print a log message in the format of ROS.
    * @param {Severity} severity @param {string} logger @param {string} text
    * @param {number} stamp ms since 1970, the same as in the message on /rosout
+   * @param {Where} [where] in the source
    */
-  log(severity, logger, text, stamp) {
+  log(severity, logger, text, stamp, where) {
     // Separate the whole milliseconds: a double has no room for them and for nanoseconds.
     const whole = Math.floor(stamp);
     const nanoseconds = String(BigInt(whole) * 1_000_000n + BigInt(Math.round((stamp - whole) * 1e6)));
     const seconds = `${nanoseconds.slice(0, -9)}.${nanoseconds.slice(-9)}`;
-    this.print(severity, `[${severity.toUpperCase()}] [${seconds}] [${logger}]: ${text}`);
+    this.print(
+      severity,
+      this.format?.(severity, logger, text, seconds, where)
+        ?? `[${severity.toUpperCase()}] [${seconds}] [${logger}]: ${text}`,
+    );
   }
 
   /** Send what is held back. */

@@ -74,7 +74,7 @@ def rclpy_logging_rcutils_log(
         return
     sys.stdout.flush()
     stamp: float = ros_host.now()
-    ros_host.log(int(severity), name, message, stamp)
+    ros_host.log(int(severity), name, message, stamp, function_name, file_name, line_number)
     if rosout := _rosouts.get(name):
         rosout.publish(int(severity), name, message, (function_name, file_name, line_number), stamp)
 

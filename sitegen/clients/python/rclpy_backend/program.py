@@ -15,17 +15,22 @@ from rclpy_backend.system.tracebacks import traceback_of
 
 # Where the page unpacks archives.
 PREFIX = "/ros"
+# What a native program has, too; the build reads conditions of packages with the same values.
+ROS = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION": "3"}
 # Exceptions with which Stop ends a program.
 ENDS = {"KeyboardInterrupt", "ExternalShutdownException", "RCLError"}
 
 
-def run(module: str, attribute: str, arguments: Sequence[str]) -> int:
+def run(
+    module: str, attribute: str, arguments: Sequence[str], environment: dict[str, str]
+) -> int:
     """Call `attribute` of `module` with command-line arguments and return the exit code.
 
     Without an attribute, `module` is the path of a file to run. Uncaught exceptions are printed as
     Python does.
     """
     sys.argv[:] = list(arguments)
+    os.environ.update(ROS | environment)
     os.environ["AMENT_PREFIX_PATH"] = PREFIX
     # Where compiled modules find shared libraries.
     os.environ["LD_LIBRARY_PATH"] = f"/usr/lib:{PREFIX}/lib"

@@ -57,6 +57,9 @@ async function run(node, graph) {
   /** @type {any} */
   let program;
   lines = node.lines;
+  const { environment } = node;
+  const own = environment && await import(place("workers/environment.js"));
+  printer.format = own?.logFormat(environment);
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
   const ended = (error) => {
@@ -92,10 +95,14 @@ async function run(node, graph) {
      * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
      */
     instantiateWasm(imports, loaded) {
-      WebAssembly.instantiate(node.module, imports).then(
-        (instance) => loaded(instance, node.module),
-        ended,
-      );
+      /** @type {any} */
+      let exports;
+      const variables = own?.environmentImports(environment, () => exports.memory.buffer);
+      Object.assign(imports["wasi_snapshot_preview1"] ?? {}, variables);
+      WebAssembly.instantiate(node.module, imports).then((instance) => {
+        exports = instance.exports;
+        loaded(instance, node.module);
+      }, ended);
       return {}; // "loaded" comes later
     },
   });

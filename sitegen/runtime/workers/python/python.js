@@ -29,7 +29,11 @@ export class Python {
    * Load a program and its dependencies.
    * @param {Interpret} node @param {Printer} printer @param {(message: FromWorker) => void} post to the page
    */
-  async prepare({ program, edits, byte }, printer, post) {
+  async prepare({ program, edits, environment, byte }, printer, post) {
+    if (environment) {
+      const { logFormat } = await import(place("workers/environment.js"));
+      printer.format = logFormat(environment);
+    }
     this.#download.expect(program.size, post);
     const files = program.bundles.map((url) => this.#fetched(url));
     const python = await this.#loading;
@@ -52,13 +56,14 @@ export class Python {
    * Run a program that was prepared, and return its exit code; with stacks, a promise for that.
    * @param {Interpret} node @param {{stacks: boolean}} host see pythonHost.js
    */
-  async run({ name, program, arguments: args }, host) {
+  async run({ name, program, arguments: args, environment = {} }, host) {
     const python = await this.#loading;
     this.#run ??= python.pyimport("rclpy_backend.system.interpreter").run;
     this.#begin ??= python.pyimport("rclpy_backend.system.collecting").begin;
     this.#begin();
     const { module, attribute, own } = program;
-    const words = [host, python.toPy(own), module, attribute, python.toPy([`${PREFIX}/lib/${name}`, ...args])];
+    const line = python.toPy([`${PREFIX}/lib/${name}`, ...args]);
+    const words = [host, python.toPy(own), module, attribute, line, python.toPy(environment)];
     return /** @type {number | Promise<number>} */ (
       host.stacks ? this.#run.callPromising(...words) : this.#run(...words)
     );

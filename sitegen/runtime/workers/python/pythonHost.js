@@ -7,6 +7,7 @@ import { suspend } from "./stacks.js";
 
 /** @import { FromWorker, Keyboard, Severity, Typed } from "../../protocol.js" */
 /** @import { Participant } from "../../participant/participant.js" */
+/** @import { Where } from "../environment.js" */
 /** @import { Printer } from "../printer.js" */
 
 /** @type {Record<number, Severity>} */
@@ -50,8 +51,9 @@ export function pythonHost(participant, printer, typed, post, failed) {
     },
     /** @param {"stdout" | "stderr"} stream @param {string} line */
     print: (stream, line) => printer.print(stream, line),
-    /** @param {number} severity @param {string} logger @param {string} text @param {number} stamp */
-    log: (severity, logger, text, stamp) => printer.log(SEVERITIES[severity] ?? "info", logger, text, stamp),
+    /** @param {number} severity @param {string} logger @param {string} text @param {number} stamp @param {Where} where */
+    log: (severity, logger, text, stamp, ...where) =>
+      printer.log(SEVERITIES[severity] ?? "info", logger, text, stamp, where),
   };
 }
 

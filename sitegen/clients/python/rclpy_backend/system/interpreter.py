@@ -21,7 +21,14 @@ from rclpy_backend.system import (
 _begun = False
 
 
-def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Sequence[str]) -> int:
+def run(
+    host: Any,
+    own: Sequence[str],
+    module: str,
+    attribute: str,
+    words: Sequence[str],
+    environment: dict[str, str],
+) -> int:
     """Run a program to its end and return its exit code; see Program and program.run().
 
     The caller calls collecting.begin() first, from an existing stack.
@@ -45,7 +52,8 @@ def run(host: Any, own: Sequence[str], module: str, attribute: str, words: Seque
     sys.stdin = keyboard.opened(program)
     loops.none_runs()
     try:
-        code: int = importlib.import_module("rclpy_backend.program").run(module, attribute, words)
+        start = importlib.import_module("rclpy_backend.program").run
+        code: int = start(module, attribute, words, environment)
     finally:
         turns.enter(program, program.ident)
         for output in program.outputs:

@@ -1,0 +1,77 @@
+"""The component containers of a launch file, and what is loaded into them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from sitegen.errors import nearest
+from sitegen.launch.names import joined
+from sitegen.launch.scope import Scope
+from sitegen.launch.texts import Texts
+from sitegen.launch.tree import Action
+from sitegen.model import Component, Container, Node
+from sitegen.workspace import containers
+
+# Returns whether the conditions of an action hold.
+Holds = Callable[[Action, Scope], bool]
+
+
+class Components:
+    """Collects the components of each container."""
+
+    def __init__(self, texts: Texts, holds: Holds) -> None:
+        self._texts = texts
+        self._holds = holds
+        # By the full name of a container: its node, and the components loaded into it.
+        self._loaded: dict[str, tuple[str, list[Component]]] = {}
+
+    def contain(self, node: Node, action: Action, scope: Scope) -> None:
+        """Note a container that `action` starts, with the components in it."""
+        name = node.remap.get("__node", self._texts.needed(action, "exec", scope))
+        loaded: list[Component] = []
+        self._loaded[f"{node.namespace}/{name}"] = (node.name, loaded)
+        self._load(loaded, action, scope)
+
+    def load(self, action: Action, scope: Scope) -> None:
+        """Load the components inside `action` into the container that it names."""
+        target = self._texts.needed(action, "target", scope)
+        full = target if target.startswith("/") else f"{scope.namespace}/{target}"
+        if full not in self._loaded:
+            known = nearest(full, self._loaded)
+            raise ValueError(f"no component container '{full}' in this launch file; {known}")
+        self._load(self._loaded[full][1], action, scope)
+
+    def finished(self, nodes: Sequence[Node]) -> list[Node]:
+        """Return the nodes, with all components loaded into their containers."""
+        loaded = dict(self._loaded.values())
+        return [
+            replace(
+                node,
+                executable=containers.executable(node.executable, loaded[node.name]),
+                kind=Container(tuple(loaded[node.name])),
+            )
+            if loaded.get(node.name)
+            else node
+            for node in nodes
+        ]
+
+    def _load(self, loaded: list[Component], action: Action, scope: Scope) -> None:
+        texts = self._texts
+        for each in action.of_kind("composable_node"):
+            if not self._holds(each, scope):
+                continue
+            own = texts.text(each, "name", scope)
+            namespace = joined(scope.namespace, texts.text(each, "namespace", scope))
+            rules = {"__node": own, "__ns": namespace, **texts.remaps(each, scope)}
+            words = [w for old, new in rules.items() if new for w in ("-r", f"{old}:={new}")]
+            for parameter, value in texts.rules(each, scope, namespace).items():
+                words += ["-p", f"{parameter}:={value}"]
+            loaded.append(
+                Component(
+                    package=texts.needed(each, "pkg", scope),
+                    plugin=texts.needed(each, "plugin", scope),
+                    arguments=("--ros-args", *words) if words else (),
+                    location=each.location,
+                )
+            )

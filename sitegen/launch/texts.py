@@ -1,0 +1,131 @@
+"""The texts of actions: attributes, command lines and parameters, with substitutions expanded."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import partial
+from pathlib import Path
+
+from sitegen.errors import nearest
+from sitegen.launch import commandline, xacro
+from sitegen.launch.parameters import Parameters
+from sitegen.launch.scope import Scope
+from sitegen.launch.shares import on_page
+from sitegen.launch.substitutions import Known, SubstitutionError, expand
+from sitegen.launch.tree import Action
+from sitegen.launch.types import typed
+from sitegen.rclyaml import Overrides
+from sitegen.workspace import parameterfiles
+
+
+class Texts:
+    """Reads the attributes and parts of actions.
+
+    `folders` are those of the packages, by name; files below `roots` may be read, parameter files
+    below `root`.
+    """
+
+    def __init__(self, folders: Mapping[str, Path], root: Path, roots: Collection[Path]) -> None:
+        self._folders = folders
+        self._root = root
+        self._roots = roots
+
+    def text(self, action: Action, name: str, scope: Scope) -> str:
+        """Return the value of an attribute, "" if it is missing.
+
+        Raises: SubstitutionError or ValueError, as do the other methods.
+        """
+        return self.expanded(action.attributes.get(name, ""), scope)
+
+    def needed(self, action: Action, name: str, scope: Scope) -> str:
+        """Return the value of an attribute that must not be missing."""
+        if name not in action.attributes:
+            raise ValueError(f"'{name}' is missing")
+        return self.text(action, name, scope)
+
+    def is_true(self, action: Action, name: str, scope: Scope, *, default: bool = False) -> bool:
+        """Return the value of an attribute that is a boolean."""
+        text = self.text(action, name, scope)
+        return bool(typed(text, "bool")) if text else default
+
+    def pairs(self, action: Action, kind: str, scope: Scope) -> dict[str, str]:
+        """Return the names and values of the parts of a kind."""
+        return {
+            self.needed(each, "name", scope): self.needed(each, "value", scope)
+            for each in action.of_kind(kind)
+        }
+
+    def remaps(self, action: Action, scope: Scope) -> dict[str, str]:
+        """Return the remapping rules of a node; of two for one name, the first counts."""
+        remaps = dict(scope.remaps)
+        for remap in action.of_kind("remap"):
+            remaps.setdefault(*(self.needed(remap, key, scope) for key in ("from", "to")))
+        return remaps
+
+    def rules(self, action: Action, scope: Scope, namespace: str) -> dict[str, str]:
+        """Return the parameter rules of a node or a component."""
+        name = self.text(action, "name", scope)
+        full = f"{namespace.removesuffix('/')}/{name}" if namespace and name else ""
+        parameters, everyones = self.parameters(scope), scope.parameters
+        if action.kind == "composable_node":
+            rules = parameters.of_component(action, everyones, f"{namespace}/{name}")
+        else:
+            rules = parameters.of_node(action, everyones, full)
+        return {name: self.on_page(value) for name, value in rules.items()}
+
+    def parameters(self, scope: Scope) -> Parameters:
+        """Return the reader of the parameters of actions."""
+        return Parameters(
+            lambda text: self.expanded(text, scope),
+            lambda text: self._expanded(text, scope, escapes=True),
+            self.file,
+        )
+
+    def words(self, action: Action, name: str, scope: Scope) -> list[str]:
+        """Return a command line with the contents of parameter files in place of the files."""
+        found: list[str] = []
+        line = action.attributes.get(name, "")
+        expand = partial(self.expanded, scope=scope)
+        waiting = iter(commandline.split(line, expand, escapes=not scope.is_python))
+        for word in waiting:
+            if word != parameterfiles.OPTION:
+                found.append(word)
+                continue
+            given = Overrides()
+            parameterfiles.add(given, self.file(next(waiting, "")))
+            for name, value in parameterfiles.rules(given).items():
+                found += ["-p", f"{name}:={value}"]
+        return found
+
+    def file(self, name: str) -> Path:
+        """Return a parameter file."""
+        file = Path(name)
+        if not file.resolve().is_relative_to(self._root) or not file.is_file():
+            raise ValueError(f"no file '{file}' below the folder of site.yaml")
+        return file
+
+    def on_page(self, text: str) -> str:
+        """Return a text with the paths that the page has."""
+        return on_page(text, self._folders)
+
+    def expanded(self, text: str, scope: Scope) -> str:
+        """Return a text with its substitutions expanded."""
+        return self._expanded(text, scope, escapes=not scope.is_python)
+
+    def _expanded(self, text: str, scope: Scope, *, escapes: bool) -> str:
+        known = Known(
+            file=scope.file,
+            variables=scope.variables,
+            environment=scope.environment,
+            loop=scope.loop,
+            parameters=scope.parameters,
+        )
+        run = partial(xacro.printed, folders=self._folders, roots=self._roots)
+        return expand(text, known, self._share, run, escapes=escapes)
+
+    def _share(self, package: str) -> Path:
+        found = self._folders.get(package)
+        if found is None:
+            advice = nearest(package, self._folders)
+            raise SubstitutionError(f"no package '{package}' in the workspace; {advice}")
+        return found
