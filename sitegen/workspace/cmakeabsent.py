@@ -10,6 +10,7 @@ from pathlib import Path
 
 from sitegen.model import Fault
 from sitegen.workspace.cmakeinstalls import COPIED, Install, of_interest
+from sitegen.workspace.presence import exists, is_file, is_folder
 
 # Commands that can make any file.
 OPAQUE = {
@@ -49,8 +50,8 @@ class Absent:
     def check(self, at: Fault, path: Path, *, certain: bool) -> None:
         """Check a path that is read where `at` says; nothing is wrong if it is not `certain`."""
         kind = "DIRECTORY" if at.key == "add_subdirectory" else "FILES"
-        lists = kind == "FILES" or (path / "CMakeLists.txt").is_file()
-        if certain and not (path.exists() and lists):
+        lists = kind == "FILES" or is_file(path / "CMakeLists.txt")
+        if certain and not (exists(path) and lists):
             self._wanted.append((at, path, kind))
 
     def check_install(self, install: Install) -> None:
@@ -68,7 +69,7 @@ class Absent:
         for at, path, kind in self._wanted:
             name = os.path.relpath(path, folder) if path.is_relative_to(folder) else str(path)
             message = _message(name, path, kind, at.key)
-            if not path.is_relative_to(folder) or (not path.exists() and self._may_make(name)):
+            if not path.is_relative_to(folder) or (not exists(path) and self._may_make(name)):
                 notes.append(at._replace(message=f"{message}, unless the build makes it"))
             else:
                 faults.append(at._replace(message=message))
@@ -84,16 +85,16 @@ class Absent:
 
 def _is_other(name: str, kind: str) -> bool:
     """Return whether there is a file in place of a folder, or the reverse."""
-    path = Path(name)
-    return path.is_dir() if kind == "FILES" else path.exists() and not path.is_dir()
+    folder = is_folder(name)
+    return folder if kind == "FILES" else exists(name) and not folder
 
 
 def _message(name: str, path: Path, kind: str, key: str) -> str:
-    if path.is_dir() and key == "add_subdirectory":
+    if is_folder(path) and key == "add_subdirectory":
         return f"no CMakeLists.txt in '{name}'; add it, or remove this line"
-    if path.is_dir():
+    if is_folder(path):
         return f"'{name}' is a folder; write install(DIRECTORY …)"
-    if path.exists():
+    if exists(path):
         return f"'{name}' is a file; write install(FILES …)"
     what = "file" if kind == "FILES" else "folder"
     others = [each.name for each in _beside(path) if each.is_dir() == (kind == "DIRECTORY")]

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from sitegen.errors import Location
 from sitegen.workspace.cmakepatterns import Rule, rule
+from sitegen.workspace.presence import is_folder
 
 COPIED = ("FILES", "PROGRAMS")
 KINDS = (*COPIED, "DIRECTORY")
@@ -58,7 +59,7 @@ class Install:
                 found = [(self.rename or last, name)]
             else:
                 # A folder is installed with its name, or without it if it ends in a slash.
-                found = [*self._below(name.rstrip("/"), last or ".", root)]
+                found = [*self._below(name.rstrip("/") or "/", last or ".", root)]
             for path, file in found:
                 yield posixpath.normpath(posixpath.join(self.destination, path)), Path(file)
 
@@ -69,12 +70,13 @@ class Install:
                 yield name
 
     def _below(self, top: str, to: str, root: Path) -> Iterator[tuple[str, str]]:
-        waiting = [(top, to, 0)] if Path(top).is_dir() else []
+        inside = Path(top).resolve().is_relative_to(root.resolve())
+        waiting = [(top, to, 0)] if inside and is_folder(top) else []
         while waiting:
             path, to, links = waiting.pop()
             if self._skips(path):
                 continue
-            if not Path(path).is_dir():
+            if not is_folder(path):
                 yield to, path
                 continue
             if path != top and Path(path).is_symlink():
@@ -87,7 +89,7 @@ class Install:
     def _skips(self, path: str) -> bool:
         matches = [rule for rule in self.rules if rule.expression.search(path)]
         if not matches and self.only_matching:
-            return not Path(path).is_dir()
+            return not is_folder(path)
         return any(rule.excludes for rule in matches)
 
 

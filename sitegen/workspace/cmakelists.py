@@ -18,6 +18,7 @@ from sitegen.workspace.cmakeinstalls import (
     unescaped,
 )
 from sitegen.workspace.cmakescript import INCLUDES, PREFIX, VARIABLE, Script
+from sitegen.workspace.presence import exists, is_file
 
 INTERFACE = (".msg", ".srv", ".action", ".idl")
 ADDS_EXECUTABLE = ("add_executable", "ament_auto_add_executable")
@@ -239,7 +240,7 @@ def installed(listing: Listing, root: Path) -> dict[str, Path]:
     found: dict[str, Path] = {}
     for install in listing.installs:
         for path, file in install.files(root):
-            if file.is_file() and file.resolve().is_relative_to(root.resolve()):
+            if is_file(file) and file.resolve().is_relative_to(root.resolve()):
                 found[path] = file
     return found
 
@@ -251,7 +252,7 @@ def outside(listing: Listing, root: Path) -> list[Fault]:
         for install in listing.installs
         for name in install.names
         if of_interest(install.destination)
-        and Path(name).exists()
+        and exists(name)
         and not Path(name).resolve().is_relative_to(root.resolve())
     ]
 

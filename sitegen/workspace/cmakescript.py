@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from sitegen.errors import Location
 from sitegen.workspace.cmakesyntax import Command, branch, parse, until
+from sitegen.workspace.presence import is_file
 
 VARIABLE = re.compile(r"\$\{(\w+)\}")
 INCLUDES = ("add_subdirectory", "include")
@@ -152,7 +153,7 @@ class Script:
         """Return the file that include() reads: a path, or the name of a module."""
         folders = self.variables.get("CMAKE_MODULE_PATH", [])
         paths = [self.folder / given, *(self.folder / each / f"{given}.cmake" for each in folders)]
-        return next((path for path in paths if path.is_file()), paths[0])
+        return next(filter(is_file, paths), paths[0])
 
     def _include(self, name: str, given: list[str], depth: int) -> Iterator[Command]:
         path = self.module("".join(given[:1]))

@@ -191,3 +191,23 @@ def test_files_outside_of_the_site_are_named(folder: Path) -> None:
     assert [note.message for note in cmakelists.outside(listing, folder)] == [
         f"'{folder}/../far.yaml' is outside the folder of site.yaml"
     ]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "include({0})",
+        "include({0}.cmake)",
+        "add_subdirectory({0})",
+        "install(FILES {0} DESTINATION share/yard)",
+        "install(DIRECTORY {0}/ DESTINATION share/yard)",
+        "set(CMAKE_MODULE_PATH {0})\ninclude(a)",
+        "install(DIRECTORY / DESTINATION share/yard)",
+        "install(SCRIPT {0})",
+        "install(FILES a TYPE)",
+        "install()",
+    ],
+)
+def test_impossible_names_are_missing(folder: Path, text: str) -> None:
+    listing = read(folder, text.format("x" * 300))
+    assert cmakelists.installed(listing, folder.parent) == {}
