@@ -73,7 +73,9 @@ def _fault(
 ) -> str:
     if package is None:
         return f"no package '{name}' in the workspace; {nearest(name, packages)}"
-    if package.setup and (not _programs(package) or executable in package.setup.scripts):
+    setup = package.setup
+    python = setup and (setup.scripts or package.build_type == "ament_python")
+    if setup and python and (not _programs(package) or executable in setup.scripts):
         what = f"'{name}/{executable}'" if executable else f"package '{name}'"
         return (
             f"{what} is written in Python, which is not compiled; "

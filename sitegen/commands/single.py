@@ -15,6 +15,7 @@ from sitegen.nodes.python import pyodide
 from sitegen.report import Report, shown, size
 from sitegen.shipped import DEFAULT_THEME
 from sitegen.site import assets, pages, single
+from sitegen.site.pages import discovery
 from sitegen.site.pages.texts import texts
 
 
@@ -90,7 +91,7 @@ def _notice(site: Site, page: Page, names: Collection[str]) -> Markdown:
     said = texts((DEFAULT_THEME, page.theme or site.theme), page.language or site.language)
     text = said.left_out.format(", ".join(f"`{name}`" for name in names))
     if site.url:
-        text += f" [{said.left_out_where}]({site.url}{page.path})"
+        text += f" [{said.left_out_where}]({discovery.url(site, page)})"
     return Markdown(f"!!! note\n    {text}\n", site.root, page.location)
 
 

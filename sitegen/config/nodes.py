@@ -12,7 +12,7 @@ from sitegen.config.document import Value
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Location, Problems, nearest
-from sitegen.model import Container, Cpp, Node, Package, Python
+from sitegen.model import Container, Cpp, Fault, Node, Package, Python
 from sitegen.workspace import containers
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
@@ -120,8 +120,9 @@ def check_package(declared: Declared, packages: Mapping[str, Package], problems:
             f"this release supports {' and '.join(BUILD_TYPES)}"
         )
         problems.add(*declared.where("package"), message)
-    elif package.setup and package.setup.fault and _depends_on_setup(package, node.executable):
-        problems.add(package.setup.fault[0], "setup", package.setup.fault[1])
+    elif faults := _setup_faults(package, node.executable):
+        for fault in faults:
+            problems.add(fault.location, fault.key, fault.message)
     elif package.build_type == "ament_python" and not package.executables:
         message = f"package '{package.name}' has no entry points; declare them in its setup.py"
         advice = "entry_points={'console_scripts': ['talker = my_package.talker:main']}"
@@ -146,10 +147,17 @@ def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
     return node
 
 
-def _depends_on_setup(package: Package, executable: str) -> bool:
-    """Return whether a program is Python, or unknown: then it is missing what was not read."""
-    scripts = package.setup.scripts if package.setup else {}
-    return executable in scripts or executable not in (package.executables or ())
+def _setup_faults(package: Package, executable: str) -> tuple[Fault, ...]:
+    """Return the faults in build files that matter to a program: it is Python, or not found."""
+    setup = package.setup
+    if setup is None or executable in setup.scripts:
+        return setup.faults if setup else ()
+    if package.executables is None:
+        # CMake knows the C++ programs.
+        hidden = executable.endswith(".py")
+    else:
+        hidden = executable not in package.executables
+    return tuple(fault for fault in setup.faults if fault.hides) if hidden else ()
 
 
 def _has_executable(package: Package, executable: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -303,7 +304,7 @@ class PageReader:
         given = page.get("path")
         if given is None:
             return ""
-        text = given.text
+        text = unicodedata.normalize("NFC", given.text)
         fault = path_fault(text)
         path = pagepath.normalized(text)
         if registered and not fault and (first := self.paths.get(path)):

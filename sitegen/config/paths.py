@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 
-SEGMENT = re.compile(r"[a-z0-9_~-][a-z0-9._~-]*")
+MARKS = "._~+-"
 
 
 def path_fault(text: str) -> str:
@@ -20,13 +21,24 @@ def path_fault(text: str) -> str:
         return f"'{text}' is an absolute path; {hint}"
     if ".." in segments:
         return f"'{text}' is outside the site; {hint}"
-    if not all(map(SEGMENT.fullmatch, segments)):
+    if not all(each and each == segment(each) for each in segments):
         return (
-            f"'{text}' may contain only lower-case letters, digits, '-', '_', '.' and '~'; {hint}"
+            f"'{text}' may contain only lower-case letters, digits, '-', '_', '.', '~' and '+'; "
+            f"{hint}"
         )
     return ""
 
 
 def segment(name: str) -> str:
-    """Return a name in the form of one segment of a path."""
-    return re.sub(r"[^a-z0-9._~-]+", "-", name.lower()).lstrip(".")
+    """Return a name, in any script, in the form of one segment of a path."""
+    # There are several ways to write "ü", and file systems choose different ones.
+    text = unicodedata.normalize("NFC", unicodedata.normalize("NFC", name).lower())
+    text = "".join(char if _is_allowed(char) else " " for char in text)
+    return re.sub(" +", "-", text).lstrip(".")
+
+
+def _is_allowed(char: str) -> bool:
+    if char.isascii():
+        return char.isalnum() or char in MARKS
+    # Letters, digits, and the signs that belong to letters in many scripts.
+    return unicodedata.category(char)[0] in "LMN"

@@ -21,6 +21,7 @@ from sitegen.config.page import PageReader
 from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
 from sitegen.config.section import Section, check
+from sitegen.config.setupnotes import note_setups
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, SiteError
 from sitegen.model import Package, Page, Site
@@ -70,6 +71,7 @@ def _site(file: Section, problems: Problems) -> Site:
     if folder and reader.declared:
         # A package that is not found may be behind such a link.
         workspace.report_outside(folder, problems if problems.found else reader.notes)
+        note_setups((node for node, _ in reader.declared), packages, reader.notes)
     pages = tuple(_with_kinds(page, packages) for page in pages)
     nav = file.get("nav")
     return Site(

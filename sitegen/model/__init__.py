@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sitegen.model.content import Cell, Layout, Leaf, Markdown, Part, Source, Widget, leaves
 from sitegen.model.node import Component, Container, Cpp, Kind, Node, Prebuilt, Python, Ros2wasm
-from sitegen.model.package import Package, Setup
+from sitegen.model.package import Fault, Package, Setup
 from sitegen.model.program import BROWSERS, Artifact, Build, Program, Programs
 from sitegen.model.site import Connect, Deploy, Launch, Look, NavItem, Page, Pyodide, Site
 
@@ -18,6 +18,7 @@ __all__ = [
     "Container",
     "Cpp",
     "Deploy",
+    "Fault",
     "Kind",
     "Launch",
     "Layout",

@@ -5,8 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 from sitegen.errors import Location
+
+
+class Fault(NamedTuple):
+    """A problem in the build files of a package; `hides` says whether it may hide a program."""
+
+    location: Location
+    key: str
+    message: str
+    hides: bool = True
 
 
 @dataclass(frozen=True)
@@ -14,13 +24,14 @@ class Setup:
     """What a Python package installs.
 
     `scripts` maps the names of executables to entry points ("module:function") or to paths of
-    programs. `files` maps paths below the prefix to files; modules are in `python/`. `fault` says
-    where and why its setup files cannot be read.
+    programs. `files` maps paths below the prefix to files; modules are in `python/`. `faults` says
+    where and why its build files cannot be read, and `notes` what is doubtful in them.
     """
 
     scripts: Mapping[str, str]
     files: Mapping[str, Path]
-    fault: tuple[Location, str] | None = None
+    faults: tuple[Fault, ...] = ()
+    notes: tuple[Fault, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -2,55 +2,36 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterable, Iterator
+import posixpath
+import re
 from dataclasses import dataclass, field
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 
-from sitegen.errors import Location
-from sitegen.workspace.cmakescript import INCLUDES, PREFIX, Script
+from sitegen.model import Fault
+from sitegen.workspace.cmakeabsent import Absent, is_maker
+from sitegen.workspace.cmakeinstalls import (
+    KINDS,
+    Arguments,
+    Install,
+    below_prefix,
+    of_interest,
+    unescaped,
+)
+from sitegen.workspace.cmakescript import INCLUDES, PREFIX, VARIABLE, Script
+from sitegen.workspace.presence import exists, is_file
 
 INTERFACE = (".msg", ".srv", ".action", ".idl")
 ADDS_EXECUTABLE = ("add_executable", "ament_auto_add_executable")
 SETS_PROPERTIES = ("set_target_properties", "set_property")
-# What ends the names of an install() command.
-OPTIONS = {
-    *("DESTINATION", "PERMISSIONS", "CONFIGURATIONS", "COMPONENT", "RENAME", "OPTIONAL", "TYPE"),
-    *("EXCLUDE_FROM_ALL", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "USE_SOURCE_PERMISSIONS"),
-    *("MESSAGE_NEVER", "FILES_MATCHING", "PATTERN", "REGEX"),
-}
 AUTO = {"INSTALL_TO_PATH", "USE_SCOPED_HEADER_INSTALL_DIR", "SCOPED_HEADER_INSTALL_DIR"}
-# Where nothing is that a program reads.
-DEVELOPMENT = {"include", "bin", "$"}
-COPIED = ("FILES", "PROGRAMS")
+# The beginning of a value that only CMake knows.
+UNKNOWN = re.compile(r"\$(?:\w*\{|<)")
+# Commands in install(CODE) that may install something.
+ACTIONS = re.compile(r"(?:file|execute_process|configure_file|include)\s*\(", re.IGNORECASE)
+# What the build makes: any file, or a program that is compiled.
+BUILT = re.compile(r"\$\{\w*BINARY_DIR\}/?")
+TARGET = "$<TARGET_"
 AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
-
-
-@dataclass(frozen=True)
-class Install:
-    """Files or folders that are installed unchanged; `names` are absolute paths."""
-
-    kind: str
-    names: tuple[str, ...]
-    destination: str
-    rename: str = ""
-
-    def files(self, folder: Path) -> Iterator[tuple[str, Path]]:
-        """Yield the destination of each file, and its path in the package `folder`."""
-        for name in self.names:
-            path = folder / name  # which may be absolute
-            if self.kind in COPIED:
-                yield f"{self.destination}/{self.rename or path.name}", path
-                continue
-            # The rule of CMake: a folder is installed with its name, or without it if it ends in a
-            # slash.
-            top = path if name.endswith("/") else path.parent
-            for file in _below(path):
-                yield f"{self.destination}/{file.relative_to(top).as_posix()}", file
-
-
-def _below(folder: Path) -> Iterable[Path]:
-    return sorted(file for file in folder.rglob("*") if "__pycache__" not in file.parts)
 
 
 @dataclass
@@ -72,11 +53,15 @@ class Listing:
     finds: list[str] = field(default_factory=list)
     requires: list[str] = field(default_factory=list)
     plugins: list[str] = field(default_factory=list)
-    # What is installed, but known to CMake only.
-    fault: tuple[Location, str] | None = None
+    # What CMake refuses, or what is installed and known to CMake only; and where that is uncertain.
+    faults: list[Fault] = field(default_factory=list)
+    notes: list[Fault] = field(default_factory=list)
+    absent: Absent = field(default_factory=Absent)
 
     def add(self, name: str, words: list[str]) -> None:
         """Process one command and its arguments."""
+        if is_maker(name, words):
+            self.absent.makers.append((name, self.script.values(words)))
         if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
             self._add_executable(words[0])
             self._add_sources(words)
@@ -84,8 +69,8 @@ class Listing:
             self._rename(words)
         elif name == "rclcpp_components_register_node" and "EXECUTABLE" in words[:-1]:
             self._add_executable(words[words.index("EXECUTABLE") + 1])
-        elif name in INCLUDES and "$" in "".join(words[:1]):
-            self.executables = None
+        elif name in INCLUDES and words:
+            self._add_include(name, words)
         elif name == "rosidl_generate_interfaces":
             self._add_interfaces(words[1:])
         elif name == "find_package" and ("QUIET" not in words or "REQUIRED" in words):
@@ -95,41 +80,121 @@ class Listing:
         elif name == "pluginlib_export_plugin_description_file":
             self.plugins += self.script.values(words[:1])
         elif name == "install":
-            self._add_install(self.script.values(words))
+            self._add_install(words)
+        elif name == "file" and words[:1] in (["COPY"], ["INSTALL"]):
+            if any(word.startswith(PREFIX) for word in self.script.values(words)):
+                self._not_run("file", words[0])
         elif name == "ament_auto_package" and "INSTALL_TO_SHARE" in words:
-            self._add_shared(self.script.values(words))
+            self._add_shared(words)
         elif name == "ament_python_install_package":
-            self._add_python(self.script.values(words))
+            self._add_python(words)
 
-    def _add_install(self, words: list[str]) -> None:
-        kind = words[0] if words else ""
-        if kind not in (*COPIED, "DIRECTORY") or "DESTINATION" not in words[:-1]:
+    def _add_include(self, name: str, words: list[str]) -> None:
+        """Process another file of the package, or a file of CMake or of another package."""
+        path, *options = self.script.values(words)
+        certain = self.script.unconditional and self.script.certain(words[:1])
+        if "$" in path:
+            self.executables = None
+            # What other packages and CMake have in their variables is theirs.
+            own = self.script.computed.intersection(VARIABLE.findall(path))
+            if name == "add_subdirectory" or own:
+                self._say(f"sitegen does not know the value of '{path}'; write it out", name)
+        elif name == "add_subdirectory":
+            self.absent.check(self._at(name), self.script.folder / path, certain=certain)
+        elif path.endswith(".cmake") and "OPTIONAL" not in options:
+            self.absent.check(self._at(name), self.script.module(path), certain=certain)
+
+    def _at(self, key: str) -> Fault:
+        return Fault(self.script.location, key, "")
+
+    def _say(
+        self, message: str, key: str = "install", *, hides: bool = True, optional: bool = False
+    ) -> None:
+        certain = self.script.unconditional and not optional
+        said = Fault(self.script.location, key, message, hides)
+        (self.faults if certain else self.notes).append(said)
+
+    def _add_install(self, given: list[str]) -> None:
+        words = self.script.values(given)
+        if not words or not self.script.installed:
             return
-        end = next(n for n, word in enumerate(words) if word in OPTIONS)
-        destination = words[words.index("DESTINATION") + 1].removeprefix(f"{PREFIX}/").strip("/")
-        rename = words[words.index("RENAME") + 1] if "RENAME" in words[:-1] else ""
-        self._install(kind, words[1:end], destination, rename)
+        if words[0] in ("CODE", "SCRIPT") and self._acts(*words):
+            self._not_run("install", words[0])
+        if words[0] not in KINDS:
+            return
+        arguments = Arguments.of([unescaped(word) for word in words])
+        if not arguments.by_default:
+            return
+        try:
+            to = arguments.destination(self.script.variables)
+        except ValueError as error:
+            unknown = next((word for word in words if UNKNOWN.search(word)), "")
+            what = f"sitegen does not know the value of '{unknown}'; write it out"
+            self._say(what if unknown else str(error))
+            return
+        self._install(arguments, to, given)
+
+    def _acts(self, kind: str, *words: str) -> bool:
+        """Return whether the code or the script of install() may install something."""
+        text = words[0] if words else ""
+        if kind == "SCRIPT":
+            try:
+                text = (self.script.folder / text).read_text(encoding="utf-8", errors="replace")
+            except (OSError, ValueError):
+                return True
+        return bool(ACTIONS.search(text))
+
+    def _not_run(self, key: str, kind: str) -> None:
+        what = f"{kind} is not run for Python programs; a page lacks the files that it installs"
+        self.notes.append(Fault(self.script.location, key, what, hides=False))
 
     def _add_shared(self, words: list[str]) -> None:
         """Process the folders that ament_auto_package() installs."""
         after = words[words.index("INSTALL_TO_SHARE") + 1 :]
         end = next((n for n, word in enumerate(after) if word in AUTO), len(after))
         share = f"share/{''.join(self.script.variables['PROJECT_NAME'])}"
-        self._install("DIRECTORY", after[:end], share)
+        names = self.script.values(after[:end])
+        self._install(Arguments("DIRECTORY", {"DIRECTORY": names}), share, after[:end])
 
-    def _install(self, kind: str, names: list[str], destination: str, rename: str = "") -> None:
-        """Note what is installed; names are relative to the folder of the current script."""
-        unknown = next((word for word in (*names, destination) if "$" in word), "")
-        if unknown and destination.partition("/")[0] not in DEVELOPMENT and self.fault is None:
-            what = f"install: sitegen does not know the value of '{unknown}'"
-            self.fault = (self.script.location, f"{what}; write it out")
-        known = [os.path.join(self.script.folder, name) for name in names if "$" not in name]  # noqa: PTH118
-        self.installs.append(Install(kind, tuple(known), destination, rename))
+    def _install(self, arguments: Arguments, to: str, given: list[str]) -> None:
+        """Note what is installed; `given` are the arguments before they are evaluated."""
+        names = [name for name in arguments.names if not name.startswith(TARGET)]
+        optional = "OPTIONAL" in arguments.options
+        unknown = next((word for word in (to, *names) if UNKNOWN.search(word)), "")
+        destination = below_prefix(to, PREFIX)
+        if destination is None:
+            return
+        if unknown and of_interest(destination):
+            what = f"sitegen does not know the value of '{unknown}'; write it out"
+            if BUILT.match(unknown):
+                name = BUILT.sub("", unknown)
+                what = f"'{name}' is made by the build, which is not run for Python programs"
+                what += "; install a file of the package"
+            self._say(what, hides=not destination.startswith("share/"), optional=optional)
+        if UNKNOWN.search(to):
+            return
+        here = f"{self.script.folder.as_posix()}/"
+        known = [posixpath.join(here, word) for word in names if not UNKNOWN.search(word)]
+        certain = self.script.unconditional and self.script.certain(given)
+        self.installs.append(
+            Install(
+                arguments.kind,
+                tuple(known),
+                destination,
+                self.script.location,
+                arguments.rename,
+                tuple(arguments.rules),
+                only_matching="FILES_MATCHING" in arguments.options,
+                needed=certain and not optional,
+            )
+        )
 
-    def _add_python(self, words: list[str]) -> None:
+    def _add_python(self, given: list[str]) -> None:
+        words = self.script.values(given)
         if words:
-            given = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words[:-1] else 0
-            self._install("DIRECTORY", [f"{words[given]}/"], f"python/{words[0]}")
+            at = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words[:-1] else 0
+            folder = Arguments("DIRECTORY", {"DIRECTORY": [f"{words[at]}/"]})
+            self._install(folder, f"python/{words[0]}", given)
 
     def _add_executable(self, word: str) -> None:
         name = self.script.surely(word)
@@ -170,16 +235,26 @@ class Listing:
         ]
 
 
-def installed(listing: Listing, folder: Path, root: Path) -> dict[str, Path]:
-    """Return the files below `root` that the package `folder` installs unchanged, by path."""
+def installed(listing: Listing, root: Path) -> dict[str, Path]:
+    """Return the files below `root` that a package installs unchanged, by path."""
     found: dict[str, Path] = {}
     for install in listing.installs:
-        for path, file in install.files(folder):
-            parts = PurePosixPath(path).parts
-            inside = file.resolve().is_relative_to(root.resolve()) and ".." not in parts
-            if file.is_file() and inside and "$" not in path:
-                found[PurePosixPath(path).as_posix()] = file
+        for path, file in install.files(root):
+            if is_file(file) and file.resolve().is_relative_to(root.resolve()):
+                found[path] = file
     return found
+
+
+def outside(listing: Listing, root: Path) -> list[Fault]:
+    """Return what is installed from outside of `root`, which a page does not have."""
+    return [
+        Fault(install.location, "install", f"'{name}' is outside the folder of site.yaml", False)
+        for install in listing.installs
+        for name in install.names
+        if of_interest(install.destination)
+        and exists(name)
+        and not Path(name).resolve().is_relative_to(root.resolve())
+    ]
 
 
 def read(file: Path, package: str) -> Listing:
@@ -188,4 +263,9 @@ def read(file: Path, package: str) -> Listing:
     listing = Listing(script, script.folder)
     for name, words, _ in script.read(file):
         listing.add(name, words)
+    for install in listing.installs:
+        listing.absent.check_install(install)
+    faults, notes = listing.absent.found(listing.folder)
+    listing.faults += faults
+    listing.notes += notes
     return listing

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
 from sitegen.errors import Location, Problems, relative
-from sitegen.model import Package, Setup
+from sitegen.model import Fault, Package, Setup
 from sitegen.workspace import cmakelists, folders, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
@@ -100,26 +100,28 @@ def _package(path: Path, problems: Problems) -> Package | None:
 
 def _setup(path: Path, root: Path) -> Setup:
     listing = setupfiles.read(path, root)
-    fault = listing.fault and (Location(*listing.fault[:2]), listing.fault[2])
+    fault = listing.fault and Fault(Location(*listing.fault[:2]), "setup", listing.fault[2])
     files = {installed: path / file for installed, file in listing.files.items()}
-    return Setup(listing.scripts, files, fault)
+    return Setup(listing.scripts, files, (fault,) if fault else ())
 
 
 def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> Setup | None:
     """Return the Python programs and modules that a package installs by CMake, if any."""
-    files = cmakelists.installed(listing, path, root)
+    files = cmakelists.installed(listing, root)
+    faults = tuple(listing.faults)
+    notes = (*listing.notes, *cmakelists.outside(listing, root))
     programs = {
         installed: file
         for installed, file in files.items()
         if PurePosixPath(installed).parent == PurePosixPath("lib", name) and _is_python(file)
     }
     if not programs and not any(installed.startswith("python/") for installed in files):
-        return Setup({}, {}, listing.fault) if listing.fault else None
+        return Setup({}, {}, faults, notes) if faults or notes else None
     # The files that ament_package() installs; of the file in the index, only the name matters.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
     scripts = {PurePosixPath(installed).name: installed for installed in programs}
-    return Setup(scripts, files, listing.fault)
+    return Setup(scripts, files, faults, notes)
 
 
 def _is_python(file: Path) -> bool:

@@ -95,7 +95,7 @@ def read(folder: Path, cmake: str) -> Package:
 def test_what_is_installed(folder: Path, cmake: str) -> None:
     package = read(folder, cmake)
     assert package.setup
-    assert package.setup.fault is None
+    assert not package.setup.faults
     assert set(package.setup.files) - SHARE == INSTALLS[cmake]
     programs = {Path(path).name for path in INSTALLS[cmake] if path.startswith("lib/")}
     assert set(package.executables or ()) == programs
@@ -130,13 +130,13 @@ pages: [{path: /, title: Yard, content: [{console: one}]}]
     [
         (
             f"{ONE}install(FILES ${{CMAKE_CURRENT_BINARY_DIR}}/a.yaml DESTINATION share/yard)",
-            "4: setup: install: sitegen does not know the value of "
-            "'${CMAKE_CURRENT_BINARY_DIR}/a.yaml'; write it out",
+            "4: install: 'a.yaml' is made by the build, which is not run for Python programs; "
+            "install a file of the package",
         ),
         (
             "execute_process(COMMAND ls OUTPUT_VARIABLE NODES)\n"
             "install(PROGRAMS ${NODES} DESTINATION lib/yard)",
-            "4: setup: install: sitegen does not know the value of '${NODES}'; write it out",
+            "4: install: sitegen does not know the value of '${NODES}'; write it out",
         ),
     ],
 )
@@ -147,3 +147,57 @@ def test_what_only_cmake_knows_is_said(folder: Path, cmake: str, expected: str) 
     with pytest.raises(SiteError) as caught:
         config.load(site)
     assert caught.value.lines == [f"src/yard/CMakeLists.txt:{expected}"]
+
+
+def problems(folder: Path, cmake: str, executable: str = "one.py") -> list[str]:
+    read(folder, cmake)
+    site = folder.parents[1] / "site.yaml"
+    site.write_text(SITE.replace("one.py", executable))
+    try:
+        return list(config.load(site).notes)
+    except SiteError as error:
+        return error.lines
+
+
+CMAKE = "src/yard/CMakeLists.txt"
+GONE = "install(FILES gone.yaml DESTINATION share/yard)\n"
+GONE_LINE = "install: no file 'gone.yaml'; add it, or remove it from this command"
+
+
+def test_all_faults_of_the_package_of_a_node_are_said(folder: Path) -> None:
+    cmake = f"{ONE}{GONE}add_subdirectory(${{WHERE}}/nodes)"
+    unknown = "add_subdirectory: sitegen does not know the value of '${WHERE}/nodes'; write it out"
+    assert problems(folder, cmake) == [f"{CMAKE}:4: {GONE_LINE}", f"{CMAKE}:5: {unknown}"]
+    # This program may be in the folder.
+    assert problems(folder, cmake, "six.py") == [f"{CMAKE}:5: {unknown}"]
+
+
+def test_a_program_that_is_not_installed_is_not_hidden_by_other_files(folder: Path) -> None:
+    assert problems(folder, ONE + GONE, "six.py") == [
+        "site.yaml:2: nodes.one.executable: package 'yard' has no executable 'six.py'; "
+        "known: one.py"
+    ]
+
+
+def test_cplusplus_programs_are_left_to_cmake(folder: Path) -> None:
+    cmake = f"add_executable(talker a.cpp)\n{GONE}add_subdirectory(${{WHERE}})"
+    assert problems(folder, cmake, "talker") == []
+    assert problems(folder, cmake, "other") == []
+
+
+def test_what_is_doubtful_in_needed_packages_is_noted(folder: Path) -> None:
+    other = folder.parent / "fence"
+    (other / "fence").mkdir(parents=True)
+    (other / "fence/__init__.py").write_text("")
+    (other / "package.xml").write_text(MANIFEST.replace("yard", "fence"))
+    (other / "CMakeLists.txt").write_text(
+        f"project(fence)\nament_python_install_package(fence)\n{GONE}install(SCRIPT a.cmake)\n"
+    )
+    assert problems(folder, ONE) == []
+    text = (folder / "package.xml").read_text()
+    (folder / "package.xml").write_text(text.replace("rclpy</", "rclpy</depend><depend>fence</"))
+    run = "install: SCRIPT is not run for Python programs; a page lacks the files that it installs"
+    assert problems(folder, ONE) == [
+        f"src/fence/CMakeLists.txt:3: {GONE_LINE}",
+        f"src/fence/CMakeLists.txt:4: {run}",
+    ]

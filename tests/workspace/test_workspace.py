@@ -177,7 +177,7 @@ def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: st
             ("b", "c"),
         ),
         (
-            'option(X "x")\nif(X)\nadd_executable(a a.cpp)\nelseif(Y)\nadd_executable(b b.cpp)\n'
+            'option(X "x")\nif(X)\nadd_executable(a a.cpp)\nelseif(MORE)\nadd_executable(b b.cpp)\n'
             'set(N d)\nelse()\nadd_executable(c c.cpp)\nendif()\noption(Z "z" ON)\nif(Z)\n'
             "add_executable(e e.cpp)\nelse()\nadd_executable(f f.cpp)\nendif()",
             ("b", "c", "e"),

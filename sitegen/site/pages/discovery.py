@@ -35,7 +35,7 @@ def _sitemap(site: Site, changed: Mapping[Path, str]) -> str:
     for page in site.pages:
         day = changed.get(page.file, "") if page.file else ""
         last = f"<lastmod>{day}</lastmod>" if day else ""
-        rows.append(f"<url><loc>{escape(_url(site, page))}</loc>{last}</url>\n")
+        rows.append(f"<url><loc>{escape(url(site, page))}</loc>{last}</url>\n")
     schema = "http://www.sitemaps.org/schemas/sitemap/0.9"
     return f'{XML}<urlset xmlns="{schema}">\n{"".join(rows)}</urlset>\n'
 
@@ -57,14 +57,15 @@ def _feed(site: Site) -> str:
 
 
 def _entry(site: Site, page: Page) -> str:
-    url = _url(site, page)
+    address = escape(url(site, page))
     summary = f"<summary>{escape(page.description)}</summary>\n" if page.description else ""
     return (
-        f"<entry>\n<title>{escape(page.title)}</title>\n<id>{escape(url)}</id>\n"
-        f'<link href="{escape(url)}"/>\n<updated>{page.date}T00:00:00Z</updated>\n'
+        f"<entry>\n<title>{escape(page.title)}</title>\n<id>{address}</id>\n"
+        f'<link href="{address}"/>\n<updated>{page.date}T00:00:00Z</updated>\n'
         f"{summary}</entry>\n"
     )
 
 
-def _url(site: Site, page: Page) -> str:
+def url(site: Site, page: Page) -> str:
+    """Return the address of a page on the web."""
     return site.url + quote(page.path)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from sitegen.model import NavItem, Page, Site
+from sitegen.site.pages import discovery
 from sitegen.site.prose import address
 
 # Up to this many lines, the menu of every page has all groups with what they contain.
@@ -101,7 +102,7 @@ class Navigation:
             Form(
                 language,
                 address(page, other.path),
-                f"{site.url}{other.path}" if site.url else "",
+                discovery.url(site, other) if site.url else "",
                 current=other.path == page.path,
             )
             for language, other in (forms if len(forms) > 1 else ())

@@ -312,7 +312,7 @@ class Renderer:
         # Nobody links to a page that is shown in place of others.
         public = site.url and not page.base
         return {
-            "url": f"{site.url}{page.path}" if public else "",
+            "url": discovery.url(site, page) if public else "",
             "image": f"{site.url}{preview.path(site, page)}" if public else "",
             "feed": address(page, discovery.FEED) if site.feed else "",
             "edit": edit_link(site, page),
