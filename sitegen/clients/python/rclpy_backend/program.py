@@ -21,9 +21,7 @@ ROS = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION": "3"}
 ENDS = {"KeyboardInterrupt", "ExternalShutdownException", "RCLError"}
 
 
-def run(
-    module: str, attribute: str, arguments: Sequence[str], environment: dict[str, str]
-) -> int:
+def run(module: str, attribute: str, arguments: Sequence[str], environment: dict[str, str]) -> int:
     """Call `attribute` of `module` with command-line arguments and return the exit code.
 
     Without an attribute, `module` is the path of a file to run. Uncaught exceptions are printed as
