@@ -139,7 +139,7 @@ class Listing:
         text = words[0] if words else ""
         if kind == "SCRIPT":
             try:
-                text = (self.script.folder / text).read_text(encoding="utf-8", errors="replace")
+                text = (self.script.folder / text).read_text(encoding="utf-8-sig", errors="replace")
             except (OSError, ValueError):
                 return True
         return bool(ACTIONS.search(text))

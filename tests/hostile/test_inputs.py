@@ -109,7 +109,10 @@ def test_site_yaml(tmp_path: Path, site: str, expected: str) -> None:
     [
         ("<?xml version='1.0' encoding='foo'?><launch/>", "unknown encoding: foo; save the file"),
         ("<launch>" * 1000, "nested too deeply"),
-        ("<launch><function/></launch>", "function: only launch files in Python contain functions"),
+        (
+            "<launch><function/></launch>",
+            "function: only launch files in Python contain 'function'",
+        ),
         ("<launch><function number='x'/></launch>", "function: only launch files in Python"),
     ],
 )

@@ -278,7 +278,8 @@ def probes(
             {
                 "path": "/",
                 "title": "Parameters",
-                "content": [{"console": "cpp"}, {"console": "python"}],
+                # With buttons, they do not start before the test listens to them.
+                "content": [{"buttons": "cpp"}, {"buttons": "python"}],
             }
         ],
     }

@@ -276,6 +276,11 @@ export class Participant {
     };
   }
 
+  /** Wait until subscriptions that are there already match the publishers that were created before. */
+  async announced() {
+    if (!this.#announced.known) await new Promise((resolve) => this.#announced.hold(() => resolve(undefined)));
+  }
+
   /**
    * Send a request or a response. The receiver may answer to an endpoint that was created just before, so it must know
    * of that first.

@@ -57,9 +57,8 @@ async function run(node, graph) {
   /** @type {any} */
   let program;
   lines = node.lines;
-  const { environment } = node;
-  const own = environment && await import(place("workers/environment.js"));
-  printer.format = own?.logFormat(environment);
+  const own = node.environment && await import(place("workers/environment.js"));
+  printer.format = own?.logFormat(node.environment);
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
   const ended = (error) => {
@@ -90,21 +89,7 @@ async function run(node, graph) {
     printErr: (line) => printer.print("stderr", line),
     /** @param {number} code */
     onExit: (code) => end(code, failure, whence),
-    /**
-     * @param {WebAssembly.Imports} imports
-     * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
-     */
-    instantiateWasm(imports, loaded) {
-      /** @type {any} */
-      let exports;
-      const variables = own?.environmentImports(environment, () => exports.memory.buffer);
-      Object.assign(imports["wasi_snapshot_preview1"] ?? {}, variables);
-      WebAssembly.instantiate(node.module, imports).then((instance) => {
-        exports = instance.exports;
-        loaded(instance, node.module);
-      }, ended);
-      return {}; // "loaded" comes later
-    },
+    instantiateWasm: instantiator(node, own, ended),
   });
   post({ op: "running" });
   try {
@@ -116,6 +101,30 @@ async function run(node, graph) {
   } catch (error) {
     ended(error);
   }
+}
+
+/**
+ * Return the function by which Emscripten's script gets an instance of the program.
+ * @param {Extract<ToWorker, {op: "start"}>} node
+ * @param {any} own workers/environment.js, if the node has variables of its own
+ * @param {(error: unknown) => void} ended called if there is none
+ */
+function instantiator({ module, environment }, own, ended) {
+  /**
+   * @param {WebAssembly.Imports} imports
+   * @param {(instance: WebAssembly.Instance, module: WebAssembly.Module) => void} loaded
+   */
+  return (imports, loaded) => {
+    /** @type {any} */
+    let exports;
+    const variables = own?.environmentImports(environment, () => exports.memory.buffer);
+    Object.assign(imports["wasi_snapshot_preview1"] ?? {}, variables);
+    WebAssembly.instantiate(module, imports).then((instance) => {
+      exports = instance.exports;
+      loaded(instance, module);
+    }, ended);
+    return {}; // "loaded" comes later
+  };
 }
 
 let over = false;
