@@ -278,7 +278,8 @@ export class Participant {
 
   /** Wait until subscriptions that are there already match the publishers that were created before. */
   async announced() {
-    if (!this.#announced.known) await new Promise((resolve) => this.#announced.hold(() => resolve(undefined)));
+    const held = this.#announced;
+    if (!held.known) await new Promise((resolve) => held.hold(/** @type {() => void} */ (resolve)));
   }
 
   /**

@@ -16,7 +16,7 @@ const ESCAPES = { a: "\x07", b: "\b", n: "\n", r: "\r", t: "\t", x1b: "\x1b" };
  * @param {Record<string, string>} variables
  * @param {() => ArrayBuffer} heap returns the memory of the program
  */
-export function environmentImports(variables, heap) {
+export function imports(variables, heap) {
   const all = Object.entries({ ...USUAL, ...variables });
   const texts = all.map(([name, value]) => new TextEncoder().encode(`${name}=${value}\0`));
   return {

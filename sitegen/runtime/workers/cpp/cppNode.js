@@ -117,8 +117,8 @@ function instantiator({ module, environment }, own, ended) {
   return (imports, loaded) => {
     /** @type {any} */
     let exports;
-    const variables = own?.environmentImports(environment, () => exports.memory.buffer);
-    Object.assign(imports["wasi_snapshot_preview1"] ?? {}, variables);
+    const wasi = /** @type {WebAssembly.ModuleImports} */ (imports["wasi_snapshot_preview1"]);
+    Object.assign(wasi, own?.imports(environment, () => exports.memory.buffer));
     WebAssembly.instantiate(module, imports).then((instance) => {
       exports = instance.exports;
       loaded(instance, module);
