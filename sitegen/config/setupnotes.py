@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from sitegen.config.nodes import with_kind
 from sitegen.errors import Problems
-from sitegen.model import Node, Package
+from sitegen.model import Node, Package, Python
 
 
 def note_setups(nodes: Iterable[Node], packages: Mapping[str, Package], notes: Problems) -> None:
     """Add notes about the packages that Python nodes come with."""
-    own = {node.package for node in nodes if _is_python(node, packages)}
+    own = {node.package for node in nodes if isinstance(with_kind(node, packages).kind, Python)}
     waiting, seen = [*own], set[str]()
     while waiting:
         name = waiting.pop()
@@ -24,8 +25,3 @@ def note_setups(nodes: Iterable[Node], packages: Mapping[str, Package], notes: P
             # The faults in a node's own package are problems.
             for fault in (*setup.notes, *(() if name in own else setup.faults)):
                 notes.add(fault.location, fault.key, fault.message)
-
-
-def _is_python(node: Node, packages: Mapping[str, Package]) -> bool:
-    setup = packages[node.package].setup if node.package in packages else None
-    return bool(setup and node.executable in setup.scripts)

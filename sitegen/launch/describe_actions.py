@@ -309,7 +309,12 @@ _parameters = parameters
 def variables(*given: Mapping[Any, Any] | None) -> list[Described]:
     """Describe environment variables of a process; later ones replace earlier ones."""
     merged = {text(name): value for each in given for name, value in (each or {}).items()}
-    return [Described("env", name=name, value=value) for name, value in merged.items()]
+    return pairs("env", merged.items())
+
+
+def pairs(kind: str, given: Iterable[tuple[Any, Any]]) -> list[Described]:
+    """Describe parts of an action, or actions, that have a name and a value."""
+    return [Described(kind, name=name, value=value) for name, value in given]
 
 
 def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> Described:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import RUN, Context, Described, text
+from sitegen.launch.describe_actions import RUN, Context, Described, pairs
 
 # The functions, each called with the context and keyword arguments, and the lines of their actions,
 # in the order in which the file creates them, which is the same in every run.
@@ -67,9 +67,9 @@ def called(
     call, RUN.line = CALLS[number]
     found = call(context, **given)
     fresh = context.launch_configurations.items() - dict(variables).items()
-    sets = [Described("let", name=name, value=text(value)) for name, value in sorted(fresh)]
+    sets = pairs("let", sorted(fresh))
     changed = context.environment.items() - environment.items()
-    sets += [Described("set_env", name=name, value=value) for name, value in sorted(changed)]
+    sets += pairs("set_env", sorted(changed))
     listed = found if isinstance(found, (list, tuple)) else [found] if found is not None else []
     return Described("launch", [*sets, *listed])
 

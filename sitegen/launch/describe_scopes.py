@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import Described, Text, text
+from sitegen.launch.describe_actions import Described, Text, pairs, text
 
 
 def argument(
@@ -38,9 +38,7 @@ def group(
     condition: Any = None,
 ) -> Described:
     """Describe a group, with the arguments that it sets."""
-    kept = (launch_configurations or {}).items()
-    inside = [Described("keep", name=name, value=value) for name, value in kept]
-    inside += actions
+    inside = [*pairs("keep", (launch_configurations or {}).items()), *actions]
     return Described("group", inside, scoped=scoped, forwarding=forwarding, condition=condition)
 
 
@@ -48,9 +46,8 @@ def include(
     source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
 ) -> Described:
     """Describe an included launch file; its arguments are pairs or keywords."""
-    pairs = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
-    inside = [Described("arg", name=name, value=value) for name, value in pairs or ()]
-    return Described("include", inside, file=source, condition=condition)
+    given = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
+    return Described("include", pairs("arg", given or ()), file=source, condition=condition)
 
 
 def environment(name: Any, *, default_value: Any = None) -> Text:

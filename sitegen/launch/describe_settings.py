@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import Described, mapped, variables
-
-
-def _kept(given: Mapping[Any, Any] | None) -> list[Described]:
-    return [Described("keep", name=name, value=value) for name, value in (given or {}).items()]
+from sitegen.launch.describe_actions import Described, mapped, pairs, variables
 
 
 def pair(kind: str) -> Any:
@@ -48,7 +43,7 @@ MEMBERS: dict[str, Any] = {
     ),
     "ResetEnvironment": plain("reset_env"),
     "ResetLaunchConfigurations": lambda launch_configurations=None, *, condition=None: Described(
-        "reset", _kept(launch_configurations), condition=condition
+        "reset", pairs("keep", (launch_configurations or {}).items()), condition=condition
     ),
     "SetEnvironmentVariable": pair("set_env"),
     "SetLaunchConfiguration": pair("let"),

@@ -9,6 +9,8 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from sitegen.workspace.setupvalues import COMPARE
+
 # Launch files of strangers must not fill the memory or keep a build busy.
 LONGEST, MOST_BITS, DEEPEST = 100_000, 4096, 50
 PLAIN = (abs, all, any, bool, float, int, len, max, min, round, sorted, str, sum)
@@ -44,18 +46,6 @@ UNARY: Mapping[type[ast.unaryop], Callable[[Any], Any]] = {
     ast.Not: operator.not_,
     ast.UAdd: operator.pos,
     ast.USub: operator.neg,
-}
-COMPARE: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
-    ast.Eq: operator.eq,
-    ast.NotEq: operator.ne,
-    ast.Lt: operator.lt,
-    ast.LtE: operator.le,
-    ast.Gt: operator.gt,
-    ast.GtE: operator.ge,
-    ast.Is: operator.is_,
-    ast.IsNot: operator.is_not,
-    ast.In: lambda one, many: one in many,
-    ast.NotIn: lambda one, many: one not in many,
 }
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from sitegen.launch.environment import Environment
 from sitegen.launch.names import joined
 from sitegen.launch.scope import Scope
-from sitegen.launch.substitutions import LOGS
+from sitegen.launch.substitutions import LOG_FOLDER
 from sitegen.launch.texts import Texts
 from sitegen.launch.tree import Action
 
@@ -111,7 +111,7 @@ def _pop_env(_: Action, scope: Scope, __: Texts) -> None:
 
 
 def _set_logs(action: Action, scope: Scope, texts: Texts) -> None:
-    before = scope.environment.changes.get("ROS_LOG_DIR") or LOGS
+    before = scope.environment.changes.get("ROS_LOG_DIR") or LOG_FOLDER
     given = texts.needed(action, "new_log_dir", scope)
     scope.environment.changes["ROS_LOG_DIR"] = os.path.join(before, given)  # noqa: PTH118
 

@@ -20,7 +20,7 @@ OF_PYTHON = ("expression", "apply")
 # Longer expressions are cut in messages.
 LONGEST_SHOWN = 200
 # Where launch would write its logs. A page has none, but the name may be a part of a value.
-LOGS = "/root/.ros/log"
+LOG_FOLDER = "/root/.ros/log"
 ESCAPED = re.compile(r"\\(.)")
 
 
@@ -73,8 +73,8 @@ def expand(
         ),
         "dirname": lambda: str(given.file.parent),
         "filename": lambda: str(given.file),
-        "log_dir": lambda: LOGS,
-        "launch_log_dir": lambda: LOGS,
+        "log_dir": lambda: LOG_FOLDER,
+        "launch_log_dir": lambda: LOG_FOLDER,
         "find_pkg_share": lambda package: str(share(package)),
         "find_pkg_prefix": lambda package: str(share(package)),
         "find_exec": lambda name: name,

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import pytest
 from launching import nodes
+from paths import ROOT
 
 from sitegen import workspace
 from sitegen.errors import Problems
 from sitegen.launch import launched
+from sitegen.workspace.manifest import ENVIRONMENT
 
 XML = r"""<launch>
   <set_env name="TEAM" value="blue"/>
@@ -107,6 +110,16 @@ def test_variables_of_the_author_stay_private(root: Path, monkeypatch: pytest.Mo
         "x.launch.xml:7: node: environment variable 'SECRET' is not read, because the page would "
         "publish its value; use an argument, or a default: $(env SECRET …)"
     ]
+
+
+def test_nodes_and_the_build_are_of_one_distribution() -> None:
+    program = ROOT / "sitegen/clients/python/rclpy_backend/program.py"
+    [given] = (
+        node.value
+        for node in ast.parse(program.read_bytes()).body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "ROS"
+    )
+    assert ast.literal_eval(given) == ENVIRONMENT
 
 
 def test_a_domain_of_its_own_is_noted(root: Path) -> None:

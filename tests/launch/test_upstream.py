@@ -13,7 +13,6 @@ from xml.etree import ElementTree
 
 import pytest
 import yaml
-from launching import PACKAGE
 
 from sitegen import workspace
 from sitegen.errors import Problems
@@ -231,15 +230,12 @@ WITH_ACTIONS = ("for", "for_each", "group", "launch", "ros_timer", "timer")
 
 
 @pytest.fixture
-def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    package = tmp_path / "src" / "mine"
-    package.mkdir(parents=True)
-    (package / "package.xml").write_text(PACKAGE.format("mine"))
-    (tmp_path / "other.launch.xml").write_text("<launch/>")
-    (tmp_path / "p.yaml").write_text("/**: {ros__parameters: {a: 1}}")
-    (tmp_path / "words").write_text("two words")
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
+def root(root: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (root / "other.launch.xml").write_text("<launch/>")
+    (root / "p.yaml").write_text("/**: {ros__parameters: {a: 1}}")
+    (root / "words").write_text("two words")
+    monkeypatch.chdir(root)
+    return root
 
 
 def in_yaml(element: ElementTree.Element) -> dict[str, object]:

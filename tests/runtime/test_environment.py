@@ -39,6 +39,7 @@ def line(form: str) -> str:
         ("{{name}} {name {message}", f"{{a.b}} {{name {MESSAGE}"),
         (r"a\nb {time} {time_as_nanoseconds}", "a\nb 1795703534.076459680 1795703534076459680"),
         ("{name}{", "a.b{"),
+        ("{constructor} {__proto__}", "{constructor} {__proto__}"),
         ("{ name } {NAME} {na-me} {severity}", "{ name } {NAME} {na-me} WARN"),
         (r"q\rw\b", "q\rw\b"),
         (r"x\x1b[1m{message}\x1b[0m", f"x\x1b[1m{MESSAGE}\x1b[0m"),

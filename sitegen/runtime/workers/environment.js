@@ -61,7 +61,7 @@ export function logFormat({ RCUTILS_CONSOLE_OUTPUT_FORMAT: format }) {
       file_name: where?.[1] ?? "",
       line_number: where ? String(where[2]) : "",
     };
-    return plain.replace(TOKEN, (token, name) => values[name] ?? token);
+    return plain.replace(TOKEN, (token, name) => (Object.hasOwn(values, name) ? String(values[name]) : token));
   };
 }
 

@@ -15,6 +15,15 @@ ROS = ["ROS_DISTRO kilted", "ROS_VERSION 2"]
 DATA = "DATA /ros/share/bringup/data"
 
 
+def told(context: BrowserContext, url: str, node: str) -> list[str]:
+    """The lines of a node that starts with its page and ends by itself."""
+    page = context.new_page()
+    page.goto(url)
+    panel = Panel(page, node)
+    panel.expect_state("stopped")
+    return panel.lines()
+
+
 @pytest.mark.parametrize(
     ("node", "expected"),
     [
@@ -27,21 +36,13 @@ DATA = "DATA /ros/share/bringup/data"
 def test_variables_for_all_nodes_and_for_one(
     context: BrowserContext, serve: Serve, built: Built, node: str, expected: list[str]
 ) -> None:
-    page = context.new_page()
-    page.goto(serve(built(SITE)))
-    panel = Panel(page, node)
-    panel.expect_state("stopped")
-    assert panel.lines() == expected
+    assert told(context, serve(built(SITE)), node) == expected
 
 
 def test_a_node_with_an_environment_of_its_own(
     context: BrowserContext, serve: Serve, built: Built
 ) -> None:
-    page = context.new_page()
-    page.goto(serve(built(SITE)))
-    panel = Panel(page, "alone")
-    panel.expect_state("stopped")
-    *variables, logged = panel.lines()
+    *variables, logged = told(context, serve(built(SITE)), "alone")
     assert variables == ["TEAM (unset)", "LANE 5", "DATA (unset)", *ROS]
     # The format of log messages is a variable, too.
     assert logged.startswith("[WARN] [")
@@ -49,9 +50,6 @@ def test_a_node_with_an_environment_of_its_own(
 
 @pytest.mark.parametrize("node", ["one", "one_py"])
 def test_the_same_in_xml(context: BrowserContext, serve: Serve, built: Built, node: str) -> None:
-    page = context.new_page()
-    page.goto(f"{serve(built(SITE))}xml/")
-    panel = Panel(page, node)
-    panel.expect_state("stopped")
-    assert panel.lines()[:2] == ["TEAM blue", "LANE blue 4"]
-    assert panel.lines()[-1].endswith(f"[{node}]: hello")
+    lines = told(context, f"{serve(built(SITE))}xml/", node)
+    assert lines[:2] == ["TEAM blue", "LANE blue 4"]
+    assert lines[-1].endswith(f"[{node}]: hello")
