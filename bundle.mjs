@@ -14,15 +14,15 @@ const TARGET = join(import.meta.dirname, "sitegen/bundles");
 // rosMain.js has a copy of what it shares with the parts: a page of consoles loads no other file.
 const START = ["rosMain.js"];
 const IN_START = ["widgets/buttons.js", "widgets/console.js"];
-// A terminal has copies, too: what it shares with single panels, such as a reader of YAML, would come to every page
-// with a panel.
-const APART = "widgets/terminal.js";
+// These have copies, too: what they share with single panels, such as a reader of YAML, would come to every page with a
+// panel.
+const APART = ["widgets/launch.js", "widgets/terminal.js"];
 const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
-  (name) => !IN_START.includes(name) && name !== APART);
+  (name) => ![...IN_START, ...APART].includes(name));
 // What few parts share, and is too large for the file that all of them load.
 const LARGE = ["ui/codeView.js"];
 const ALONE = [
-  APART,
+  ...APART,
   ...LARGE,
   "bag/zstd.js",
   "client/client.js",

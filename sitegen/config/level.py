@@ -22,7 +22,8 @@ def offered(widgets: Iterable[Widget]) -> str:
     kinds = [(widget.kind, widget.target) for widget in widgets]
     if any(kind in FULL for kind, _ in kinds):
         return "I5"
-    if any(not target for _, target in kinds):
+    # The panel of a launch file starts nodes, as buttons do.
+    if any(not target and kind != "launch" for kind, target in kinds):
         return "I4"
     buttons = {target for kind, target in kinds if kind == "buttons"}
     return list(LEVELS)[min(len(buttons), 2)] if kinds else ""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen import pagepath, workspace
-from sitegen.config import level, notebooks, windows
+from sitegen.config import launching, level, notebooks, windows
 from sitegen.config.blocks import front_matter, heading
 from sitegen.config.connect import KIND as CONNECT
 from sitegen.config.connect import connect
@@ -25,7 +25,18 @@ from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import Window, launched
-from sitegen.model import Connect, Launch, Markdown, Node, Package, Page, Part, Widget, leaves
+from sitegen.model import (
+    Connect,
+    Handler,
+    Launch,
+    Markdown,
+    Node,
+    Package,
+    Page,
+    Part,
+    Widget,
+    leaves,
+)
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
 OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
@@ -156,9 +167,10 @@ class PageReader:
         front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
         opened: list[Window] = []
+        handlers: list[Handler] = []
         folder = file.parent if file else self.problems.root
         given = _giver("launch", page, front)
-        started = self._launch(given, known, opened, folder)
+        started = self._launch(given, known, opened, handlers, folder)
         known |= started
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, self.notes, folder)
@@ -168,9 +180,11 @@ class PageReader:
             parts += reader.markdown(body.text, body.location, body.folder)
         if lab := page.get("jupyter"):
             parts += reader.jupyter(lab)
-        if (started or opened) and not any(isinstance(part, Widget) for part in leaves(parts)):
+        is_bare = not any(isinstance(part, Widget) for part in leaves(parts))
+        if opened and is_bare:
             parts += windows.shown(opened, self.problems, self.notes)
-            parts += _panels(started)
+        parts = launching.with_panel(parts, given.get("launch"), handlers, self.problems)
+        parts += launching.panels(started) if is_bare else []
         joined = self._connect(_giver("connect", page, front), parts)
         for kernel in notebooks.kernels(parts):
             if kernel.name in nodes:
@@ -209,7 +223,7 @@ class PageReader:
             original=path if original is None else original,
             start_from_links=bool(links.option("start_from_links")),
             layout=self._layout(_giver("layout", page, front)),
-            launch=self._launch_file(given, folder, tuple(started)) if started else None,
+            launch=self._launch_file(given, folder, tuple(started), handlers) if started else None,
             script=script,
             connect=joined,
         )
@@ -261,11 +275,13 @@ class PageReader:
         section: Section,
         taken: Mapping[str, Declared],
         opened: list[Window],
+        handlers: list[Handler],
         folder: Path,
     ) -> dict[str, Declared]:
-        """Return the nodes that a launch file starts, and add the windows to `opened`.
+        """Return the nodes that a launch file starts.
 
-        `folder` is that of the page.
+        Its windows are added to `opened`, and what it does at events to `handlers`; `folder` is
+        that of the page.
         """
         given = section.get("launch")
         file = locate(given, self.problems, page=folder) if given else None
@@ -275,7 +291,7 @@ class PageReader:
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
         packages = {**workspace.shipped_packages(), **self.packages()}
-        found = launched(file, arguments, packages, self.problems, self.notes, opened)
+        found = launched(file, arguments, packages, self.problems, self.notes, opened, handlers)
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"
@@ -291,14 +307,16 @@ class PageReader:
             self.problems.add(section.location("layout"), section.label("layout"), message)
         return text
 
-    def _launch_file(self, section: Section, folder: Path, nodes: tuple[str, ...]) -> Launch | None:
+    def _launch_file(
+        self, section: Section, folder: Path, nodes: tuple[str, ...], handlers: Sequence[Handler]
+    ) -> Launch | None:
         """Return the launch file that has started `nodes`, by its package."""
         given = section.get("launch")
         file = locate(given, self.problems, page=folder) if given else None
         if not file:
             return None
         owners = (p.name for p in self.packages().values() if file.is_relative_to(p.path))
-        return Launch(next(owners, ""), file.name, nodes)
+        return Launch(next(owners, ""), file.name, nodes, tuple(handlers))
 
     def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")
@@ -368,15 +386,3 @@ def first_heading(parts: Iterable[Part]) -> str:
 def _giver(name: str, page: Section, front: Section) -> Section:
     """Return the section that sets `name`: site.yaml takes precedence over the front matter."""
     return page if page.get(name) else front
-
-
-def _panels(nodes: Mapping[str, Declared]) -> Iterable[Widget]:
-    """Yield buttons and a console for each node that a launch file starts, and its window."""
-    for node, _ in nodes.values():
-        if (node.package, node.executable) == ("turtlesim", "turtlesim_node"):
-            full = f"{node.namespace.rstrip('/')}/{node.remap.get('__node', 'turtlesim')}"
-            options = {"kind": "turtlesim", "window": f"{full}/window"}
-            yield Widget("robot", "", options, node.location)
-    for name, (node, _) in nodes.items():
-        yield Widget("buttons", name, {"autostart": True}, node.location)
-        yield Widget("console", name, {"lines": 1000}, node.location)

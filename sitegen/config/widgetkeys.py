@@ -223,6 +223,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("ask", "text", "ask for consent to log what visitors do", "ask: For our study"),
     ),
     "connect": (),
+    "launch": (),
     "panel": (
         Key("file", "path", "the module, a `.js` file", "file: panels/arm.js", True),
         Key("title", "text", "title; defaults to the name of the file", "title: Arm"),

@@ -40,14 +40,16 @@ KNOWN = {
     "set_remap": ("from", "to"),
     "set_ros_log_dir": ("new_log_dir",),
     "set_use_sim_time": ("value",),
+    "shutdown": ("reason",),
     "timer": ("period", "cancel_on_shutdown"),
     "ros_timer": ("period",),
     "unset_env": ("name",),
 }
 # Actions that only Python has.
 OF_PYTHON = {
-    *("function", "pop_env", "pop_launch_configurations", "push_env"),
-    *("push_launch_configurations", "unset_launch_configuration"),
+    *("change_state", "event", "event_handler", "function", "lifecycle_transition", "pop_env"),
+    *("pop_launch_configurations", "push_env", "push_launch_configurations", "stop"),
+    "unset_launch_configuration",
 }
 # Those of the parts of an action, by the name of the part.
 PARTS = {

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.launch import (
+    describe_components,
     describe_events,
     describe_expressions,
     describe_functions,
@@ -30,10 +31,7 @@ from sitegen.launch.describe_actions import (
     PackageNotFoundError,
     Text,
     Valued,
-    composable,
-    container,
     describe,
-    load,
     managed,
     node,
     parameter,
@@ -96,9 +94,7 @@ ROS: dict[str, Any] = {
         "param", allow_substs=allow_substs, **{"from": param_file}
     ),
     "ParameterValue": Valued,
-    "ComposableNode": composable,
-    "ComposableNodeContainer": container,
-    "LoadComposableNodes": load,
+    **describe_components.ROS,
     **describe_settings.ROS,
 }
 INDEX = {
@@ -158,6 +154,7 @@ def main() -> None:
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
+    RUN.reading = given["reading"]
     # Launch files import modules of packages of the workspace.
     sys.path += given["roots"]
     install()
@@ -174,7 +171,9 @@ def main() -> None:
             raise LookupError(f"no function {GENERATE}() found")
         found = members[GENERATE]()
         for call in given["calls"]:
-            found = describe_functions.called(*call)
+            reading, *of = call
+            RUN.reading, RUN.made = reading, 0
+            found = describe_functions.called(*of)
         answer = found.plain()
     except BaseException as error:
         frames = traceback.extract_tb(error.__traceback__)

@@ -11,11 +11,14 @@ from typing import Any
 from sitegen.launch import commandline
 from sitegen.launch.environment import Environment
 from sitegen.launch.substitutions import Known, SubstitutionError, expand
+from sitegen.launch.tree import REFERENCE
 from sitegen.launch.xacro import printed
 
 # The launch file that runs, the line of the action whose function runs, the folders of the
-# packages, and the folders that may be read.
-RUN = SimpleNamespace(file="", line=1, folders={}, roots=[])
+# packages, the folders that may be read, and the number of this reading with that of its actions.
+RUN = SimpleNamespace(file="", line=1, folders={}, roots=[], reading=0, made=0)
+# The note about functions that events would call.
+FUNCTION = "skipped: the functions of a launch file run when the site is built, not on the page"
 
 
 # The names of types in launch files, by those of Python.
@@ -33,7 +36,7 @@ TYPES = {
 # The options of processes that make no difference on a page.
 OF_PROCESSES = {
     *("cached_output", "emulate_tty", "exec_name", "log_cmd", "output", "output_format"),
-    *("respawn_delay", "respawn_max_retries", "shell", "sigkill_timeout", "sigterm_timeout"),
+    *("shell", "sigkill_timeout", "sigterm_timeout"),
 }
 
 
@@ -75,6 +78,8 @@ class Described:
     ) -> None:
         self.kind = kind
         self.given = given
+        RUN.made += 1
+        self.id = f"{REFERENCE}{RUN.reading}.{RUN.made}"
         self.inside = list(inside)
         condition = attributes.pop("condition", None)
         given = {name: value for name, value in attributes.items() if value is not None}
@@ -104,6 +109,7 @@ class Described:
             "line": self.line,
             "inside": inside,
             "value": self.given,
+            "id": self.id,
         }
 
 
@@ -271,6 +277,8 @@ def node(
     additional_env: Mapping[Any, Any] | None = None,
     env: Mapping[Any, Any] | None = None,
     respawn: Any = None,
+    respawn_delay: Any = None,
+    respawn_max_retries: Any = None,
     prefix: Any = None,
     cwd: Any = None,
     **others: Any,
@@ -279,7 +287,7 @@ def node(
     for option in others.keys() - OF_PROCESSES:
         raise TypeError(f"Node() got an unexpected keyword argument '{option}'")
     inside = _parameters(parameters or ())
-    inside += variables(env, additional_env)
+    inside += [*variables(env, additional_env), *ending(on_exit)]
     for old, new in remappings or ():
         inside.append(Described("remap", **{"from": old, "to": new}))
     words = {"args": arguments, "ros_args": ros_arguments}
@@ -293,8 +301,9 @@ def node(
         exec=executable if executable is not None else node_executable,
         name=name if name is not None else node_name,
         namespace=namespace if namespace is not None else node_namespace,
-        on_exit="shutdown" if on_exit else None,
         respawn=respawn,
+        respawn_delay=respawn_delay,
+        respawn_max_retries=respawn_max_retries,
         launch_prefix=prefix,
         cwd=cwd,
         condition=condition,
@@ -304,6 +313,24 @@ def node(
 
 
 _parameters = parameters
+
+
+def ending(on_exit: Any) -> list[Described]:
+    """Describe what is done when a process ends."""
+    if on_exit is None:
+        return []
+    why = FUNCTION if is_function(on_exit) else None
+    return [Described("on_exit", [] if why else inside_of(on_exit), why=why)]
+
+
+def is_function(given: Any) -> bool:
+    """Return whether an event calls a function, which is gone when the page is open."""
+    return callable(given) and not isinstance(given, Described)
+
+
+def inside_of(actions: Any) -> list[Any]:
+    """Return one action, or several, as a list."""
+    return list(actions) if isinstance(actions, (list, tuple)) else [actions]
 
 
 def variables(*given: Mapping[Any, Any] | None) -> list[Described]:
@@ -323,55 +350,6 @@ def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> 
     described.kind = "lifecycle_node"
     described.attributes["autostart"] = text(autostart)
     return described
-
-
-def composable(
-    *,
-    package: Any,
-    plugin: Any,
-    name: Any = None,
-    namespace: Any = None,
-    parameters: Iterable[Any] | None = None,
-    remappings: Iterable[tuple[Any, Any]] | None = None,
-    condition: Any = None,
-    **_: Any,
-) -> Described:
-    """Describe a component."""
-    inside = _parameters(parameters or ())
-    inside += (Described("remap", **{"from": old, "to": new}) for old, new in remappings or ())
-    return Described(
-        "composable_node",
-        inside,
-        pkg=package,
-        plugin=plugin,
-        name=name,
-        namespace=namespace,
-        condition=condition,
-    )
-
-
-def container(*, composable_node_descriptions: Iterable[Any] | None = None, **of: Any) -> Described:
-    """Describe a component container, a node with components."""
-    described = node(**of)
-    described.kind = "node_container"
-    described.inside += composable_node_descriptions or ()
-    return described
-
-
-def load(
-    *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
-) -> Described:
-    """Describe components for a container that is described elsewhere, by its name or action."""
-    if isinstance(target_container, Described):
-        named = target_container.attributes
-        parts = (named.get("namespace", ""), named.get("name", ""))
-        target_container = "/".join(part.rstrip("/") for part in parts if part)
-    return Described(
-        "load_composable_node",
-        composable_node_descriptions,
-        target=target_container,
-        condition=condition,
-    )
 
 
 def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:

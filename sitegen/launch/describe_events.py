@@ -1,26 +1,24 @@
-"""Processes and events of Python launch files.
-
-A page has no events: what these describe is skipped, and reported by its name in XML launch files.
-"""
+"""Processes of Python launch files, their events, and what is done then."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from types import SimpleNamespace
 from typing import Any
 
 from sitegen.launch import commandline
-from sitegen.launch.describe_actions import Described, text, variables
+from sitegen.launch.describe_actions import (
+    FUNCTION,
+    Described,
+    Text,
+    ending,
+    inside_of,
+    is_function,
+    text,
+    variables,
+)
 
 PROCESSES = ("ExecuteProcess", "ExecuteLocal")
-HANDLERS = (
-    *("EventHandler", "OnExecutionComplete", "OnIncludeLaunchDescription", "OnProcessExit"),
-    *("OnProcessIO", "OnShutdown", "OnStateTransition"),
-)
-EVENTS = (
-    *("ChangeState", "ProcessExited", "ProcessStarted", "ShutdownProcess", "SignalProcess"),
-    *("matches_action", "matches_executable", "matches_name", "matches_node_name", "matches_pid"),
-)
 TRANSITIONS = ("CREATE", "CONFIGURE", "CLEANUP", "ACTIVATE", "DEACTIVATE")
 SHUTDOWNS = ("UNCONFIGURED_SHUTDOWN", "INACTIVE_SHUTDOWN", "ACTIVE_SHUTDOWN")
 # The module in which launch files find the numbers of transitions.
@@ -29,23 +27,123 @@ LIFECYCLE = {
         **{f"TRANSITION_{name}": n for n, name in enumerate((*TRANSITIONS, *SHUTDOWNS))}
     )
 }
+# What stands around the name of a value that only an event has, such as `event.returncode`.
+LOCAL = ("\ue000", "\ue001")
+UNKNOWN = "skipped: this event is not supported in the browser"
 
 
-def handler(event_handler: Any = None, **_: Any) -> Any:
+def handler(event_handler: Any = None, *, condition: Any = None, **_: Any) -> Described:
     """Stand in for RegisterEventHandler."""
-    started_with = getattr(event_handler, "kind", "") == "group"
-    return event_handler if started_with else Described("event_handler")
+    if not isinstance(event_handler, Described) or event_handler.kind != "event_handler":
+        return Described("event_handler", why=UNKNOWN, condition=condition)
+    given = event_handler.attributes
+    return Described("event_handler", event_handler.inside, condition=condition, **given)
 
 
-def started(*_: Any, on_start: Any = (), **__: Any) -> Described:
-    """Stand in for OnProcessStart: all nodes of a page start together."""
-    actions = on_start if isinstance(on_start, (list, tuple)) else [on_start]
-    return Described("group", [each for each in actions if not callable(each)], scoped=False)
+def of_process(event: str, given: str) -> Callable[..., Described]:
+    """Return a stand-in for a handler of an event of processes; `given` is its keyword."""
+
+    def on(*, target_action: Any = None, handle_once: bool = False, **of: Any) -> Described:
+        if set(of) != {given}:
+            raise TypeError(f"expected the keyword arguments 'target_action' and '{given}'")
+        return _handler(event, of[given], handle_once, target_action)
+
+    return on
 
 
-def timer(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Described:
-    """Stand in for TimerAction."""
-    return Described("timer", actions, period=period, condition=condition)
+def of_state(
+    *,
+    entities: Any,
+    target_lifecycle_node: Any = None,
+    transition: Any = None,
+    start_state: Any = None,
+    goal_state: Any = None,
+    matcher: Any = None,
+    handle_once: bool = False,
+) -> Described:
+    """Stand in for OnStateTransition."""
+    if matcher is not None:
+        return Described("event_handler", why=FUNCTION)
+    states = {"transition": transition, "start_state": start_state, "goal_state": goal_state}
+    return _handler("state", entities, handle_once, target_lifecycle_node, **states)
+
+
+def of_shutdown(*, on_shutdown: Any, handle_once: bool = False, **_: Any) -> Described:
+    """Stand in for OnShutdown."""
+    return _handler("shutdown", on_shutdown, handle_once)
+
+
+def _handler(event: str, actions: Any, once: bool, target: Any = None, **states: Any) -> Described:
+    if is_function(actions) or is_function(target):
+        return Described("event_handler", why=FUNCTION)
+    about = target.id if isinstance(target, Described) else None
+    own = {"event": event, "once": once, "target": about, **states}
+    return Described("event_handler", inside_of(actions), **own)
+
+
+def emitted(*, event: Any, condition: Any = None, **_: Any) -> Described:
+    """Stand in for EmitEvent."""
+    if not isinstance(event, Described):
+        return Described("event", condition=condition)
+    return Described(event.kind, condition=condition, **event.attributes)
+
+
+def change_state(*, lifecycle_node_matcher: Any, transition_id: Any) -> Described:
+    """Stand in for the event ChangeState."""
+    return Described("change_state", transition=transition_id, **_matched(lifecycle_node_matcher))
+
+
+def end_process(*_: Any, process_matcher: Any, **__: Any) -> Described:
+    """Stand in for the events ShutdownProcess and SignalProcess."""
+    return Described("stop", **_matched(process_matcher))
+
+
+def _matched(matcher: Any) -> dict[str, Any]:
+    """Return which nodes an event is for."""
+    is_known = isinstance(matcher, Described) and matcher.kind == "matcher"
+    return dict(matcher.attributes) if is_known else {"why": FUNCTION}
+
+
+def matches_action(action: Any) -> Described:
+    """Stand in for the function of that name."""
+    return Described("matcher", target=action.id)
+
+
+def matches_node_name(node_name: Any) -> Described:
+    """Stand in for the function of that name."""
+    return Described("matcher", node=node_name)
+
+
+def unmatched(*_: Any) -> Described:
+    """Stand in for functions that match processes by what they do not have on a page."""
+    return Described("matcher", why="skipped: only nodes of the launch file can be meant here")
+
+
+def transitions(
+    *,
+    lifecycle_node_names: Iterable[Any],
+    transition_ids: Iterable[Any],
+    condition: Any = None,
+    **_: Any,
+) -> Described:
+    """Stand in for LifecycleTransition."""
+    names = [Described("lifecycle_node_name", value=name) for name in lifecycle_node_names]
+    ids = [Described("transition_id", value=number) for number in transition_ids]
+    return Described("lifecycle_transition", [*names, *ids], condition=condition)
+
+
+def shutdown(*, reason: Any = "", condition: Any = None, **_: Any) -> Described:
+    """Stand in for the action and the event Shutdown."""
+    return Described("shutdown", reason=reason, condition=condition)
+
+
+def timer(kind: str) -> Callable[..., Described]:
+    """Return a stand-in for an action that does others later."""
+
+    def of(*_: Any, period: Any, actions: Any, condition: Any = None, **__: Any) -> Described:
+        return Described(kind, actions, period=period, condition=condition)
+
+    return of
 
 
 def process(
@@ -55,30 +153,73 @@ def process(
     env: Mapping[Any, Any] | None = None,
     additional_env: Mapping[Any, Any] | None = None,
     condition: Any = None,
+    on_exit: Any = None,
+    respawn: Any = None,
+    respawn_delay: Any = None,
+    respawn_max_retries: Any = None,
     **__: Any,
 ) -> Described:
     """Describe a process by its command line."""
     words = [text(word) for word in cmd]
-    line = " ".join(words) if shell else commandline.join(words)
-    alone = None if env is None else True
-    inside = variables(env, additional_env)
-    return Described("executable", inside, cmd=line, clean_env=alone, condition=condition)
+    return Described(
+        "executable",
+        [*variables(env, additional_env), *ending(on_exit)],
+        cmd=" ".join(words) if shell else commandline.join(words),
+        clean_env=None if env is None else True,
+        condition=condition,
+        respawn=respawn,
+        respawn_delay=respawn_delay,
+        respawn_max_retries=respawn_max_retries,
+    )
 
 
-def nothing(*_: Any, **__: Any) -> None:
-    """Stand in for features that are only useful with events."""
+def log(level: str) -> Callable[..., Described]:
+    """Return a stand-in for an action that writes to the log of launch."""
+
+    def of(*, msg: Any = "", level: Any = level, condition: Any = None, **_: Any) -> Described:
+        try:
+            return Described("log", message=msg, level=level, condition=condition)
+        except TypeError:
+            return Described("log", message="", level=level, condition=condition)
+
+    return of
+
+
+def local(expression: Any, *_: Any, **__: Any) -> Text:
+    """Stand in for LocalSubstitution, which tells of an event."""
+    return Text(text(expression).join(LOCAL))
+
+
+def unsupported(kind: str) -> Callable[..., Described]:
+    """Return a stand-in for a feature that a page does not have."""
+    return lambda *_, **__: Described(kind, why=UNKNOWN)
 
 
 MEMBERS: dict[str, Any] = {
     **dict.fromkeys(PROCESSES, process),
-    **dict.fromkeys((*HANDLERS, *EVENTS), nothing),
+    "OnProcessStart": of_process("started", "on_start"),
+    "OnProcessExit": of_process("exited", "on_exit"),
+    "OnExecutionComplete": of_process("exited", "on_completion"),
+    "OnStateTransition": of_state,
+    "OnShutdown": of_shutdown,
+    "OnProcessIO": lambda **_: Described("event_handler", why=FUNCTION),
+    **dict.fromkeys(
+        ("EventHandler", "OnIncludeLaunchDescription", "UnregisterEventHandler"),
+        unsupported("event_handler"),
+    ),
     "RegisterEventHandler": handler,
-    "UnregisterEventHandler": lambda *_, **__: Described("event_handler"),
-    "OnProcessStart": started,
-    "EmitEvent": lambda *_, **__: Described("event"),
-    "LifecycleTransition": lambda *_, **__: Described("lifecycle_transition"),
-    "Shutdown": lambda *_, **__: Described("shutdown"),
-    "TimerAction": timer,
-    **dict.fromkeys(("RosTimer", "ROSTimer"), timer),
-    "LocalSubstitution": lambda *_, **__: "",  # tells of an event
+    "EmitEvent": emitted,
+    "ChangeState": change_state,
+    **dict.fromkeys(("ShutdownProcess", "SignalProcess"), end_process),
+    **dict.fromkeys(("ProcessExited", "ProcessStarted"), unsupported("event")),
+    "matches_action": matches_action,
+    "matches_node_name": matches_node_name,
+    **dict.fromkeys(("matches_executable", "matches_name", "matches_pid"), unmatched),
+    "LifecycleTransition": transitions,
+    "Shutdown": shutdown,
+    "TimerAction": timer("timer"),
+    **dict.fromkeys(("RosTimer", "ROSTimer"), timer("ros_timer")),
+    **{f"Log{level.capitalize()}": log(level) for level in ("debug", "info", "warning", "error")},
+    "Log": log("info"),
+    "LocalSubstitution": local,
 }

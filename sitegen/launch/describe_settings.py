@@ -1,4 +1,4 @@
-"""Actions of Python launch files that set something for those after them, and loggers."""
+"""Actions of Python launch files that set something for those after them."""
 
 from __future__ import annotations
 
@@ -49,9 +49,6 @@ MEMBERS: dict[str, Any] = {
     "SetLaunchConfiguration": pair("let"),
     "UnsetEnvironmentVariable": named("unset_env"),
     "UnsetLaunchConfiguration": named("unset_launch_configuration"),
-    **dict.fromkeys(
-        ("Log", "LogDebug", "LogError", "LogInfo", "LogWarning"), lambda **_: Described("log")
-    ),
 }
 ROS: dict[str, Any] = {
     "PushRosNamespace": lambda namespace, *, condition=None: Described(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
@@ -19,6 +20,7 @@ from sitegen.launch import (
     yaml,
 )
 from sitegen.launch.components import Components
+from sitegen.launch.events import Events
 from sitegen.launch.names import joined, numbered
 from sitegen.launch.scope import Scope
 from sitegen.launch.settings import SETTINGS, let
@@ -27,10 +29,12 @@ from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.texts import Texts
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.launch.windows import Window
-from sitegen.model import Node, Package
+from sitegen.model import Handler, Node, Package
 from sitegen.workspace import containers
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
+# The attributes of processes that nodes have, too.
+OF_PROCESSES = ("clean_env", "on_exit", "respawn", "respawn_delay", "respawn_max_retries")
 # Files that include themselves would be read for ever.
 DEEPEST, MOST_FILES = 20, 500
 
@@ -42,16 +46,19 @@ def launched(
     problems: Problems,
     notes: Problems | None = None,
     opened: list[Window] | None = None,
+    handlers: list[Handler] | None = None,
 ) -> list[Node]:
     """Return the nodes that a launch file starts, and report what does not work on a page.
 
     Windows that have a counterpart among the widgets are added to `opened`; other programs that
-    open windows are skipped, with a note in `notes`.
+    open windows are skipped, with a note in `notes`. What the launch file does while its nodes run
+    is added to `handlers`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
-        launch.file(Scope(file, dict(arguments)), Location(file, 1))
+        launch.run(Scope(file, dict(arguments)), Location(file, 1))
         (opened if opened is not None else []).extend(launch.windows)
+        (handlers if handlers is not None else []).extend(launch.events.handlers.finished())
         return launch.finished()
 
 
@@ -69,10 +76,11 @@ class _Launch:
         self._notes = notes
         self._roots = (problems.root, *(each.path for each in packages.values()))
         self._texts = Texts(folders, problems.root, self._roots)
-        self._read = 0
+        self._read = self._readings = 0
         self.nodes: list[Node] = []
         self.windows: list[Window] = []
         self._components = Components(self._texts, self._holds)
+        self.events = Events(self._texts, notes)
         self._actions: dict[str, Callable[[Action, Scope], object]] = {
             "executable": self._process,
             "for": self._loop,
@@ -81,19 +89,22 @@ class _Launch:
             "group": self._group,
             "include": self._include,
             "lifecycle_node": self._managed,
-            "load_composable_node": self._components.load,
+            "load_composable_node": self._load,
             "node": self._node,
             "node_container": self._container,
-            "ros_timer": self._timer,
-            "timer": self._timer,
-            **dict.fromkeys(without.LOGS, lambda *_: None),
+            **self.events.actions,
         }
+
+    def run(self, scope: Scope, location: Location) -> None:
+        """Evaluate a launch file, and then what it does at events."""
+        self.file(scope, location)
+        self.events.handlers.evaluate(self._all, scope)
 
     def file(self, scope: Scope, location: Location) -> None:
         """Evaluate a launch file that is included at `location`."""
-        read = READERS.get(scope.file.suffix)
-        if scope.file.suffix == ".py":
-            read = self._read_python
+        read: Callable[[Path], list[Action]] | None = READERS.get(scope.file.suffix)
+        if scope.is_python:
+            read = partial(self._read_python, scope)
         self._read += 1
         if not any(scope.file.resolve().is_relative_to(folder) for folder in self._roots):
             self._note(location, "include", f"'{scope.file}' is outside the folder of site.yaml")
@@ -108,14 +119,20 @@ class _Launch:
             self._note(location, "include", "launch files include each other in a cycle")
         else:
             try:
+                scope.reading = self._reading()
                 self._all(read(scope.file), scope)
             except UnreadableError as error:
                 self._note(error.location, "launch", str(error))
             except OSError as error:
                 self._note(location, "include", f"'{scope.file.name}': {error.strerror}")
 
-    def _read_python(self, file: Path, calls: Sequence[python.Call] = ()) -> list[Action]:
-        return python.read(file, self._folders, self._roots, calls)
+    def _read_python(self, scope: Scope, file: Path) -> list[Action]:
+        return python.read(file, self._folders, self._roots, scope.calls, scope.reading)
+
+    def _reading(self) -> int:
+        """Return a number for the next reading of a file, or call of a function."""
+        self._readings += 1
+        return self._readings
 
     def _all(self, actions: list[Action], scope: Scope) -> None:
         for action in actions:
@@ -182,23 +199,16 @@ class _Launch:
         self.file(inner, action.location)
         scope.restore(inner)
 
-    def _timer(self, action: Action, scope: Scope) -> None:
-        period = self._texts.needed(action, "period", scope)
-        start = f"these nodes start at once, not after {period} s"
-        message = f"delays are not supported in the browser: {start}"
-        self._notes.add(action.location, action.kind, message)
-        self._all(action.inside, scope.inner())
-
     def _function(self, action: Action, scope: Scope) -> None:
         self._call(int(action.attributes["number"]), scope, {})
 
     def _call(self, number: int, scope: Scope, given: Mapping[str, object]) -> None:
         """Evaluate what a function of a Python launch file describes."""
         outer = scope.calls
-        call = python.Call(number, dict(scope.variables), dict(scope.environment.changes), given)
-        scope.calls = (*outer, call)
+        state = dict(scope.variables), dict(scope.environment.changes)
+        scope.calls = (*outer, python.Call(self._reading(), number, *state, given))
         try:
-            self._all(self._read_python(scope.file, scope.calls), scope)
+            self._all(self._read_python(scope, scope.file), scope)
         except UnreadableError as error:
             self._note(error.location, "launch", str(error))
         finally:
@@ -208,10 +218,12 @@ class _Launch:
         package = self._texts.needed(action, "pkg", scope)
         executable = self._texts.needed(action, "exec", scope)
         if windows.known(package, executable) and package not in self._packages:
+            self.events.handlers.skipped(action)
             own = self._texts.words(action, "args", scope), self._texts.remaps(action, scope)
             self.windows.append(Window(executable, *own, scope.namespace, action.location))
             return
         if why := without.program(package, executable, self._packages):
+            self.events.handlers.skipped(action)
             self._notes.add(action.location, action.kind, why)
             return
         for why in without.parts(action):
@@ -223,9 +235,12 @@ class _Launch:
         """Start a lifecycle node."""
         for name in ("name", "namespace"):
             self._texts.needed(action, name, scope)
-        if self._texts.is_true(action, "autostart", scope):
-            self._notes.add(action.location, action.kind, without.AUTOSTART)
         self._node(action, scope)
+
+    def _load(self, action: Action, scope: Scope) -> None:
+        if self.events.handlers.inside:
+            self._notes.add(action.location, action.kind, without.LOADED)
+        self._components.load(action, scope)
 
     def _process(self, action: Action, scope: Scope) -> None:
         """Start a program of the workspace that is given as a command line."""
@@ -234,14 +249,13 @@ class _Launch:
         except (SubstitutionError, ValueError):
             found = None
         if found is None:
+            self.events.handlers.skipped(action)
             self._notes.add(action.location, action.kind, without.OF_SYSTEM)
             return
+        kept = {name: text for name, text in action.attributes.items() if name in OF_PROCESSES}
         words = {"pkg": found.package, "exec": found.executable, "args": shlex.join(found.words)}
-        if "clean_env" in action.attributes:
-            words["clean_env"] = action.attributes["clean_env"]
-        own = [each for each in action.inside if each.kind == "env"]
         plain = replace(scope, namespace="", remaps={}, parameters=[])
-        self._node(Action("node", words, action.location, own), plain)
+        self._node(replace(action, kind="node", attributes={**kept, **words}), plain)
 
     def _started(self, action: Action, scope: Scope) -> Node:
         texts = self._texts
@@ -266,6 +280,7 @@ class _Launch:
             environment=self._environment(action, scope),
         )
         self.nodes.append(node)
+        self.events.of_node(node, action, scope)
         return node
 
     def _environment(self, action: Action, scope: Scope) -> dict[str, str]:

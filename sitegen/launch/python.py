@@ -20,9 +20,11 @@ LIMIT = 20
 class Call(NamedTuple):
     """A call of a function of a launch file, which is given by its number.
 
-    `variables` and `environment` are those at this point, `given` are its keyword arguments.
+    `reading` is the number of the call, `variables` and `environment` are those at this point,
+    `given` are its keyword arguments.
     """
 
+    reading: int
     number: int
     variables: Mapping[str, str]
     environment: Mapping[str, str | None]
@@ -34,17 +36,22 @@ def read(
     folders: Mapping[str, Path],
     roots: Collection[Path],
     calls: Sequence[Call] = (),
+    reading: int = 0,
 ) -> list[Action]:
     """Return the actions of a launch file, or those of the last function of `calls`.
 
-    Each of `calls` is a function that the previous one created. `folders` are those of the packages
-    of the workspace; its commands read files in `roots`.
+    Their ids begin with the number `reading`, or that of the call. Each of `calls` is a function
+    that the previous one created. `folders` are those of the packages of the workspace; its
+    commands read files in `roots`.
 
     Raises: UnreadableError if the file fails.
     """
     command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
     paths = {name: str(path) for name, path in folders.items()}
-    given = json.dumps({"folders": paths, "roots": [*map(str, roots)], "calls": calls}, default=str)
+    given = json.dumps(
+        {"folders": paths, "roots": [*map(str, roots)], "calls": calls, "reading": reading},
+        default=str,
+    )
     try:
         done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:
@@ -65,7 +72,7 @@ def read(
 def _action(file: Path, given: Mapping[str, Any]) -> Action:
     inside = [_action(file, each) for each in given["inside"]]
     attributes, location = dict(given["attributes"]), Location(file, given["line"])
-    return Action(given["kind"], attributes, location, inside, _value(given["value"]))
+    return Action(given["kind"], attributes, location, inside, _value(given["value"]), given["id"])
 
 
 def _value(given: Any) -> Any:

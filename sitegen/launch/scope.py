@@ -25,6 +25,8 @@ class Scope:
     # The variables of the loops around.
     loop: Mapping[str, str] = field(default_factory=dict)
     depth: int = 0
+    # The number of times that a file or a function had been read before.
+    reading: int = 0
     # The functions of the launch file that led to the current actions.
     calls: tuple[python.Call, ...] = ()
     # What was set aside for later: the environment, and the rest.
@@ -50,8 +52,18 @@ class Scope:
         """Return the scope of a group; without `forwarding`, nothing is set in it."""
         if not scoped:
             return self
-        empty = Scope(self.file, {}, loop=self.loop, depth=self.depth, calls=self.calls)
-        return self.inner() if forwarding else empty
+        return self.inner() if forwarding else self.at(Scope(Path(), {}))
+
+    def at(self, other: Scope) -> Scope:
+        """Return another state at this point of the launch file."""
+        return replace(
+            other,
+            file=self.file,
+            loop=self.loop,
+            depth=self.depth,
+            reading=self.reading,
+            calls=self.calls,
+        )
 
     def restore(self, other: Scope) -> None:
         """Set the arguments, the namespace and the rules to those of another scope."""

@@ -7,6 +7,9 @@ from dataclasses import dataclass, field
 
 from sitegen.errors import Location
 
+# What the id of an action begins with, unlike the name of a node.
+REFERENCE = "#"
+
 
 @dataclass(frozen=True)
 class Exact:
@@ -23,7 +26,8 @@ Given = bool | int | float | str | Exact | list["Given"]
 class Action:
     """An action like `node` or `group`: its attributes as text, and the actions inside it.
 
-    `value` is that of a parameter, if the file gives it a type.
+    `value` is that of a parameter, if the file gives it a type. `id` is that of an action in a
+    Python file, to which other actions may refer.
     """
 
     kind: str
@@ -31,6 +35,7 @@ class Action:
     location: Location
     inside: list[Action] = field(default_factory=list)
     value: Given | None = None
+    id: str = ""
 
     def of_kind(self, *kinds: str) -> Iterator[Action]:
         """Yield the actions inside it that are of one of these kinds."""

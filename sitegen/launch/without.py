@@ -6,24 +6,15 @@ from collections.abc import Collection, Iterator
 
 from sitegen.launch.tree import Action
 
-STATES = "launch files cannot change node states in the browser"
-# Actions that only write to the log of launch.
-LOGS = ("log", "log_debug", "log_error", "log_info", "log_warning")
-LEFT_OUT = {
-    "event": "skipped: launch events are not supported in the browser",
-    "event_handler": "skipped: launch events are not supported in the browser",
-    "lifecycle_transition": f"skipped: {STATES}",
-    "shutdown": "skipped: a page runs until it is closed",
-}
+LEFT_OUT = {"event": "skipped: this event is not supported in the browser"}
+LOADED = "a page loads components with their container, not later"
+SHUTDOWN = "skipped: the nodes of the page would stop at once"
 OPTIONS = {
     "cwd": "'cwd' is ignored: a node in the browser has a folder of its own",
     "launch_prefix": "'launch-prefix' is ignored: nodes in the browser run by themselves",
-    "on_exit": "'on_exit' is ignored: nodes in the browser do not stop each other",
-    "respawn": "'respawn' is ignored: a node in the browser that ends is started by its button",
 }
 DOMAIN = "ROS_DOMAIN_ID"
 ONE_DOMAIN = f"'{DOMAIN}' has no effect: all nodes of a page are in one domain"
-AUTOSTART = f"'autostart' is ignored: {STATES}"
 OF_SYSTEM = "skipped: system programs cannot run in the browser"
 # Prefixes of packages whose programs open desktop windows.
 SCREENS = ("rviz", "rqt", "gazebo", "ros_gz")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from sitegen.model.content import Cell, Layout, Leaf, Markdown, Part, Source, Widget, leaves
+from sitegen.model.launch import Effect, Event, Handler, Launch
 from sitegen.model.node import Component, Container, Cpp, Kind, Node, Prebuilt, Python, Ros2wasm
 from sitegen.model.package import Fault, Package, Setup
 from sitegen.model.program import BROWSERS, Artifact, Build, Program, Programs
-from sitegen.model.site import Connect, Deploy, Launch, Look, NavItem, Page, Pyodide, Site
+from sitegen.model.site import Connect, Deploy, Look, NavItem, Page, Pyodide, Site
 
 __all__ = [
     "BROWSERS",
@@ -18,7 +19,10 @@ __all__ = [
     "Container",
     "Cpp",
     "Deploy",
+    "Effect",
+    "Event",
     "Fault",
+    "Handler",
     "Kind",
     "Launch",
     "Layout",

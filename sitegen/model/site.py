@@ -9,17 +9,9 @@ from pathlib import Path
 from sitegen import pagepath
 from sitegen.errors import Location
 from sitegen.model.content import Leaf, Markdown, Part, leaves
+from sitegen.model.launch import Launch
 from sitegen.model.node import Node
 from sitegen.model.package import Package
-
-
-@dataclass(frozen=True)
-class Launch:
-    """The launch file of a page: its package (or ""), its name, and the nodes that it starts."""
-
-    package: str
-    file: str
-    nodes: tuple[str, ...]
 
 
 @dataclass(frozen=True)

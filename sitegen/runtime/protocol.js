@@ -9,7 +9,14 @@
  *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
  *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
- * @typedef {{package: string, file: string, nodes: string[]}} Launch the launch file that starts these nodes
+ * @typedef {{package: string, file: string, nodes: string[], handlers?: LaunchHandler[], asked?: string[]}} Launch the
+ *   launch file that starts these nodes; those in `asked` only start when the visitor says so
+ * @typedef {{on: LaunchEvent, effects: LaunchEffect[], most?: number}} LaunchHandler what a launch file does at an event,
+ *   up to `most` times; see model/launch.py, which has the meaning of all fields
+ * @typedef {{kind: "launched" | "time" | "started" | "exited" | "ended" | "state" | "shutdown", nodes?: string[],
+ *   after?: number, ros_time?: boolean, transition?: string, start_state?: string, goal_state?: string}} LaunchEvent
+ * @typedef {{kind: "start" | "stop" | "shutdown" | "transition" | "log" | "handle", nodes?: string[], text?: string,
+ *   level?: string, ids?: number[], handler?: LaunchHandler}} LaunchEffect
  * @typedef {{
  *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
  *   autostart: boolean, needs?: string[],

@@ -75,7 +75,7 @@ def test_the_same_in_yaml_and_python(root: Path) -> None:
 IGNORED = {
     "xml": """<launch>
 <shutdown reason="done"/>
-<node pkg="p" exec="x" respawn="true" launch-prefix="gdb" output="screen" cwd="node"/></launch>
+<node pkg="p" exec="x" launch-prefix="gdb" output="screen" cwd="node"/></launch>
 """,
     "py": """from launch import LaunchDescription
 from launch.actions import Shutdown
@@ -83,7 +83,7 @@ from launch_ros.actions import Node
 def generate_launch_description():
     return LaunchDescription([
         Shutdown(reason="done"),
-        Node(package="p", executable="x", respawn=True, prefix="gdb", output="screen",
+        Node(package="p", executable="x", prefix="gdb", output="screen",
              cwd="/tmp")])
 """,
 }
@@ -99,8 +99,7 @@ def test_what_is_ignored_is_noted(root: Path, kind: str) -> None:
     assert sorted(line.partition(": ")[2].split(" ignored")[0] for line in notes.lines) == [
         "node: 'cwd' is",
         "node: 'launch-prefix' is",
-        "node: 'respawn' is",
-        "shutdown: skipped: a page runs until it is closed",
+        "shutdown: skipped: the nodes of the page would stop at once",
     ]
 
 

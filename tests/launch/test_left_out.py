@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -15,10 +16,10 @@ LEFT_OUT = {
 from launch import LaunchDescription
 from launch.actions import *
 from launch.conditions import IfCondition, LaunchConfigurationEquals
-from launch.event_handlers import OnProcessExit, OnProcessStart
-from launch.events import Shutdown as ShutdownEvent, matches_action
+from launch.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
+from launch.events import Shutdown as ShutdownEvent
 from launch.substitutions import *
-from launch_ros.actions import LifecycleNode, LifecycleTransition, Node
+from launch_ros.actions import LifecycleNode, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events.lifecycle import ChangeState
 from launch_ros.substitutions import ExecutableInPackage, FindPackageShare
@@ -29,10 +30,10 @@ def generate_launch_description():
     side = LaunchConfiguration("side")
     spawn = ExecuteProcess(cmd=[[FindExecutable(name="ros2"), " service call ", side]], shell=True)
     first = LifecycleNode(
-        package="a", executable="first", name="first", namespace="", on_exit=Shutdown(),
-        autostart=True)
+        package="a", executable="first", name="first", namespace="",
+        on_exit=lambda event, context: None)
     configure = ChangeState(
-        lifecycle_node_matcher=matches_action(first),
+        lifecycle_node_matcher=lambda node: True,
         transition_id=Transition.TRANSITION_CONFIGURE)
     says = LogInfo(msg=[LocalSubstitution("event.reason"), EnvironmentVariable("USER")])
     return LaunchDescription([
@@ -51,11 +52,10 @@ def generate_launch_description():
             Node(package="a", executable="follows", arguments=[
                 PythonExpression(["'%.2f' % sqrt(", side, ")"])])])),
         RegisterEventHandler(OnProcessExit(target_action=spawn, on_exit=lambda event: says)),
-        RegisterEventHandler(OnStateTransition(
-            target_lifecycle_node=first, goal_state="inactive",
-            entities=[Node(package="a", executable="never")])),
+        RegisterEventHandler(OnProcessExit(target_action=spawn, on_exit=[says])),
+        RegisterEventHandler(OnStateTransition(matcher=lambda event: True, entities=[says])),
+        RegisterEventHandler(OnProcessIO(on_stdout=lambda event: says)),
         EmitEvent(event=configure),
-        LifecycleTransition(lifecycle_node_names=["/first"], transition_ids=[1, 3]),
         EmitEvent(event=ShutdownEvent(reason="done")),
         Node(package="a", executable="equal", name=[FindPackageShare("mine") / "x"],
              condition=LaunchConfigurationEquals("mood", "it's")),
@@ -73,10 +73,8 @@ def generate_launch_description():
     <node pkg="a" exec="late" if="$(eval '$(var side) == 3 and &quot;x y&quot; != &quot;x&quot;')"/>
     <node pkg="a" exec="never" if="$(eval 'len(str($(var side))) > 1')"/>
   </timer>
-  <lifecycle_node pkg="a" exec="managed" name="managed" namespace="" autostart="true"
-    on_exit="shutdown"/>
+  <lifecycle_node pkg="a" exec="managed" name="managed" namespace=""/>
   <lifecycle_node pkg="a" exec="left" name="left" namespace="" autostart="false"/>
-  <lifecycle_transition lifecycle_node_names="/left" transition_ids="1"/>
   <set_use_sim_time value="true"/>
   <node pkg="a" exec="timed"/>
 </launch>""",
@@ -84,8 +82,7 @@ def generate_launch_description():
 launch:
   - executable: {cmd: ros2 service call}
   - lifecycle_node:
-      {pkg: a, exec: first, name: first, namespace: "", autostart: "true", on_exit: shutdown}
-  - lifecycle_transition: {lifecycle_node_names: /first, transition_ids: "1"}
+      {pkg: a, exec: first, name: first, namespace: ""}
   - timer:
       period: 2.0
       children:
@@ -101,11 +98,11 @@ launch:
         (
             "py",
             [
-                *("first", "process --rate 3", "runs", "late", "follows 1.73", "{}/x"),
-                "either left",
+                *("first", "process --rate 3", "runs", "{}/x", "either left", "late"),
+                "follows 1.73",
             ],
         ),
-        ("xml", ["first 4", "late", "managed", "left", "timed use_sim_time"]),
+        ("xml", ["first 4", "managed", "left", "timed use_sim_time", "late use_sim_time"]),
         ("yaml", ["first", "late"]),
     ],
 )
@@ -120,9 +117,6 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
         for node in found
     ]
     assert said == [each.format(packages["mine"].path) for each in expected]
-    kinds = {line.split(": ")[1] for line in notes.lines}
-    events = {"event", "event_handler"} if kind == "py" else set()
-    managed = {"lifecycle_node", "lifecycle_transition"}
-    assert kinds == {"executable", "timer", *managed, *events}
-    for name in ("autostart", "on_exit"):
-        assert [line for line in notes.lines if f"'{name}' is ignored" in line]
+    kinds = Counter(line.split(": ")[1] for line in notes.lines)
+    events = {"change_state": 1, "event_handler": 4, "on_exit": 1, "shutdown": 1}
+    assert kinds == {"executable": 1, **(events if kind == "py" else {})}

@@ -33,6 +33,7 @@ RUNTIME_ROOMS = (
     {"participant"},
     {"bag"},
     {"gateway"},
+    {"launch"},
     {"terminal"},
     {"page", "workers", "widgets"},
     {"client"},

@@ -15,7 +15,7 @@ ABILITIES = {
     "drive": {"joints", "teleop"},
     "set": {"parameters", "lifecycle"},
     "bag": {"bag"},
-    "start": {"buttons"},
+    "start": {"buttons", "launch"},
     "publish": {"publish", "camera"},
     "call": {"services", "actions"},
     "look": {

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
-from dataclasses import asdict
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import asdict, fields
 from functools import partial
 from typing import Any
 
-from sitegen.model import Page, Programs, Python, Site, Widget
+from sitegen.model import Effect, Handler, Launch, Page, Programs, Python, Site, Widget
 from sitegen.site import assets
 from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.ownpanels import OwnPanels
@@ -45,11 +45,13 @@ def page_entry(
     found = {url: link(path) for url, path in resources.items()}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
+    pressed = frozenset(waiting)
     asked = {widget.target for widget in starting} - waiting
     waiting |= {name for widget, _ in slots_of(page) for name in widget.runs} - asked
     # What is on the page only because other nodes need it has a button beside these.
     shown = {widget.target for widget, _ in slots_of(page)}
     waiting |= {need for node in page.nodes.values() for need in node.needs} - shown
+    waiting |= page.launch.later if page.launch else set()
     described = (programs[node.program].types(node) for node in page.nodes.values())
     types: dict[str, Any] = {name: one for each in described for name, one in each.items()}
     entry: dict[str, Any] = {
@@ -88,17 +90,36 @@ def page_entry(
     if assets.takes_part(site, page):
         entry["types"] = {name: _without_hash(one) for name, one in types.items()}
     if page.launch:
-        launch = page.launch
-        entry["launch"] = {
-            "package": launch.package,
-            "file": launch.file,
-            "nodes": list(launch.nodes),
-        }
+        entry["launch"] = _launch(page.launch, pressed)
     if page.start_from_links:
         entry["startFromLinks"] = True
     if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
         entry["isolate"] = address(page, "sw.js")
     return entry
+
+
+def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
+    """Return a launch file; those of its nodes in `pressed` start when a visitor presses Start."""
+    own = [name for name in launch.nodes if name in pressed]
+    return {
+        "package": launch.package,
+        "file": launch.file,
+        "nodes": list(launch.nodes),
+        **({"handlers": [_handler(each) for each in launch.handlers]} if launch.handlers else {}),
+        **({"asked": own} if own else {}),
+    }
+
+
+def _handler(handler: Handler) -> dict[str, object]:
+    """Return what a launch file does at an event, without what is left open."""
+    on = {name: value for name, value in asdict(handler.on).items() if value}
+    return {"on": on, "effects": [*map(_effect, handler.effects)], "most": handler.most}
+
+
+def _effect(effect: Effect) -> dict[str, object]:
+    plain = {field.name: getattr(effect, field.name) for field in fields(effect)}
+    inside = {"handler": _handler(effect.handler)} if effect.handler else {}
+    return {name: value for name, value in plain.items() if value} | inside
 
 
 def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:

@@ -1,12 +1,17 @@
 // @ts-check
 // ros2 launch: start the nodes that the launch file of the page starts, as new processes.
 
+import { LaunchRun } from "../../launch/launchRun.js";
 import { Output } from "./output.js";
 import { flag } from "./verb.js";
 
-/** @import { NodeHandle } from "../../protocol.js" */
+/** @import { Launch, NodeHandle } from "../../protocol.js" */
 /** @import { Io } from "../shell/shell.js" */
+/** @import { Style } from "../shell/style.js" */
 /** @import { Group } from "./verb.js" */
+
+/** @type {Record<string, Style>} */
+const STYLES = { WARNING: "yellow", ERROR: "red", DEBUG: "green" };
 
 /** @type {Group} */
 export const LAUNCH = {
@@ -25,7 +30,7 @@ export const LAUNCH = {
       if (!launch || launch.package !== name) return `Package '${name}' not found: the page has ${known(io)}`;
       if (launch.file !== file) return `file '${file ?? ""}' was not found in the share directory of package '${name}': the page has ${known(io)}`;
       if (given.length) return "the launch file was read when the page was built, so it takes no arguments here";
-      return attend(io, launch.nodes);
+      return attend(io, launch);
     },
   },
 };
@@ -35,34 +40,88 @@ function known({ ros: { launch } }) {
   return launch ? `${launch.package} ${launch.file}` : "no launch file";
 }
 
-/** Run nodes until they have ended, or until Ctrl-C. @param {Io} io @param {string[]} names */
-async function attend(io, names) {
-  const { ros, signal, out } = io;
-  const processes = names.flatMap((name, index) => {
-    const own = ros.nodes.get(name);
-    return own ? [{ title: `${own.executable.replace(/-[0-9a-f]{8}$/, "")}-${index + 1}`, node: ros.run(name, { arguments: own.arguments }) }] : [];
-  });
-  const outputs = processes.map(({ title, node }) => new Output(io, node, `[${title}] `));
-  for (const { title } of processes) await out(`[INFO] [${title}]: process started\n`);
-  const stop = () => {
-    for (const { node } of processes) node.stop();
-  };
-  signal.addEventListener("abort", stop, { once: true });
-  await Promise.all(processes.map(async ({ title, node }, index) => {
-    await over(node);
-    await outputs[index]?.end();
-    const well = !node.code;
-    await out(`[${well ? "INFO" : "ERROR"}] [${title}]: process has ${well ? "finished cleanly" : `died [exit code ${node.code}]`}\n`, well ? "" : "red");
-  }));
-  signal.removeEventListener("abort", stop);
-  return processes.some(({ node }) => node.code) && !signal.aborted ? 1 : 0;
+/** Run what a launch file starts until it has ended, or until Ctrl-C. @param {Io} io @param {Launch} launch */
+async function attend(io, launch) {
+  const processes = new Processes(io, launch);
+  const stop = () => processes.run.shutdown();
+  io.signal.addEventListener("abort", stop, { once: true });
+  await processes.ended();
+  io.signal.removeEventListener("abort", stop);
+  return processes.failed && !io.signal.aborted ? 1 : 0;
 }
 
-/** @param {NodeHandle} node @returns {Promise<void>} */
-function over(node) {
-  return new Promise((resolve) => {
-    const look = () => (node.state === "stopped" || node.state === "failed") && resolve();
-    node.addEventListener("state", look);
-    look();
-  });
+/** The processes of a launch file: nodes of the page that run once more. */
+class Processes {
+  #io;
+  #count = 0;
+  /** By the name of the node. @type {Map<string, {title: string, node: NodeHandle}>} */
+  #running = new Map();
+  /** What is to be written, in its order. @type {Promise<void>} */
+  #written = Promise.resolve();
+  /** Why nothing can be written. @type {unknown} */
+  #error;
+  /** Whether a process ended with an error. */
+  failed = false;
+
+  /** @param {Io} io @param {Launch} launch */
+  constructor(io, launch) {
+    this.#io = io;
+    this.run = new LaunchRun(launch, {
+      start: (name) => this.#start(name),
+      stop: (name) => this.#running.get(name)?.node.stop(),
+      log: (level, text) => this.#write(level.toUpperCase(), "launch.user", text),
+      ends: (node) => node && this.#write("INFO", "launch", `process[${this.#running.get(node)?.title ?? node}] was required: shutting down launched system`),
+    }, io.ros);
+    for (const name of this.run.first) this.#start(name);
+    this.run.launch();
+  }
+
+  /** Resolve when no process runs, and nothing waits. */
+  async ended() {
+    await new Promise((/** @type {(value?: void) => void} */ resolve) => {
+      const look = () => {
+        if (!this.run.active) resolve();
+      };
+      this.run.addEventListener("change", look);
+      look();
+    });
+    this.run.close();
+    await this.#written;
+    if (this.#error) throw this.#error;
+  }
+
+  /** @param {string} name */
+  #start(name) {
+    const { ros } = this.#io;
+    const own = ros.nodes.get(name);
+    if (!own) return;
+    // A process that is started again keeps its number.
+    const title = this.#running.get(name)?.title ?? `${own.executable.replace(/-[0-9a-f]{8}$/, "")}-${++this.#count}`;
+    const node = ros.run(name, { arguments: own.arguments });
+    this.#running.set(name, { title, node });
+    this.#write("INFO", title, "process started");
+    const output = new Output(this.#io, node, `[${title}] `);
+    node.addEventListener("state", async () => {
+      if (!isOver(node)) return;
+      const code = node.code;
+      this.failed ||= Boolean(code);
+      this.#written = this.#written.then(() => output.end());
+      this.#write(code ? "ERROR" : "INFO", title, `process has ${code ? `died [exit code ${code}]` : "finished cleanly"}`);
+    });
+    this.run.watch(name, node);
+  }
+
+  /** @param {string} level @param {string} from @param {string} text */
+  #write(level, from, text) {
+    this.#written = this.#written.then(() => this.#io.out(`[${level}] [${from}]: ${text}\n`, STYLES[level] ?? "")).catch((error) => {
+      // Nobody reads it, as with `| head`.
+      this.#error ??= error;
+      this.run.shutdown();
+    });
+  }
+}
+
+/** @param {NodeHandle} node */
+function isOver({ state }) {
+  return state === "stopped" || state === "failed";
 }
