@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import yaml
 
 CLOSERS = {"{": "}", "[": "]"}
+BRACKETS = re.compile(r'"(?:\\.|[^"\\\n])*"|[][{}]|#.*')
 # A line with a key or a list item: its indentation and dashes, its key, and the rest.
 ENTRY = re.compile(r"(?P<before>\s*(?:-\s+)*)(?P<key>[^\s:#][^:]*?):\s+(?P<rest>\S.*)")
 # Quoted lines are cut after this many characters.
@@ -163,10 +164,40 @@ def _flow(fault: Fault) -> Found:
     return line, f"{message}; add it, or put text that contains ': ' in quotes"
 
 
+def _missing(fault: Fault) -> Found | None:
+    """Explain that a value is missing in braces or brackets."""
+    line, column = fault.mark
+    opener = _unclosed([*fault.lines[:line], fault.line[:column]])
+    if not opener:
+        return None
+    number, bracket = opener
+    closer, shown = CLOSERS[bracket], fault.shown(line)
+    if fault.found == ",":
+        return line, f"nothing stands before ',' in {shown}; remove the comma, or write a value"
+    if fault.found == "-":
+        return line, f"'-' between '{bracket}' and '{closer}' in {shown}; write only the comma"
+    if fault.found in CLOSERS.values() and fault.found != closer:
+        return line, f"'{bracket}' is closed with '{fault.found}' in {shown}; write '{closer}'"
+    shown = fault.shown(number)
+    return number, f"'{bracket}' is not closed in {shown}; close it with '{closer}'"
+
+
+def _unclosed(lines: list[str]) -> tuple[int, str] | None:
+    """Return the line and the last bracket that is open at the end of `lines`."""
+    found: list[tuple[int, str]] = []
+    for number, line in enumerate(lines):
+        for part in BRACKETS.findall(line):
+            if part in CLOSERS:
+                found.append((number, part))
+            elif part in CLOSERS.values() and found:
+                found.pop()
+    return found[-1] if found else None
+
+
 def _closed(text: str) -> bool:
     """Return whether the bracket at the start of `text` is closed."""
     depth = 0
-    for part in re.findall(r'"(?:\\.|[^"\\\n])*"|[][{}]|#.*', text):
+    for part in BRACKETS.findall(text):
         depth += (part in CLOSERS) - (part in CLOSERS.values())
         if depth <= 0:
             return True
@@ -284,6 +315,7 @@ def _in_quotes(fault: Fault, number: int | None = None) -> str:
 RULES: list[tuple[str, Callable[[Fault], Found | None]]] = [
     (r"found character '\\t'", _tab),
     (r"mapping values are not allowed", _key),
+    ("while parsing a flow node", _missing),
     (r"while parsing a flow", _flow),
     (r"quoted scalar found unexpected end", _open_quote),
     (r"found unknown escape", _escape),

@@ -264,6 +264,9 @@ class _Launch:
         words = texts.words(action, "args", scope)
         ros = texts.words(action, "ros_args", scope)
         words += ["--ros-args", *ros, "--"] if ros else []
+        if any(without.FACT.search(word) for word in words):
+            self._notes.add(action.location, "args", without.NOT_YET)
+            words = [without.FACT.sub("", word) for word in words]
         name = own or executable
         taken = {node.name for node in self.nodes}
         number = next(n for n in range(1, len(taken) + 2) if numbered(name, n) not in taken)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 
 from sitegen.launch.tree import Action
 
 LEFT_OUT = {"event": "skipped: this event is not supported in the browser"}
+# What an event says: see LOCAL in describe_events.py.
+FACT = re.compile("\ue000.*?\ue001")
+NOT_YET = "what an event says is left out here; it can be logged, but not given to a node"
 LOADED = "a page loads components with their container, not later"
 SHUTDOWN = "skipped: the nodes of the page would stop at once"
 OPTIONS = {

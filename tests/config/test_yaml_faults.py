@@ -49,6 +49,27 @@ CASES = {
         "2: no ':' after 'theme'; write it like 'theme: …'",
         "title: A\ntheme: …\n",
     ),
+    "two commas": (
+        "site: {title: A,, language: de}\n",
+        "1: nothing stands before ',' in 'site: {title: A,, language: de}'; "
+        "remove the comma, or write a value",
+        "site: {title: A, language: de}\n",
+    ),
+    "a dash in brackets": (
+        "nav: [demo01/,- demo02/]\n",
+        "1: '-' between '[' and ']' in 'nav: [demo01/,- demo02/]'; write only the comma",
+        "nav: [demo01/, demo02/]\n",
+    ),
+    "another bracket than is open, before a value": (
+        "site: {title: ]\n",
+        "1: '{' is closed with ']' in 'site: {title: ]'; write '}'",
+        "site: {title: }\n",
+    ),
+    "the file ends in braces": (
+        "pages:\n  - path: /\n    content: [{a: [1], launch:\n",
+        "3: '{' is not closed in 'content: [{a: [1], launch:'; close it with '}'",
+        "pages:\n  - path: /\n    content: [{a: [1], launch: }]\n",
+    ),
     "key too far in": (
         "site:\n  title: A\n    theme: plain\n",
         "3: 'theme: plain' is indented further than 'title: A' above; indent it with 2 spaces",

@@ -274,6 +274,18 @@ def test_ros_time_is_simulated_only_if_it_is_set(root: Path) -> None:
     assert read.said == ["time 1s ros x1: start act"]
 
 
+def test_what_an_event_says_is_not_given_to_nodes(root: Path) -> None:
+    read = python(
+        root,
+        "return LaunchDescription([RegisterEventHandler(OnProcessExit(on_exit=[",
+        "    act('next', arguments=['code', ['=', LocalSubstitution('event.returncode')]])]))])",
+    )
+    assert read.nodes[0].arguments == ("code", "=")
+    assert [line.split(": ", 1)[1] for line in read.notes] == [
+        "args: what an event says is left out here; it can be logged, but not given to a node"
+    ]
+
+
 def test_components_are_in_their_container_from_the_start(root: Path) -> None:
     read = Read(
         root,

@@ -27,7 +27,8 @@ WIDGET_PAGES = "".join(
     DOCS.joinpath(name).read_text(encoding="utf-8")
     for name in (
         *("widgets.md", "panels.md", "notebooks.md", "robots.md"),
-        *("terminal.md", "views.md", "plots.md", "bags.md", "gateway.md", "own-panels.md"),
+        *("terminal.md", "views.md", "plots.md", "bags.md", "gateway.md", "launch.md"),
+        "own-panels.md",
     )
 )
 PAGES_PAGE = DOCS.joinpath("pages.md").read_text(encoding="utf-8")

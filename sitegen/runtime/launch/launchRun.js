@@ -85,6 +85,7 @@ export class LaunchRun extends EventTarget {
       if (isOver(node)) queueMicrotask(() => {
         if (isOver(node) && ran) this.#exited(name, node, how);
         if (isOver(node)) ran = false;
+        this.#rest();
         this.dispatchEvent(new Event("change"));
       });
       else this.dispatchEvent(new Event("change"));
@@ -142,11 +143,8 @@ export class LaunchRun extends EventTarget {
   #exited(name, node, how) {
     const facts = { process_name: name, returncode: node.code };
     this.#changing.get(name)?.abort();
-    if (!this.#ending) {
-      if (how === "ended") this.#happened("ended", name, facts);
-      this.#happened("exited", name, facts);
-    }
-    this.#rest();
+    if (how === "ended") this.#happened("ended", name, facts);
+    this.#happened("exited", name, facts);
   }
 
   /** @param {LaunchEvent["kind"]} kind @param {string} node it is about @param {Facts} facts */
