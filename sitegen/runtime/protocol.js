@@ -19,11 +19,11 @@
  *   level?: string, ids?: number[], handler?: LaunchHandler}} LaunchEffect
  * @typedef {{
  *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
- *   autostart: boolean, needs?: string[],
+ *   autostart: boolean, later?: boolean, needs?: string[],
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry, fault?: string,
  * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `needs`
- *   names nodes without which it only waits
+ *   names nodes without which it only waits, and with `later` the launch file starts it by itself
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],

@@ -36,7 +36,7 @@ export class LaunchRun extends EventTarget {
   #launched = new AbortController();
   /** Ends the changes of state that wait for a node, by its name. @type {Map<string, AbortController>} */
   #changing = new Map();
-  /** Which of the nodes start by themselves. @type {(name: string) => boolean} */
+  /** Which of the nodes start without an event of another one. @type {(name: string) => boolean} */
   #starts = () => true;
   #timers = 0;
   #ending = false;
@@ -80,15 +80,19 @@ export class LaunchRun extends EventTarget {
         ran = true;
         this.#happened("started", name, { process_name: name });
       }
-      const how = was === "running" ? "ended" : "exited";
+      if (!isOver(node)) {
+        this.dispatchEvent(new Event("change"));
+        return;
+      }
       // A node that restarts is on its way again by then.
-      if (isOver(node)) queueMicrotask(() => {
-        if (isOver(node) && ran) this.#exited(name, node, how);
-        if (isOver(node)) ran = false;
-        this.#rest();
+      queueMicrotask(() => {
+        if (isOver(node)) {
+          if (ran) this.#exited(name, node, was === "running");
+          ran = false;
+          this.#rest();
+        }
         this.dispatchEvent(new Event("change"));
       });
-      else this.dispatchEvent(new Event("change"));
     };
     node.addEventListener("state", look, { signal: listening.signal });
     if (node.state === "running") this.#happened("started", name, { process_name: name });
@@ -97,11 +101,10 @@ export class LaunchRun extends EventTarget {
 
   /**
    * Do what the launch file does when it is launched, as soon as its first nodes run.
-   * @param {(name: string) => boolean} [starts] which of the nodes start by themselves
+   * @param {(name: string) => boolean} [starts] which of the nodes start without an event of another one
    */
   async launch(starts = () => true) {
-    this.#launched.abort();
-    this.#launched = new AbortController();
+    this.#forget();
     const { signal } = this.#launched;
     this.#waiting = new Map(this.#always.map((handler) => [handler, 0]));
     this.#starts = starts;
@@ -117,8 +120,7 @@ export class LaunchRun extends EventTarget {
   shutdown(reason = "") {
     if (this.#ending) return;
     this.#ending = true;
-    this.#launched.abort();
-    for (const changing of this.#changing.values()) changing.abort();
+    this.#forget();
     this.#happened("shutdown", "", { reason });
     for (const [name, { node }] of this.#watched) if (!isOver(node)) this.#host.stop(name);
     this.#rest();
@@ -127,11 +129,17 @@ export class LaunchRun extends EventTarget {
 
   /** Act no more. */
   close() {
-    this.#launched.abort();
-    for (const changing of this.#changing.values()) changing.abort();
+    this.#forget();
     this.#unfollow();
     for (const { listening } of this.#watched.values()) listening.abort();
     this.#waiting.clear();
+  }
+
+  /** End the timers, and the changes of state that wait. */
+  #forget() {
+    this.#launched.abort();
+    this.#launched = new AbortController();
+    for (const changing of this.#changing.values()) changing.abort();
   }
 
   /** The shutdown is over when no node runs. */
@@ -139,11 +147,11 @@ export class LaunchRun extends EventTarget {
     if (![...this.#watched.values()].some(({ node }) => !isOver(node))) this.#ending = false;
   }
 
-  /** @param {string} name @param {NodeHandle} node @param {"ended" | "exited"} how "ended" if nobody stopped it */
-  #exited(name, node, how) {
+  /** @param {string} name @param {NodeHandle} node @param {boolean} byItself whether nobody stopped it */
+  #exited(name, node, byItself) {
     const facts = { process_name: name, returncode: node.code };
     this.#changing.get(name)?.abort();
-    if (how === "ended") this.#happened("ended", name, facts);
+    if (byItself) this.#happened("ended", name, facts);
     this.#happened("exited", name, facts);
   }
 
@@ -152,9 +160,7 @@ export class LaunchRun extends EventTarget {
     if (this.#ending && kind !== "shutdown") return;
     for (const [handler, times] of [...this.#waiting]) {
       const { on, most = -1 } = handler;
-      const isMeant = on.kind === kind && (!on.nodes || on.nodes.includes(node)) &&
-        (["transition", "start_state", "goal_state"]).every((key) => !on[/** @type {"transition"} */ (key)] || on[/** @type {"transition"} */ (key)] === facts[key]);
-      if (!isMeant || times === most) continue;
+      if (times === most || !isAbout(on, kind, node, facts)) continue;
       this.#waiting.set(handler, times + 1);
       if (on.after) this.#later(on, () => this.#act(handler, facts, node));
       else this.#act(handler, facts, node);
@@ -189,7 +195,7 @@ export class LaunchRun extends EventTarget {
     const { log } = this.#host;
     if (kind === "log") log(level, text.replace(FACT, (_, name) => String(facts[name] ?? "")));
     else if (this.#ending) return;
-    else if (kind === "start") nodes.filter(this.#starts).forEach((name) => this.#host.start(name));
+    else if (kind === "start") nodes.filter((name) => about || this.#starts(name)).forEach((name) => this.#host.start(name));
     else if (kind === "stop") nodes.forEach((name) => this.#host.stop(name));
     else if (kind === "shutdown") {
       this.#host.ends(about, text);
@@ -219,6 +225,12 @@ export class LaunchRun extends EventTarget {
       look();
     });
   }
+}
+
+/** Whether an event is the one that a handler waits for. @param {LaunchEvent} on @param {LaunchEvent["kind"]} kind @param {string} node @param {Facts} facts */
+function isAbout(on, kind, node, { transition, start_state: start, goal_state: goal }) {
+  return on.kind === kind && (!on.nodes || on.nodes.includes(node)) && (!on.transition || on.transition === transition) &&
+    (!on.start_state || on.start_state === start) && (!on.goal_state || on.goal_state === goal);
 }
 
 /** Whether a node does not run. @param {NodeHandle} node */

@@ -84,7 +84,7 @@ export class Sharing {
     if (!this.#given.run || !chosen) return Boolean(entry?.autostart);
     if (!this.#given.run.includes(name)) return false;
     const changed = this.#hasOptions(name);
-    if (!changed && (this.#trusted || entry?.autostart)) return true;
+    if (!changed && (this.#trusted || entry?.autostart || entry?.later)) return true;
     (this.#trusted ? this.#later : this.#asked).add(name);
     return false;
   }

@@ -51,7 +51,8 @@ def page_entry(
     # What is on the page only because other nodes need it has a button beside these.
     shown = {widget.target for widget, _ in slots_of(page)}
     waiting |= {need for node in page.nodes.values() for need in node.needs} - shown
-    waiting |= page.launch.later if page.launch else set()
+    later = page.launch.later - pressed if page.launch else frozenset()
+    waiting |= later
     described = (programs[node.program].types(node) for node in page.nodes.values())
     types: dict[str, Any] = {name: one for each in described for name, one in each.items()}
     entry: dict[str, Any] = {
@@ -59,6 +60,7 @@ def page_entry(
             name: {
                 **programs[node.program].entry(node, link),
                 "autostart": name not in waiting,
+                **({"later": True} if name in later else {}),
                 **({"needs": list(node.needs)} if node.needs else {}),
             }
             for name, node in page.nodes.items()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import json
 from collections.abc import Sequence
 
 import pytest
@@ -98,6 +100,18 @@ def test_what_waits_ends_with_stop(tab: Tab, serve: Serve, built: Built) -> None
     expect(panel.button("Launch")).to_be_enabled()
 
 
+def test_a_link_restores_what_ran(tab: Tab, serve: Serve, built: Built) -> None:
+    state = base64.urlsafe_b64encode(json.dumps({"run": ["late"]}).encode()).decode().rstrip("=")
+    tab.goto(f"{serve(built(SITE))}ends/#share=1.{state}")
+    # It starts without a question, as it would without the link; nothing is launched.
+    Panel(tab, "late").expect_state("running")
+    panel = Panel(tab, "ends.launch.xml", "Launch")
+    panel.wait_for("late has started")
+    assert panel.lines() == ["late has started"]
+    expect(tab.locator(".ros-word")).to_have_count(0)
+    Panel(tab, "required").expect_state("stopped")
+
+
 def test_the_terminal_does_the_same(tab: Tab, serve: Serve, built: Built) -> None:
     tab.goto(f"{serve(built(SITE))}asked/")
     Panel(tab, "ends.launch.xml", "Launch").wait_for("late has started")
@@ -112,3 +126,25 @@ def test_the_terminal_does_the_same(tab: Tab, serve: Serve, built: Built) -> Non
         "0",
     )
     assert lines.count("[INFO] [act-2]: process started") == 2
+
+
+def test_one_node_follows_another(tab: Tab, serve: Serve, built: Built) -> None:
+    tab.goto(f"{serve(built(SITE))}follow/")
+    panel = Panel(tab, "follow.launch.py", "Launch")
+    expect(panel.panel).to_contain_text("Press Launch to start all nodes")
+    # A visitor starts the first one; the other one is started by what happens.
+    Panel(tab, "first").start()
+    panel.wait_for("All nodes are stopped: all is done")
+    expected = ["first has started", "first has ended", "last has started", "last has ended"]
+    assert panel.lines() == [*expected, "over", "All nodes are stopped: all is done"]
+    terminal = Terminal(tab, 130)
+    assert terminal.run("ros2 launch bringup follow.launch.py").split("\n") == [
+        "[INFO] [act-1]: process started",
+        "[act-1] up",
+        "[INFO] [act-1]: process has finished cleanly",
+        "[INFO] [act-2]: process started",
+        "[act-2] up",
+        "[INFO] [act-2]: process has finished cleanly",
+        "[INFO] [launch.user]: over",
+        "[INFO] [launch]: process[act-2] was required: shutting down launched system",
+    ]
