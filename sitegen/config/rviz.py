@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -155,8 +155,13 @@ class Configuration:
     unsupported: tuple[str, ...]
 
 
-def read_configuration(file: Path) -> Configuration:
-    """Return what a `.rviz` file says.
+def absolute(name: str) -> str:
+    """Return the full name of a topic for an RViz without a namespace."""
+    return f"/{name.removeprefix('/')}"
+
+
+def read_configuration(file: Path, resolved: Callable[[str], str] = absolute) -> Configuration:
+    """Return what a `.rviz` file says; `resolved` returns the full names of topics.
 
     Raises: ValueError with the reason if it cannot be read.
     """
@@ -170,32 +175,37 @@ def read_configuration(file: Path) -> Configuration:
     if not isinstance(manager, dict):
         raise ValueError(f"{file.name} has no 'Visualization Manager'; save it with RViz 2")
     unsupported: list[str] = []
-    shown = list(_displays(_list(manager.get("Displays")), True, unsupported))
+    shown = list(_displays(_list(manager.get("Displays")), True, unsupported, resolved))
     frame = _at(manager, "Global Options/Fixed Frame")
     options: dict[str, Any] = {"displays": shown}
     if isinstance(frame, str) and frame:
         options["frame"] = frame
     if background := _color(_at(manager, "Global Options/Background Color")):
         options["background"] = background
-    if topics := dict(_tools(_list(manager.get("Tools")))):
+    if topics := dict(_tools(_list(manager.get("Tools")), resolved)):
         options["tools"] = topics
     if view := _view(_at(manager, "Views/Current")):
         options["view"] = view
     return Configuration(options, tuple(dict.fromkeys(unsupported)))
 
 
-def _displays(given: list[Any], enabled: bool, unsupported: list[str]) -> Iterator[dict[str, Any]]:
+def _displays(
+    given: list[Any], enabled: bool, unsupported: list[str], resolved: Callable[[str], str]
+) -> Iterator[dict[str, Any]]:
     for each in given:
         if not isinstance(each, dict):
             continue
         on = enabled and each.get("Enabled") is not False
         name = str(each.get("Class", "")).rpartition("/")[2]
         if name == "Group":
-            yield from _displays(_list(each.get("Displays")), on, unsupported)
+            yield from _displays(_list(each.get("Displays")), on, unsupported, resolved)
         elif name not in CLASSES or CLASSES[name][0] not in kinds():
             unsupported.append(str(each.get("Class", "a display without a class")))
         else:
-            yield _display(name, each, on)
+            shown = _display(name, each, on)
+            yield {
+                key: resolved(value) if key == "topic" else value for key, value in shown.items()
+            }
 
 
 def _display(name: str, given: dict[str, Any], enabled: bool) -> dict[str, Any]:
@@ -248,13 +258,13 @@ def _colouring(given: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-def _tools(given: list[Any]) -> Iterator[tuple[str, str]]:
+def _tools(given: list[Any], resolved: Callable[[str], str]) -> Iterator[tuple[str, str]]:
     for each in given:
         if isinstance(each, dict):
             name = TOOLS.get(str(each.get("Class", "")).rpartition("/")[2])
             topic = _at(each, "Topic/Value")
-            if name and isinstance(topic, str) and topic.startswith("/"):
-                yield name, topic
+            if name and isinstance(topic, str) and topic:
+                yield name, resolved(topic)
 
 
 def _view(given: Any) -> dict[str, Any] | None:

@@ -9,7 +9,7 @@ from typing import Any
 
 from sitegen.config.rviz import Configuration, read_configuration
 from sitegen.config.widgetkeys import WIDGETS
-from sitegen.errors import Location, Problems
+from sitegen.errors import Problems
 from sitegen.launch import Window
 from sitegen.model import Cell, Layout, Part, Widget
 
@@ -35,7 +35,7 @@ def _widget(window: Window, problems: Problems, notes: Problems) -> Widget:
     if window.kind == "3d":
         options = _rviz(window, problems, notes)
     elif window.kind == "image" and (topics := _plain(window)):
-        options = {**defaults, "topic": _absolute(topics[0], window)}
+        options = {**defaults, "topic": window.resolved(topics[0])}
     elif window.kind == "plot" and (paths := _plain(window)):
         options = {**defaults, "series": [path for one in paths for path in _paths(one, window)]}
     return Widget(window.kind, "", options, window.location)
@@ -47,23 +47,21 @@ def _rviz(window: Window, problems: Problems, notes: Problems) -> dict[str, Any]
     found = dict(pairwise(window.arguments))
     name = found.get("-d") or found.get("--display-config") or ""
     if name:
-        options |= _configured(Path(name), window.location, problems, notes)
+        options |= _configured(Path(name), window, problems, notes)
     if frame := found.get("-f") or found.get("--fixed-frame"):
         options["frame"] = frame
     return options
 
 
-def _configured(
-    file: Path, location: Location, problems: Problems, notes: Problems
-) -> dict[str, Any]:
+def _configured(file: Path, window: Window, problems: Problems, notes: Problems) -> dict[str, Any]:
     try:
-        configuration: Configuration = read_configuration(file)
+        configuration: Configuration = read_configuration(file, window.resolved)
     except ValueError as error:
-        problems.add(location, "rviz2", str(error))
+        problems.add(window.location, "rviz2", str(error))
         return {}
     if configuration.unsupported:
         names = ", ".join(configuration.unsupported)
-        notes.add(location, "rviz2", f"{names}: not supported in the 3D view and left out")
+        notes.add(window.location, "rviz2", f"{names}: not supported in the 3D view and left out")
     return dict(configuration.options)
 
 
@@ -76,8 +74,8 @@ def _paths(path: str, window: Window) -> list[str]:
     """Return the message paths that an argument of rqt_plot names: `/a/x:y` is two of them."""
     first, *others = path.split(":")
     above = first.rpartition("/")[0]
-    return [_absolute(one, window) for one in (first, *(f"{above}/{name}" for name in others))]
+    return [_path(one, window) for one in (first, *(f"{above}/{name}" for name in others))]
 
 
-def _absolute(name: str, window: Window) -> str:
-    return name if name.startswith("/") else f"{window.namespace}/{name}"
+def _path(path: str, window: Window) -> str:
+    return path if path.startswith("/") else f"{window.namespace}/{path}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import cast
 
 from sitegen.errors import Problems
 from sitegen.launch import without
@@ -20,13 +21,6 @@ from sitegen.model.launch import EventKind
 SHORTEST_RESPAWN = 1.0
 CONFIGURE, ACTIVATE = 1, 3
 LEVELS = ("debug", "info", "warning", "error")
-# The events of handlers in Python launch files.
-KINDS: dict[str, EventKind] = {
-    "started": "started",
-    "exited": "exited",
-    "state": "state",
-    "shutdown": "shutdown",
-}
 
 
 class Events:
@@ -83,12 +77,9 @@ class Events:
 
     def _timer(self, action: Action, scope: Scope) -> None:
         period = typed(self._texts.needed(action, "period", scope), "float")
-        is_simulated = dict(each for each in scope.parameters if isinstance(each, tuple))
-        on = Event(
-            "time",
-            after=period,
-            ros_time=action.kind == "ros_timer" and is_simulated.get("use_sim_time") is True,
-        )
+        everyones = dict(each for each in scope.parameters if isinstance(each, tuple))
+        is_simulated = everyones.get("use_sim_time") is True
+        on = Event("time", after=period, ros_time=action.kind == "ros_timer" and is_simulated)
         self.handlers.wait(Waiting(on, action.inside, scope, action.location, most=1))
 
     def _handler(self, action: Action, scope: Scope) -> None:
@@ -98,7 +89,7 @@ class Events:
         text = partial(self._texts.text, action, scope=scope)
         target = action.attributes.get("target")
         on = Event(
-            KINDS[action.attributes["event"]],
+            cast(EventKind, action.attributes["event"]),
             nodes=(target,) if target else (),
             transition=text("transition"),
             start_state=text("start_state"),

@@ -33,21 +33,24 @@ class Waiting:
     effects: list[Effect | Waiting] = field(default_factory=list)
 
 
-@dataclass
 class Handlers:
-    """Those of a launch file; names in them may be ids of actions until they are finished."""
+    """Those of a launch file; names in them may be ids of actions until they are finished.
 
-    notes: Problems
-    _found: list[Waiting] = field(default_factory=list)
-    _queue: list[tuple[float, int, Waiting]] = field(default_factory=list)
-    _order: Iterator[int] = field(default_factory=itertools.count)
-    _current: Waiting | None = None
-    # The names on the page of nodes, and the full names of lifecycle nodes, by the ids of actions.
-    _nodes: dict[str, str] = field(default_factory=dict)
-    _managed: dict[str, str] = field(default_factory=dict)
-    # The names on the page of the lifecycle nodes, by their full names.
-    _full: dict[str, str] = field(default_factory=dict)
-    _skipped: set[str] = field(default_factory=set)
+    What cannot happen on a page is noted in `notes`.
+    """
+
+    def __init__(self, notes: Problems) -> None:
+        self._notes = notes
+        self._found: list[Waiting] = []
+        self._queue: list[tuple[float, int, Waiting]] = []
+        self._order = itertools.count()
+        self._current: Waiting | None = None
+        # The names on the page of nodes, and the full names of lifecycle nodes, by ids of actions.
+        self._nodes: dict[str, str] = {}
+        self._managed: dict[str, str] = {}
+        # The names on the page of the lifecycle nodes, by their full names.
+        self._full: dict[str, str] = {}
+        self._skipped: set[str] = set()
 
     def wait(self, waiting: Waiting) -> None:
         """Add a handler, whose actions are evaluated later."""
@@ -103,7 +106,7 @@ class Handlers:
                 unknown.append(waiting)
                 continue
             if waiting.on.kind != "started" and not self._skipped.isdisjoint(about):
-                self.notes.add(waiting.location, "event_handler", NOT_HERE)
+                self._notes.add(waiting.location, "event_handler", NOT_HERE)
                 continue
             self._current = waiting
             evaluate(list(waiting.inside), waiting.scope.at(last))
@@ -166,4 +169,4 @@ class Handlers:
             elif not name.startswith(REFERENCE) or name in self._skipped:
                 shown = f"no lifecycle node '{name}' in this launch file"
                 advice = nearest(name, self._full) if self._full else "nothing changes its state"
-                self.notes.add(location, "lifecycle_transition", f"{shown}; {advice}")
+                self._notes.add(location, "lifecycle_transition", f"{shown}; {advice}")

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from sitegen.errors import Location
+from sitegen.launch.names import joined
 
 # By package and executable, the kind of widget.
 WIDGETS = {
@@ -41,6 +42,12 @@ class Window:
     def kind(self) -> str:
         """The kind of widget that takes its place."""
         return next(kind for (_, name), kind in WIDGETS.items() if name == self.executable)
+
+    def resolved(self, name: str) -> str:
+        """Return the full name of a topic in its namespace, by its remapping rules."""
+        rules = {joined(self.namespace, old): new for old, new in self.remap.items()}
+        full = joined(self.namespace, name)
+        return joined(self.namespace, rules.get(full, full))
 
 
 def known(package: str, executable: str) -> bool:

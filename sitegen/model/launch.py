@@ -37,7 +37,7 @@ class Effect:
 
     "transition" calls for the transitions `ids`, in their order, of the lifecycle nodes `nodes`,
     and "handle" waits for the event of another handler. `text` is a reason, or a line of the log;
-    `{event.returncode}` in it is what the event says.
+    names between U+E000 and U+E001 in it, such as `event.returncode`, are what the event says.
     """
 
     kind: EffectKind

@@ -11,9 +11,11 @@ import pytest
 from paths import ROOT
 
 from sitegen import config
+from sitegen.config import windows
 from sitegen.config.displays import kinds
 from sitegen.config.rviz import CLASSES, read_configuration
-from sitegen.errors import SiteError
+from sitegen.errors import Location, Problems, SiteError
+from sitegen.launch import Window
 from sitegen.model import Site, Widget
 
 HEAD = """
@@ -186,3 +188,33 @@ def test_every_option_of_the_table_exists() -> None:
     for kind, properties in CLASSES.values():
         if kind in kinds():
             assert set(properties) <= set(kinds()[kind].defaults), kind
+
+
+def test_topics_of_a_window_are_those_of_its_node(tmp_path: Path) -> None:
+    """RViz subscribes as any node does: in its namespace, by its remapping rules."""
+    file = tmp_path / "a.rviz"
+    displays = [
+        {"Class": "rviz_default_plugins/LaserScan", "Topic": {"Value": "scan"}},
+        {"Class": "rviz_default_plugins/Map", "Topic": {"Value": "/map"}},
+        {"Class": "rviz_default_plugins/Path", "Topic": {"Value": "/plan"}},
+        {
+            "Class": "rviz_default_plugins/InteractiveMarkers",
+            "Interactive Markers Namespace": "menu",
+        },
+    ]
+    tools = [
+        {"Class": "rviz_default_plugins/SetGoal", "Topic": {"Value": "/goal_pose"}},
+        {"Class": "rviz_default_plugins/PublishPoint", "Topic": {"Value": "point"}},
+    ]
+    file.write_text(json.dumps({"Visualization Manager": {"Displays": displays, "Tools": tools}}))
+    rules = {"/map": "map", "/goal_pose": "goal_pose", "point": "/clicked"}
+    problems, here = Problems(tmp_path), Location(tmp_path / "x.launch.py", 1)
+    window = Window("rviz2", ["-d", str(file)], rules, "/one", here)
+    [view] = windows.shown([window], problems, problems)
+    assert isinstance(view, Widget)
+    topics = [display["topic"] for display in view.options["displays"]]
+    assert topics == ["/one/scan", "/one/map", "/plan", "/one/menu/update"]
+    assert view.options["tools"] == {"goal": "/one/goal_pose", "point": "/clicked"}
+    assert problems.lines == []
+    # Without a namespace, as for a file that site.yaml names.
+    assert read_configuration(file).options["displays"][0]["topic"] == "/scan"

@@ -21,68 +21,38 @@ def change(node, transition):
     )
 
 
+def on_state(node, actions, **states):
+    handler = OnStateTransition(target_lifecycle_node=node, entities=actions, **states)
+    return RegisterEventHandler(handler)
+
+
 def generate_launch_description():
     first = act("first", "0.5", "3")
     second = act("second")
     managed = LifecycleNode(package="acting", executable="act", name="managed", namespace="/robot")
+    auto = LifecycleNode(
+        package="acting", executable="act", name="auto", namespace="", autostart=True
+    )
+    code = ["first has ended with ", LocalSubstitution("event.returncode")]
+    state = ["managed is ", LocalSubstitution("event.goal_state")]
+    ended = OnProcessExit(target_action=first, on_exit=[LogInfo(msg=code), second])
+    started = OnProcessStart(target_action=second, on_start=[LogInfo(msg="second is up")])
+    configured = [LogInfo(msg="configured"), change(managed, Transition.TRANSITION_ACTIVATE)]
+    # The second of these fails.
+    back = LifecycleTransition(lifecycle_node_names=["robot/managed"], transition_ids=[4, 2, 1])
+    later = TimerAction(period=0.2, actions=[act("later")])
     return LaunchDescription(
         [
             LogInfo(msg="begins"),
             first,
             managed,
             act("managed_2"),
-            LifecycleNode(
-                package="acting", executable="act", name="auto", namespace="", autostart=True
-            ),
-            TimerAction(
-                period=0.2,
-                actions=[
-                    act("late"),
-                    TimerAction(
-                        period=0.2,
-                        actions=[
-                            act("later"),
-                        ],
-                    ),
-                ],
-            ),
-            RegisterEventHandler(
-                OnProcessExit(
-                    target_action=first,
-                    on_exit=[
-                        LogInfo(
-                            msg=["first has ended with ", LocalSubstitution("event.returncode")]
-                        ),
-                        second,
-                        LifecycleTransition(
-                            lifecycle_node_names=["robot/managed"], transition_ids=[4, 2, 1]
-                        ),
-                    ],
-                )
-            ),
-            RegisterEventHandler(
-                OnProcessStart(
-                    target_action=second,
-                    on_start=[
-                        LogInfo(msg="second is up"),
-                    ],
-                )
-            ),
+            auto,
+            TimerAction(period=0.2, actions=[act("late"), later]),
+            RegisterEventHandler(ended),
+            RegisterEventHandler(started),
             change(managed, Transition.TRANSITION_CONFIGURE),
-            RegisterEventHandler(
-                OnStateTransition(
-                    target_lifecycle_node=managed,
-                    start_state="configuring",
-                    goal_state="inactive",
-                    entities=[LogInfo(msg="configured"), change(managed, 3)],
-                )
-            ),
-            RegisterEventHandler(
-                OnStateTransition(
-                    target_lifecycle_node=managed,
-                    goal_state="active",
-                    entities=[LogInfo(msg=["managed is ", LocalSubstitution("event.goal_state")])],
-                )
-            ),
+            on_state(managed, configured, start_state="configuring", goal_state="inactive"),
+            on_state(managed, [LogInfo(msg=state), back], goal_state="active"),
         ]
     )
