@@ -155,9 +155,9 @@ SITE = (
     Key(
         "levels",
         "flag",
-        "say above each page what visitors can do on it",
-        "levels: false",
-        default=True,
+        "show the interaction level of each page above its title",
+        "levels: true",
+        default=False,
     ),
     Key("feed", "flag", "write an Atom feed of dated pages", "feed: true", default=False),
     Key(

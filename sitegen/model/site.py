@@ -148,7 +148,7 @@ class Site:
     repository: str = ""
     branch: str = "main"
     feed: bool = False
-    levels: bool = True
+    levels: bool = False
     deploy: Deploy = field(default_factory=lambda: Deploy())
     offline: bool | None = None
     isolate: bool | None = None

@@ -212,9 +212,10 @@ def test_topics_of_a_window_are_those_of_its_node(tmp_path: Path) -> None:
     window = Window("rviz2", ["-d", str(file)], rules, "/one", here)
     [view] = windows.shown([window], problems, problems)
     assert isinstance(view, Widget)
-    topics = [display["topic"] for display in view.options["displays"]]
+    shown: Any = view.options
+    topics = [display["topic"] for display in shown["displays"]]
     assert topics == ["/one/scan", "/one/map", "/plan", "/one/menu/update"]
-    assert view.options["tools"] == {"goal": "/one/goal_pose", "point": "/clicked"}
+    assert shown["tools"] == {"goal": "/one/goal_pose", "point": "/clicked"}
     assert problems.lines == []
     # Without a namespace, as for a file that site.yaml names.
     assert read_configuration(file).options["displays"][0]["topic"] == "/scan"

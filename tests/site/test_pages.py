@@ -7,6 +7,7 @@ import hashlib
 import json
 import re
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -16,7 +17,7 @@ from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 from rendered import render_site
 
-from sitegen.model import Build, Page
+from sitegen.model import Build, Effect, Event, Handler, Launch, Page
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.shipped import RUNTIME
 from sitegen.site.pages import render
@@ -85,6 +86,53 @@ def test_page_json_says_what_the_page_runs(author: Author) -> None:
             "options": {},
         },
     ]
+
+
+def test_page_json_says_what_the_launch_file_does(author: Author) -> None:
+    """Of its nodes, those start with the page that neither it nor a visitor starts."""
+    start = Effect("start", ("late",))
+    inside = Handler(Event("time", after=0.5), (start, Effect("log", text="now")), most=1)
+    handlers = (Handler(Event("exited", ("first",)), (Effect("handle", handler=inside),)),)
+    names = ("first", "late", "pressed")
+    content = (
+        author.widget("launch", ""),
+        author.widget("buttons", "late", autostart=True),
+        author.widget("buttons", "pressed"),
+    )
+    nodes = {name: author.node(name) for name in names}
+    launch = Launch("bringup", "x.launch.py", names, handlers)
+    page = Page("", "T", "", nodes, content, "I3", author.location(), launch=launch)
+    author.pages.append(page)
+    entry = json.loads(author.built()["page.json"])
+    found = {name: (one["autostart"], one.get("later")) for name, one in entry["nodes"].items()}
+    assert found == {"first": (True, None), "late": (False, True), "pressed": (False, None)}
+    later = {"kind": "time", "after": 0.5}
+    effects = [{"kind": "start", "nodes": ["late"]}, {"kind": "log", "text": "now"}]
+    inner = {"on": later, "effects": effects, "most": 1}
+    assert entry["launch"] == {
+        "package": "bringup",
+        "file": "x.launch.py",
+        "nodes": [*names],
+        "asked": ["pressed"],
+        "handlers": [
+            {
+                "on": {"kind": "exited", "nodes": ["first"]},
+                "effects": [{"kind": "handle", "handler": inner}],
+                "most": -1,
+            }
+        ],
+    }
+
+
+@pytest.mark.parametrize("levels", [False, True])
+def test_the_level_stands_above_the_title_if_the_author_wants_it(
+    author: Author, levels: bool
+) -> None:
+    author.page("", author.widget("buttons", "talker"), level="I2")
+    site = replace(author.site(), levels=levels)
+    html = data(render_site(site))["index.html"].decode()
+    [above] = re.findall(r'<p class="level">(.*?)</p>', html)
+    assert above == f"{'<b>I2</b> ' if levels else ''}start and stop nodes"
 
 
 def test_one_engine_when_the_site_wants_no_other(author: Author) -> None:

@@ -235,7 +235,7 @@ class Renderer:
             "blocks": parts,
             "has_heading": any(heading.level == 1 for heading in prose.headings),
             "toc": _toc(prose.headings),
-            "can": abilities(page) if self.site.levels else [],
+            "can": abilities(page),
             "tags": [Link(name, address(page, path)) for name, path in self._tags(page)],
         }
 
