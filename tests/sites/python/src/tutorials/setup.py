@@ -40,7 +40,6 @@ setup(
             "overrides = tutorials.overrides:main",
             "outlived = tutorials.outlived:main",
             "ending = tutorials.ending:main",
-            "jumps = tutorials.jumps:main",
             "spinning = tutorials.spinning:main",
             "serializing = tutorials.serializing:main",
             "entries = tutorials.entries:main",
