@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from sitegen.config.displays import kinds
+from sitegen.launch.names import joined
 from sitegen.yamlnodes import LimitError, compose
 
 # For each class of RViz: the kind of our display, and which of its properties each option is.
@@ -145,6 +147,8 @@ COLOURED = {"FlatColor": "color", "Intensity": "intensity", "RGB8": "rgb", "RGBF
 # Tools that publish, and ours.
 TOOLS = {"SetGoal": "goal", "SetInitialPose": "estimate", "PublishPoint": "point"}
 FIXED = "<Fixed Frame>"
+# The full names of topics for an RViz without a namespace.
+ABSOLUTE = partial(joined, "")
 
 
 @dataclass(frozen=True)
@@ -155,12 +159,7 @@ class Configuration:
     unsupported: tuple[str, ...]
 
 
-def absolute(name: str) -> str:
-    """Return the full name of a topic for an RViz without a namespace."""
-    return f"/{name.removeprefix('/')}"
-
-
-def read_configuration(file: Path, resolved: Callable[[str], str] = absolute) -> Configuration:
+def read_configuration(file: Path, resolved: Callable[[str], str] = ABSOLUTE) -> Configuration:
     """Return what a `.rviz` file says; `resolved` returns the full names of topics.
 
     Raises: ValueError with the reason if it cannot be read.

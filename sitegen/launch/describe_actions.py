@@ -8,7 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from sitegen.launch import commandline
+from sitegen.launch import commandline, without
 from sitegen.launch.environment import Environment
 from sitegen.launch.substitutions import Known, SubstitutionError, expand
 from sitegen.launch.tree import REFERENCE
@@ -17,8 +17,6 @@ from sitegen.launch.xacro import printed
 # The launch file that runs, the line of the action whose function runs, the folders of the
 # packages, the folders that may be read, and the number of this reading with that of its actions.
 RUN = SimpleNamespace(file="", line=1, folders={}, roots=[], reading=0, made=0)
-# The note about functions that events would call.
-FUNCTION = "skipped: the functions of a launch file run when the site is built, not on the page"
 
 
 # The names of types in launch files, by those of Python.
@@ -319,7 +317,7 @@ def ending(on_exit: Any) -> list[Described]:
     """Describe what is done when a process ends."""
     if on_exit is None:
         return []
-    why = FUNCTION if is_function(on_exit) else None
+    why = without.FUNCTION if is_function(on_exit) else None
     return [Described("on_exit", [] if why else inside_of(on_exit), why=why)]
 
 

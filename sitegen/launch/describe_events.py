@@ -6,9 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from types import SimpleNamespace
 from typing import Any
 
-from sitegen.launch import commandline
+from sitegen.launch import commandline, without
 from sitegen.launch.describe_actions import (
-    FUNCTION,
     Described,
     Text,
     ending,
@@ -27,15 +26,12 @@ LIFECYCLE = {
         **{f"TRANSITION_{name}": n for n, name in enumerate((*TRANSITIONS, *SHUTDOWNS))}
     )
 }
-# What stands around the name of a value that only an event has, such as `event.returncode`.
-LOCAL = ("\ue000", "\ue001")
-UNKNOWN = "skipped: this event is not supported in the browser"
 
 
 def handler(event_handler: Any = None, *, condition: Any = None, **_: Any) -> Described:
     """Stand in for RegisterEventHandler."""
     if not isinstance(event_handler, Described) or event_handler.kind != "event_handler":
-        return Described("event_handler", why=UNKNOWN, condition=condition)
+        return Described("event_handler", why=without.NO_EVENT, condition=condition)
     given = event_handler.attributes
     return Described("event_handler", event_handler.inside, condition=condition, **given)
 
@@ -63,7 +59,7 @@ def of_state(
 ) -> Described:
     """Stand in for OnStateTransition."""
     if matcher is not None:
-        return Described("event_handler", why=FUNCTION)
+        return Described("event_handler", why=without.FUNCTION)
     states = {"transition": transition, "start_state": start_state, "goal_state": goal_state}
     return _handler("state", entities, handle_once, target_lifecycle_node, **states)
 
@@ -75,7 +71,7 @@ def of_shutdown(*, on_shutdown: Any, handle_once: bool = False, **_: Any) -> Des
 
 def _handler(event: str, actions: Any, once: bool, target: Any = None, **states: Any) -> Described:
     if is_function(actions) or is_function(target):
-        return Described("event_handler", why=FUNCTION)
+        return Described("event_handler", why=without.FUNCTION)
     about = target.id if isinstance(target, Described) else None
     own = {"event": event, "once": once, "target": about, **states}
     return Described("event_handler", inside_of(actions), **own)
@@ -101,7 +97,7 @@ def end_process(*_: Any, process_matcher: Any, **__: Any) -> Described:
 def _matched(matcher: Any) -> dict[str, Any]:
     """Return which nodes an event is for."""
     is_known = isinstance(matcher, Described) and matcher.kind == "matcher"
-    return dict(matcher.attributes) if is_known else {"why": FUNCTION}
+    return dict(matcher.attributes) if is_known else {"why": without.FUNCTION}
 
 
 def matches_action(action: Any) -> Described:
@@ -116,7 +112,7 @@ def matches_node_name(node_name: Any) -> Described:
 
 def unmatched(*_: Any) -> Described:
     """Stand in for functions that match processes by what they do not have on a page."""
-    return Described("matcher", why="skipped: only nodes of the launch file can be meant here")
+    return Described("matcher", why=without.NOT_MEANT)
 
 
 def transitions(
@@ -187,12 +183,12 @@ def log(level: str) -> Callable[..., Described]:
 
 def local(expression: Any, *_: Any, **__: Any) -> Text:
     """Stand in for LocalSubstitution, which tells of an event."""
-    return Text(text(expression).join(LOCAL))
+    return Text(text(expression).join(without.LOCAL))
 
 
 def unsupported(kind: str) -> Callable[..., Described]:
     """Return a stand-in for a feature that a page does not have."""
-    return lambda *_, **__: Described(kind, why=UNKNOWN)
+    return lambda *_, **__: Described(kind, why=without.NO_EVENT)
 
 
 MEMBERS: dict[str, Any] = {
@@ -202,7 +198,7 @@ MEMBERS: dict[str, Any] = {
     "OnExecutionComplete": of_process("exited", "on_completion"),
     "OnStateTransition": of_state,
     "OnShutdown": of_shutdown,
-    "OnProcessIO": lambda **_: Described("event_handler", why=FUNCTION),
+    "OnProcessIO": lambda **_: Described("event_handler", why=without.FUNCTION),
     **dict.fromkeys(
         ("EventHandler", "OnIncludeLaunchDescription", "UnregisterEventHandler"),
         unsupported("event_handler"),

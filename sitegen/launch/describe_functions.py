@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import RUN, Context, Described, pairs
+from sitegen.launch.describe_actions import RUN, Context, Described, inside_of, pairs
 
 # The functions, each called with the context and keyword arguments, and the lines of their actions,
 # in the order in which the file creates them, which is the same in every run.
@@ -79,16 +79,11 @@ def perform_substitutions(context: Context, given: Any) -> str:
     return context.perform_substitution(given)
 
 
-def normalized(given: Any) -> list[Any]:
-    """Stand in for normalize_to_list_of_substitutions."""
-    return list(given) if isinstance(given, (list, tuple)) else [given]
-
-
 MEMBERS: dict[str, Any] = {
     "ForEach": each,
     "ForLoop": loop,
     "OpaqueFunction": function,
     "LaunchContext": Context,
     "perform_substitutions": perform_substitutions,
-    "normalize_to_list_of_substitutions": normalized,
+    "normalize_to_list_of_substitutions": inside_of,
 }

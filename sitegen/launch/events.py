@@ -9,6 +9,7 @@ from typing import cast
 from sitegen.errors import Problems
 from sitegen.launch import without
 from sitegen.launch.handlers import Handlers, Waiting
+from sitegen.launch.names import joined
 from sitegen.launch.scope import Scope
 from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.texts import Texts
@@ -121,7 +122,7 @@ class Events:
             return ()
         if "target" in action.attributes:
             return (action.attributes["target"],)
-        return (_absolute(self._texts.needed(action, "node", scope)),)
+        return (joined("", self._texts.needed(action, "node", scope)),)
 
     def _transitions(self, action: Action, scope: Scope) -> None:
         texts = self._texts
@@ -130,7 +131,7 @@ class Events:
             for each in action.of_kind("transition_id")
         )
         for each in action.of_kind("lifecycle_node_name"):
-            name = _absolute(texts.needed(each, "value", scope))
+            name = joined("", texts.needed(each, "value", scope))
             self.handlers.do(Effect("transition", (name,), ids=ids), action.location)
 
     def _log(self, action: Action, scope: Scope, *, level: str = "info") -> None:
@@ -142,7 +143,3 @@ class Events:
         else:
             shown = self._texts.on_page(text)
             self.handlers.do(Effect("log", text=shown, level=level), action.location)
-
-
-def _absolute(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"

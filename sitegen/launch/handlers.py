@@ -13,11 +13,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from sitegen.errors import Location, Problems, nearest
+from sitegen.launch import without
 from sitegen.launch.scope import Scope
 from sitegen.launch.tree import REFERENCE, Action
 from sitegen.model import Effect, Event, Handler
-
-NOT_HERE = "skipped: what it waits for does not run on the page"
 
 
 @dataclass
@@ -106,7 +105,7 @@ class Handlers:
                 unknown.append(waiting)
                 continue
             if waiting.on.kind != "started" and not self._skipped.isdisjoint(about):
-                self._notes.add(waiting.location, "event_handler", NOT_HERE)
+                self._notes.add(waiting.location, "event_handler", without.NOT_HERE)
                 continue
             self._current = waiting
             evaluate(list(waiting.inside), waiting.scope.at(last))

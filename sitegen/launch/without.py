@@ -7,9 +7,15 @@ from collections.abc import Collection, Iterator
 
 from sitegen.launch.tree import Action
 
-LEFT_OUT = {"event": "skipped: this event is not supported in the browser"}
-# What an event says: see LOCAL in describe_events.py.
-FACT = re.compile("\ue000.*?\ue001")
+NO_EVENT = "skipped: this event is not supported in the browser"
+LEFT_OUT = {"event": NO_EVENT}
+# Functions that events would call.
+FUNCTION = "skipped: the functions of a launch file run when the site is built, not on the page"
+NOT_MEANT = "skipped: only nodes of the launch file can be meant here"
+NOT_HERE = "skipped: what it waits for does not run on the page"
+# What stands around the name of a value that only an event has, such as `event.returncode`.
+LOCAL = ("\ue000", "\ue001")
+FACT = re.compile(".*?".join(LOCAL))
 NOT_YET = "what an event says is left out here; it can be logged, but not given to a node"
 LOADED = "a page loads components with their container, not later"
 SHUTDOWN = "skipped: the nodes of the page would stop at once"

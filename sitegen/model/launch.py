@@ -67,6 +67,11 @@ class Launch:
     handlers: tuple[Handler, ...] = ()
 
     @property
+    def first(self) -> tuple[str, ...]:
+        """The nodes that start at once."""
+        return tuple(name for name in self.nodes if name not in self.later)
+
+    @property
     def later(self) -> frozenset[str]:
         """The nodes that handlers start."""
         return frozenset(started_by(self.handlers))

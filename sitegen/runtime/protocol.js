@@ -9,8 +9,9 @@
  *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
  *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
- * @typedef {{package: string, file: string, nodes: string[], handlers?: LaunchHandler[], asked?: string[]}} Launch the
- *   launch file that starts these nodes; those in `asked` only start when the visitor says so
+ * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
+ *   asked?: string[]}} Launch the launch file that starts these nodes, and those in `first` at once if not all of them;
+ *   those in `asked` only start when the visitor says so
  * @typedef {{on: LaunchEvent, effects: LaunchEffect[], most?: number}} LaunchHandler what a launch file does at an event,
  *   up to `most` times; see model/launch.py, which has the meaning of all fields
  * @typedef {{kind: "launched" | "time" | "started" | "exited" | "ended" | "state" | "shutdown", nodes?: string[],

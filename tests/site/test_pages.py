@@ -113,6 +113,7 @@ def test_page_json_says_what_the_launch_file_does(author: Author) -> None:
         "package": "bringup",
         "file": "x.launch.py",
         "nodes": [*names],
+        "first": ["first", "pressed"],
         "asked": ["pressed"],
         "handlers": [
             {

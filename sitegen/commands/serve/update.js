@@ -72,7 +72,8 @@ export function updateNodes(old, fresh, { ros, editing }) {
   const given = /** @type {const} */ (["script", "interfaces", "messagesFrom"]);
   if (given.some((key) => different(old[key], fresh[key]))) return undefined;
   // What a launch file does has begun, too.
-  if (old.launch?.handlers || fresh.launch?.handlers) if (different(old.launch, fresh.launch)) return undefined;
+  const acting = (/** @type {PageEntry} */ { launch }) => launch?.handlers && launch;
+  if (different(acting(old), acting(fresh))) return undefined;
   if (types.length || Boolean(old.types) !== Boolean(fresh.types) || old.isolate !== fresh.isolate) return undefined;
   // Widgets heed what nodes need when they are mounted.
   const same = (/** @type {[string, NodeEntry]} */ [name, { needs }]) => !(name in old.nodes) || !different(needs, old.nodes[name]?.needs);

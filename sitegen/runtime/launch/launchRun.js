@@ -5,7 +5,7 @@
 import { changeStates, followStates } from "./managed.js";
 import { delay, delayRosTime } from "./timers.js";
 
-/** @import { LaunchEffect, LaunchEvent, LaunchHandler, NodeHandle, Ros } from "../protocol.js" */
+/** @import { Launch, LaunchEffect, LaunchEvent, LaunchHandler, NodeHandle, Ros } from "../protocol.js" */
 
 /**
  * Whoever runs a launch file: a panel, with the nodes of the page, or a terminal, with processes of its own.
@@ -23,7 +23,8 @@ const FACT = /\ue000(?:event\.)?(.*?)\ue001/g;
 export class LaunchRun extends EventTarget {
   #host;
   #ros;
-  #names;
+  /** The nodes that start at once. */
+  first;
   /** The handlers of the launch file that act when it is launched. @type {LaunchHandler[]} */
   #first;
   /** Those that wait for an event, with the number of times that they have acted. @type {Map<LaunchHandler, number>} */
@@ -42,23 +43,17 @@ export class LaunchRun extends EventTarget {
   #ending = false;
   #unfollow;
 
-  /** @param {{nodes: string[], handlers?: LaunchHandler[]}} launch @param {Host} host @param {Ros} ros */
-  constructor({ nodes, handlers = [] }, host, ros) {
+  /** @param {Launch} launch @param {Host} host @param {Ros} ros */
+  constructor({ nodes, first = nodes, handlers = [] }, host, ros) {
     super();
     this.#host = host;
     this.#ros = ros;
-    this.#names = nodes;
+    this.first = first;
     const isFirst = (/** @type {LaunchHandler} */ { on }) => on.kind === "launched" || on.kind === "time";
     this.#first = handlers.filter(isFirst);
     this.#always = handlers.filter((handler) => !isFirst(handler));
     for (const handler of this.#always) this.#waiting.set(handler, 0);
     this.#unfollow = followStates(ros, handlers, (node, facts) => this.#happened("state", node, facts));
-  }
-
-  /** The nodes that start at once. */
-  get first() {
-    const later = new Set(startedBy([...this.#first, ...this.#always]));
-    return this.#names.filter((name) => !later.has(name));
   }
 
   /** Whether a node runs, or a timer will act. */
@@ -179,7 +174,7 @@ export class LaunchRun extends EventTarget {
     const { signal } = this.#launched;
     this.#timers++;
     this.dispatchEvent(new Event("change"));
-    await (rosTime ? delayRosTime(this.#ros, after, signal) : delay(after, signal));
+    await (rosTime ? delayRosTime(this.#ros, after, signal, (text) => this.#host.log("warning", text)) : delay(after, signal));
     this.#timers--;
     if (!signal.aborted) act();
     this.dispatchEvent(new Event("change"));
@@ -234,12 +229,6 @@ function isAbout(on, kind, node, { transition, start_state: start, goal_state: g
 }
 
 /** Whether a node does not run. @param {NodeHandle} node */
-function isOver({ state }) {
+export function isOver({ state }) {
   return state === "stopped" || state === "failed";
-}
-
-/** The nodes that handlers start for the first time. @param {LaunchHandler[]} handlers @returns {string[]} */
-function startedBy(handlers) {
-  return handlers.filter(({ on }) => on.kind !== "ended").flatMap(({ effects }) => effects.flatMap(
-    ({ kind, nodes = [], handler }) => kind === "start" ? nodes : handler ? startedBy([handler]) : []));
 }

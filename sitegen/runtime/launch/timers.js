@@ -20,13 +20,18 @@ export function delay(seconds, signal) {
 
 /**
  * Resolve after `seconds` of the time on /clock, or when `signal` aborts. When time jumps back, they begin anew.
- * @param {Ros} ros @param {number} seconds @param {AbortSignal} signal @returns {Promise<void>}
+ * @param {Ros} ros @param {number} seconds @param {AbortSignal} signal @param {(text: string) => void} warn
+ * @returns {Promise<void>}
  */
-export function delayRosTime(ros, seconds, signal) {
-  if (!ros.types[TYPE]) return delay(seconds, signal); // no node of the page has simulated time
+export function delayRosTime(ros, seconds, signal, warn) {
+  if (!ros.types[TYPE]) {
+    warn("no node of this page has simulated time; the timer follows the clock of the computer");
+    return delay(seconds, signal);
+  }
   return new Promise((resolve) => {
     let begin = Infinity;
     const done = () => {
+      signal.removeEventListener("abort", done);
       unsubscribe();
       resolve();
     };
@@ -35,6 +40,6 @@ export function delayRosTime(ros, seconds, signal) {
       begin = Math.min(begin, now);
       if (now - begin >= seconds) done();
     });
-    signal.addEventListener("abort", done, { once: true });
+    signal.addEventListener("abort", done);
   });
 }

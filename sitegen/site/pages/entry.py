@@ -107,6 +107,7 @@ def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
         "package": launch.package,
         "file": launch.file,
         "nodes": list(launch.nodes),
+        **({"first": [*launch.first]} if launch.later else {}),
         **({"handlers": [_handler(each) for each in launch.handlers]} if launch.handlers else {}),
         **({"asked": own} if own else {}),
     }

@@ -148,3 +148,17 @@ def test_one_node_follows_another(tab: Tab, serve: Serve, built: Built) -> None:
         "[INFO] [launch.user]: over",
         "[INFO] [launch]: process[act-2] was required: shutting down launched system",
     ]
+
+
+def test_a_timer_follows_simulated_time(tab: Tab, serve: Serve, built: Built) -> None:
+    tab.goto(f"{serve(built(SITE))}simulated/")
+    panel = Panel(tab, "simulated.launch.xml", "Launch")
+    panel.wait_for("first has started")
+    terminal = Terminal(tab, 130)
+    # To the node and to the timer; time begins at 10, jumps back to 2, and is over at 7.
+    publish = "ros2 topic pub --once -w 2 /clock rosgraph_msgs/msg/Clock '{{clock: {{sec: {}}}}}'"
+    for second in (10, 14, 2, 6):
+        assert "publishing #1" in terminal.run(publish.format(second))
+    assert panel.lines() == ["late: starts after 5 s", "first has started"]
+    assert "publishing #1" in terminal.run(publish.format(7))
+    panel.wait_for("late has started")

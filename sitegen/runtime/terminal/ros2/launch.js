@@ -1,7 +1,7 @@
 // @ts-check
 // ros2 launch: start the nodes that the launch file of the page starts, as new processes.
 
-import { LaunchRun } from "../../launch/launchRun.js";
+import { LaunchRun, isOver } from "../../launch/launchRun.js";
 import { Output } from "./output.js";
 import { flag } from "./verb.js";
 
@@ -101,7 +101,7 @@ class Processes {
     this.#running.set(name, { title, node });
     this.#write("INFO", title, "process started");
     const output = new Output(this.#io, node, `[${title}] `);
-    node.addEventListener("state", async () => {
+    node.addEventListener("state", () => {
       if (!isOver(node)) return;
       const code = node.code;
       this.failed ||= Boolean(code);
@@ -119,9 +119,4 @@ class Processes {
       this.run.shutdown();
     });
   }
-}
-
-/** @param {NodeHandle} node */
-function isOver({ state }) {
-  return state === "stopped" || state === "failed";
 }

@@ -11,7 +11,11 @@ class Act : public rclcpp_lifecycle::LifecycleNode
 {
 public:
   Act()
-  : LifecycleNode("act") {std::printf("up\n");}
+  : LifecycleNode("act")
+  {
+    // With parameters, it follows simulated time.
+    std::printf("%s\n", declare_parameter("greeting", "up").c_str());
+  }
 
   CallbackReturn on_configure(const rclcpp_lifecycle::State &) override
   {
