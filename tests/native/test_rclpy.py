@@ -27,7 +27,7 @@ PROGRAMS = [
     *("pubsub", "services", "parameters", "policies", "threads", "errors", "data"),
     *("actions", "lifecycle", "graph", "executors", "event_loops", "loops"),
     *("introspection", "goals", "loggers", "overrides", "scheduling", "observers", "outlived"),
-    "ending",
+    *("ending", "jumps"),
 ]
 
 # Run a node to its end, and return its lines: a console would keep only the last.

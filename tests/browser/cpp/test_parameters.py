@@ -47,6 +47,10 @@ def test_parameters_are_checked_watched_and_served(played: Played) -> None:
         "began 0",
         "slept 1",
         "ended 100, calls 1",
+        "past 1",
+        "rate 1 1",
+        "end 39",
+        "became real",
         "done",
     ]
 

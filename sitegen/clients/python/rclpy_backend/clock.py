@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
+from weakref import WeakSet
 
 import ros_host
 
@@ -14,6 +15,8 @@ from rclpy_backend.system import blocking
 
 if TYPE_CHECKING:
     from rclpy.clock import JumpHandle
+
+    from rclpy_backend.timer import Timer
 
 MILLISECOND = 1_000_000
 
@@ -54,6 +57,7 @@ class Clock(Destroyable):
         self.simulated = False
         self._time = 0
         self._handles: list[tuple[JumpHandle, bool, int, int]] = []
+        self.timers: WeakSet[Timer] = WeakSet()
 
     def now(self) -> int:
         """Return the time in nanoseconds."""
@@ -82,8 +86,8 @@ class Clock(Destroyable):
         def take() -> None:
             self._time = time_point.nanoseconds
 
-        if self.simulated:
-            delta = time_point.nanoseconds - self._time
+        delta = time_point.nanoseconds - self._time
+        if self.simulated and delta:
             self._jump(ClockChange.ROS_TIME_NO_CHANGE, delta, take)
         else:
             take()
@@ -112,7 +116,12 @@ class Clock(Destroyable):
         for handle in told:
             if handle._pre_callback:
                 handle._pre_callback()
+        timers = list(self.timers)
+        for timer in timers if changes else ():
+            timer.save_left()
         make()
+        for timer in timers:
+            timer.follow_jump(changes)
         for handle in told:
             if handle._post_callback:
                 handle._post_callback({"clock_change": change, "delta": delta})

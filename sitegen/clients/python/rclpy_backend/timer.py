@@ -21,6 +21,8 @@ class Timer(Destroyable):
         self._canceled = not autostart
         self._last = clock.now()
         self._next = self._last + self._period
+        self._left = 0
+        clock.timers.add(self)
 
     def is_timer_ready(self) -> bool:
         """Return whether the timer is due."""
@@ -49,10 +51,10 @@ class Timer(Destroyable):
         now, expected = self.clock.now(), self._next
         self._last = now
         self._next += self._period
-        if self._next < now:
+        if self._next <= now:
             # Skip missed calls, and keep the phase.
-            missed = (now - self._next) // self._period + 1 if self._period else 0
-            self._next = self._next + missed * self._period if self._period else now
+            late = now - self._next
+            self._next += (late // self._period + 1) * self._period if self._period else late
         return {"expected_call_time": expected, "actual_call_time": now}
 
     def reset_timer(self) -> None:
@@ -84,3 +86,23 @@ class Timer(Destroyable):
     def is_timer_canceled(self) -> bool:
         """Return whether the timer is canceled."""
         return self._canceled
+
+    def save_left(self) -> None:
+        """Keep what is left of the period before the source of the clock changes."""
+        # A clock without a message from /clock is at 0, and says nothing about the period.
+        if now := self.clock.now():
+            self._left = self._next - now
+
+    def follow_jump(self, source_changed: bool) -> None:
+        """Adapt the times of the calls to a clock that has jumped."""
+        now = self.clock.now()
+        if not source_changed:
+            if now < self._last and now < self._next:
+                self._last, self._next = now, now + self._period
+        elif now and self._left:
+            # As rcl does, which adds what was left to the last call instead of to now.
+            self._last = now - self._left
+            self._next, self._left = self._last + self._period, 0
+
+    def _destroy(self) -> None:
+        self.clock.timers.discard(self)

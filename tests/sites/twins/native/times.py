@@ -63,7 +63,7 @@ def play():
             rclpy.spin_once(node, timeout_sec=0.05)
         for _ in range(5):
             rclpy.spin_once(node, timeout_sec=0.05)
-        print("tick", milliseconds, len(fired))
+        print("tick", milliseconds, len(fired), timer.time_until_next_call() or "canceled")
 
     for milliseconds in (500, 1000, 1500, 2000, 2100):
         tick(milliseconds)
@@ -74,8 +74,19 @@ def play():
     timer.reset()
     tick(4400)
     tick(4600)
+    # Back by little, by much, and exactly to the time of a call.
+    for milliseconds in (4300, 5200, 5300, 1000, 1900, 2000, 9000, 8500, 9700):
+        tick(milliseconds)
     node.set_parameters([Parameter("use_sim_time", value=False)])
-    print(clock.ros_time_is_active)
+    print(clock.ros_time_is_active, timer.time_until_next_call() < 500 * 10**6)
+    late = rclpy.create_node("late")
+    later = late.create_timer(1.0, lambda: None)
+    late.set_parameters([Parameter("use_sim_time", value=True)])
+    while late.get_clock().now().nanoseconds == 0:
+        publisher.publish(ClockMessage(clock=Time(seconds=7).to_msg()))
+        rclpy.spin_once(late, timeout_sec=0.05)
+    print(later.time_until_next_call())
+    late.destroy_node()
     node.destroy_timer(timer)
     node.destroy_timer(wall)
 

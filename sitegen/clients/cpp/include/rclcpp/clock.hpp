@@ -34,7 +34,24 @@ struct rcl_jump_threshold_t
 namespace rclcpp
 {
 
+class TimerBase;
 class TimeSource;
+
+namespace detail
+{
+
+/// What ROS clocks get simulated time from.
+class SimulatedTime
+{
+public:
+  /// Set the clocks to the latest time.
+  virtual void take() = 0;
+
+protected:
+  ~SimulatedTime() = default;
+};
+
+}  // namespace detail
 
 /// Callbacks for time jumps larger than `notice_threshold`.
 class JumpHandler
@@ -84,16 +101,21 @@ public:
     const rcl_jump_threshold_t & threshold);
 
 private:
+  friend class TimerBase;
   friend class TimeSource;
 
-  /// Set the function that supplies ROS time; null for system time.
-  void set_source(std::function<void()> source, std::int64_t nanoseconds);
+  /// The time in nanoseconds, without the messages that the source has not taken yet.
+  std::int64_t time() const;
+  /// Set where ROS time comes from, and its time; null for system time.
+  void set_source(detail::SimulatedTime * source, std::int64_t nanoseconds);
   void set_ros_time(std::int64_t nanoseconds);
-  void jump(std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act);
+  void jump(
+    const rcl_time_jump_t & jump, detail::SimulatedTime * source, std::int64_t nanoseconds);
 
   rcl_clock_type_t clock_;
-  std::function<void()> source_;
+  detail::SimulatedTime * source_ = nullptr;
   std::int64_t ros_time_ = 0;
+  TimerBase * timers_ = nullptr;  // the first of those on this clock
   std::vector<JumpHandler::WeakPtr> handlers_;
   std::mutex mutex_;
 };

@@ -17,7 +17,7 @@ namespace rclcpp
 class Node;
 
 /// Gives ROS clocks the time of /clock while the parameter use_sim_time of its node is true.
-class TimeSource
+class TimeSource : private detail::SimulatedTime
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(TimeSource)
@@ -41,9 +41,9 @@ private:
   using ClockMessage = rosgraph_msgs::msg::Clock;
 
   void set_active(bool active);
-  /// Clocks read it whenever they are read, so that /clock needs no executor and advances while a callback
+  /// Clocks call it whenever they are read, so that /clock needs no executor and advances while a callback
   /// sleeps.
-  void take();
+  void take() override;
 
   QoS qos_;
   bool active_ = false;

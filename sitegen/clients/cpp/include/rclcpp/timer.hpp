@@ -31,6 +31,7 @@ public:
   TimerBase(
     Clock::SharedPtr clock, std::chrono::nanoseconds period, Callback callback,
     bool autostart = true);
+  ~TimerBase() override;
 
   void cancel() {canceled_ = true;}
   bool is_canceled() const {return canceled_;}
@@ -48,12 +49,21 @@ public:
   void execute_callback(const std::shared_ptr<void> & info = nullptr);
 
   bool execute_one() override;
-  std::int64_t time_left() const override {return time_until_trigger().count();}
+  std::int64_t time_left() const override;
 
 private:
+  friend class Clock;
+
+  /// Keep what is left of the period before the source of the clock changes.
+  void save_left();
+  void follow_jump(bool source_changed);
+
   Clock::SharedPtr clock_;
-  std::int64_t period_;  // ns, as next_, on its clock
+  TimerBase * next_on_clock_ = nullptr;
+  std::int64_t period_;  // ns, as the following, on its clock
+  std::int64_t last_;
   std::int64_t next_;
+  std::int64_t left_ = 0;
   bool canceled_;
   bool in_use_by_wait_set_ = false;
   std::shared_ptr<TimerInfo> info_ = std::make_shared<TimerInfo>();

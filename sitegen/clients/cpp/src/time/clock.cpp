@@ -6,18 +6,20 @@
 #include "rclcpp/detail/platform.hpp"
 #include "rclcpp/detail/stacks.hpp"
 #include "rclcpp/exceptions.hpp"
-#include "rclcpp/logging.hpp"
+#include "rclcpp/timer.hpp"
 
 namespace rclcpp
 {
 
 Time Clock::now() const
 {
-  if (source_) {
-    source_();
-    return Time(ros_time_, clock_);
-  }
-  return Time(detail::nanoseconds(detail::now()), clock_);
+  if (source_) {source_->take();}
+  return Time(time(), clock_);
+}
+
+std::int64_t Clock::time() const
+{
+  return source_ ? ros_time_ : detail::nanoseconds(detail::now());
 }
 
 bool Clock::ros_time_is_active() const
@@ -25,7 +27,7 @@ bool Clock::ros_time_is_active() const
   if (clock_ != RCL_ROS_TIME) {
     throw exceptions::RCLError("failed to check ros_time_override_status: clock is not of ROS time");
   }
-  return static_cast<bool>(source_);
+  return source_;
 }
 
 bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
@@ -39,16 +41,15 @@ bool Clock::sleep_until(Time until, Context::SharedPtr context)
     throw std::runtime_error("context cannot be slept with because it's invalid");
   }
   if (until.get_clock_type() != clock_) {
-    RCLCPP_ERROR(get_logger("rclcpp"), "until's clock type does not match this clock's type");
-    return false;
+    throw std::runtime_error("until's clock type does not match this clock's type");
   }
-  const bool active = static_cast<bool>(source_);
+  const auto source = source_;
   do {
     const double left = static_cast<double>((until - now()).nanoseconds()) / 1e6;
-    // ROS time advances by messages, which end all waits.
-    detail::wait(active ? -1 : std::max(0.0, left));
-  } while (context->is_valid() && active == static_cast<bool>(source_) && now() < until);
-  return context->is_valid() && active == static_cast<bool>(source_);
+    // Simulated time advances by messages, which end all waits.
+    detail::wait(source && left > 0 ? -1 : std::max(0.0, left));
+  } while (context->is_valid() && source == source_ && now() < until);
+  return context->is_valid() && source == source_;
 }
 
 bool Clock::wait_until_started(Context::SharedPtr context)
@@ -68,9 +69,10 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
 }
 
 void Clock::jump(
-  std::int64_t delta, rcl_clock_change_t change, const std::function<void()> & act)
+  const rcl_time_jump_t & jump, detail::SimulatedTime * source, std::int64_t nanoseconds)
 {
-  const bool changed = change != RCL_ROS_TIME_NO_CHANGE;
+  const std::int64_t delta = jump.delta.nanoseconds;
+  const bool changed = jump.clock_change != RCL_ROS_TIME_NO_CHANGE;
   std::vector<JumpHandler::SharedPtr> told;
   for (const auto & handler : handlers_) {
     auto living = handler.lock();
@@ -84,31 +86,27 @@ void Clock::jump(
   for (const auto & handler : told) {
     if (handler->pre_callback) {handler->pre_callback();}
   }
-  act();
+  for (auto timer = timers_; changed && timer; timer = timer->next_on_clock_) {timer->save_left();}
+  source_ = source;
+  ros_time_ = nanoseconds;
+  for (auto timer = timers_; timer; timer = timer->next_on_clock_) {timer->follow_jump(changed);}
   for (const auto & handler : told) {
-    if (handler->post_callback) {handler->post_callback({change, {delta}});}
+    if (handler->post_callback) {handler->post_callback(jump);}
   }
   detail::wake();
 }
 
-void Clock::set_source(std::function<void()> source, std::int64_t nanoseconds)
+void Clock::set_source(detail::SimulatedTime * source, std::int64_t nanoseconds)
 {
-  const bool active = static_cast<bool>(source);
-  if (active == static_cast<bool>(source_)) {return;}
-  const auto system = Clock(RCL_ROS_TIME).now().nanoseconds();
-  const std::int64_t delta = active ? nanoseconds - system : system - ros_time_;
-  jump(
-    delta, active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, [&] {
-      source_ = std::move(source);
-      ros_time_ = nanoseconds;
-    });
+  if (!source == !source_) {return;}
+  jump({source ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, {0}}, source, 0);
+  set_ros_time(nanoseconds);
 }
 
 void Clock::set_ros_time(std::int64_t nanoseconds)
 {
-  if (!source_) {return;}
-  jump(
-    nanoseconds - ros_time_, RCL_ROS_TIME_NO_CHANGE, [this, nanoseconds] {ros_time_ = nanoseconds;});
+  if (!source_ || nanoseconds == ros_time_) {return;}
+  jump({RCL_ROS_TIME_NO_CHANGE, {nanoseconds - ros_time_}}, source_, nanoseconds);
 }
 
 }  // namespace rclcpp

@@ -31,16 +31,17 @@ Rate::Rate(const Duration & period, Clock::SharedPtr clock)
 bool Rate::sleep()
 {
   const Time now = clock_->now();
-  if (now < last_) {last_ = now;}  // the clock went backwards
-  const Time next = last_ + period_;
+  // After a jump back in time, each period begins with a call, as upstream.
+  const Time next = (now < last_ ? now : last_) + period_;
+  last_ = last_ + period_;
   if (next <= now) {
-    // Late by more than a period: restart instead of catching up.
-    last_ = now > next + period_ ? now : next;
+    // Late by more than a period: do not catch up.
+    if (now > next + period_) {last_ = now + period_;}
     return false;
   }
-  last_ = next;
   // Stop may have arrived after the loop called ok(): not an error.
-  return contexts::get_global_default_context()->is_valid() && clock_->sleep_for(next - now);
+  if (contexts::get_global_default_context()->is_valid()) {clock_->sleep_for(next - now);}
+  return true;
 }
 
 void Rate::reset() {last_ = clock_->now();}

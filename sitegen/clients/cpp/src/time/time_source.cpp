@@ -56,7 +56,7 @@ void TimeSource::attachClock(Clock::SharedPtr clock)
     throw std::invalid_argument("Cannot attach clock to a time source that's not a ROS clock");
   }
   clocks_.push_back(clock);
-  if (active_) {clock->set_source([this] {take();}, last_);}
+  if (active_) {clock->set_source(this, last_);}
 }
 
 void TimeSource::detachClock(Clock::SharedPtr clock)
@@ -76,9 +76,7 @@ void TimeSource::set_active(bool active)
         for (const auto & clock : clocks_) {clock->set_ros_time(last_);}
       });
   }
-  for (const auto & clock : clocks_) {
-    clock->set_source(active ? std::function<void()>([this] {take();}) : nullptr, last_);
-  }
+  for (const auto & clock : clocks_) {clock->set_source(active ? this : nullptr, last_);}
   if (!active) {subscription_.reset();}
 }
 

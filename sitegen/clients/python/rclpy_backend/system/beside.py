@@ -123,6 +123,6 @@ def until_next(seconds: float | None) -> float | None:
     idle = [spinner for spinner in _spinners if spinner not in _busy]
     nodes = [node for spinner in idle for node in spinner.executor.get_nodes()]
     timers = [timer for node in nodes for timer in node.timers]
-    left = [timer.time_until_next_call() for timer in timers if not timer.is_canceled()]
+    left = [timer.time_until_next_call() for timer in timers if not timer.clock.handle.simulated]
     times = [max(each, 0) / 1e9 for each in left if each is not None]
     return min([*times, *([] if seconds is None else [seconds])], default=None)

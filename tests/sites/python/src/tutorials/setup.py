@@ -40,6 +40,7 @@ setup(
             "overrides = tutorials.overrides:main",
             "outlived = tutorials.outlived:main",
             "ending = tutorials.ending:main",
+            "jumps = tutorials.jumps:main",
             "spinning = tutorials.spinning:main",
             "serializing = tutorials.serializing:main",
             "entries = tutorials.entries:main",

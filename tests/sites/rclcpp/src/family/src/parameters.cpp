@@ -70,6 +70,46 @@ void attempt(Call call)
   }
 }
 
+/// A node on a clock that stands still, jumps back, and becomes real.
+void jump(const rclcpp::Node::SharedPtr & node, rclcpp::Publisher<rosgraph_msgs::msg::Clock> & out)
+{
+  const auto clock = node->get_clock();
+  const auto show = [&](int second) {
+      rosgraph_msgs::msg::Clock message;
+      message.clock.sec = second;
+      out.publish(message);
+      while (clock->now().seconds() != second) {std::this_thread::sleep_for(1ms);}
+    };
+  std::printf("past %d\n", clock->sleep_until(rclcpp::Time(50, 0, RCL_ROS_TIME)));
+  rclcpp::Rate rate(rclcpp::Duration(10, 0), clock);
+  show(5);
+  std::thread time([&] {
+      for (int second = 6; second < 40; ++second) {show(second);}
+    });
+  const bool slept = rate.sleep();
+  std::printf("rate %d %d\n", slept, clock->now().seconds() >= 15);
+  time.join();
+  std::printf("end %d\n", static_cast<int>(clock->now().seconds()));
+
+  bool called = false;
+  auto timer = node->create_timer(20ms, [&] {called = true;});
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  std::thread spinner([&] {executor.spin();});
+  bool whole = true;
+  std::thread sleeper([&] {whole = clock->sleep_for(rclcpp::Duration(3600, 0));});
+  for (bool simulated = false; whole; simulated = !simulated) {
+    node->set_parameter({"use_sim_time", simulated});
+    std::this_thread::sleep_for(1ms);
+  }
+  node->set_parameter({"use_sim_time", false});
+  while (!called) {std::this_thread::sleep_for(1ms);}
+  sleeper.join();
+  executor.cancel();
+  spinner.join();
+  std::puts("became real");
+}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -160,6 +200,7 @@ int main(int argc, char ** argv)
   time.join();
   rclcpp::spin_some(late);
   std::printf("ended %d, calls %d\n", static_cast<int>(late->now().seconds()), calls);
+  jump(late, *clock);
   executor.cancel();
   spinner.join();
   std::puts("done");

@@ -2,6 +2,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "rcl_interfaces/msg/log.hpp"
 #include "rclcpp/rclcpp.hpp"
@@ -63,7 +64,8 @@ void play_times()
       publisher->publish(message);
       while (clock->now().nanoseconds() != milliseconds * 1000000) {executor.spin_once(50ms);}
       for (int i = 0; i < 5; ++i) {executor.spin_once(50ms);}
-      say("tick", milliseconds, fired);
+      const auto until = timer->time_until_trigger().count();
+      say("tick", milliseconds, fired, timer->is_canceled() ? "canceled" : std::to_string(until));
     };
   for (const int milliseconds : {500, 1000, 1500, 2000, 2100}) {tick(milliseconds);}
   say(timer->time_until_trigger().count(), timer->is_ready(), timer->is_canceled());
@@ -73,8 +75,23 @@ void play_times()
   timer->reset();
   tick(4400);
   tick(4600);
+  // Back by little, by much, and exactly to the time of a call.
+  for (const int milliseconds : {4300, 5200, 5300, 1000, 1900, 2000, 9000, 8500, 9700}) {
+    tick(milliseconds);
+  }
   node->set_parameter({"use_sim_time", false});
-  say(clock->ros_time_is_active());
+  say(clock->ros_time_is_active(), timer->time_until_trigger() < 500ms);
+  auto late = std::make_shared<rclcpp::Node>("late");
+  auto later = late->create_timer(1s, [] {});
+  late->set_parameter({"use_sim_time", true});
+  while (!late->now().nanoseconds()) {
+    rosgraph_msgs::msg::Clock message;
+    message.clock = Time(7, 0);
+    publisher->publish(message);
+    rclcpp::spin_some(late);
+  }
+  say(later->time_until_trigger().count());
+  late.reset();
   timer.reset();
   wall.reset();
 
