@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 import yaml
 from browser import Built, Serve
@@ -48,6 +50,21 @@ def test_events_reach_both_sides(page: Page) -> None:
         "deadline missed 1",
         "heard",
         "matched 1, +1",
+    ]
+
+
+def test_a_depth_of_zero_is_warned_of_as_upstream_and_keeps_a_message(page: Page) -> None:
+    (zero,) = start(page, "zero")
+    zero.wait_for("got 7")
+    lines = [re.sub(r" \[[\d.]+\]", "", line) for line in zero.lines()]
+    stored = "A zero depth with KEEP_LAST doesn't make sense; no data could be stored."
+    left = "This will be interpreted as SYSTEM_DEFAULT"
+    assert lines == [
+        "[INFO] [zero]: nothing yet",
+        f"[WARN] [rclcpp]: {stored} {left}",
+        f"[WARN] [rclcpp]: {stored}{left}",
+        "[INFO] [zero]: depth 0",
+        "[INFO] [zero]: got 7",
     ]
 
 

@@ -53,13 +53,11 @@ std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind);
 
 struct QoSInitialization
 {
-  QoSInitialization(rmw_qos_history_policy_e history_policy, std::size_t history_depth)
-  : history_policy(history_policy), depth(history_depth) {}
+  QoSInitialization(
+    rmw_qos_history_policy_e history_policy, std::size_t history_depth,
+    bool print_depth_warning = true);
 
-  static QoSInitialization from_rmw(const rmw_qos_profile_t & rmw_qos)
-  {
-    return {rmw_qos.history, rmw_qos.depth};
-  }
+  static QoSInitialization from_rmw(const rmw_qos_profile_t & rmw_qos);
 
   rmw_qos_history_policy_e history_policy;
   std::size_t depth;
@@ -67,8 +65,8 @@ struct QoSInitialization
 
 struct KeepLast : QoSInitialization
 {
-  explicit KeepLast(std::size_t depth)
-  : QoSInitialization(RMW_QOS_POLICY_HISTORY_KEEP_LAST, depth) {}
+  explicit KeepLast(std::size_t depth, bool print_depth_warning = true)
+  : QoSInitialization(RMW_QOS_POLICY_HISTORY_KEEP_LAST, depth, print_depth_warning) {}
 };
 
 struct KeepAll : QoSInitialization

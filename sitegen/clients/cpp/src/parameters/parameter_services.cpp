@@ -38,7 +38,7 @@ std::string attempt(const char * what, ActT act)
     act();
     return "";
   } catch (const std::runtime_error & error) {
-    RCLCPP_DEBUG(get_logger("rclcpp"), "Failed to %s parameters: %s", what, error.what());
+    RCLCPP_DEBUG(Logger("rclcpp"), "Failed to %s parameters: %s", what, error.what());
     return error.what();
   }
 }

@@ -123,7 +123,7 @@ bool Receiver::decode(
   const bool fits = deserialize(type, message, raw.buffer, raw.buffer_length);
   if (!fits) {
     RCLCPP_ERROR(
-      get_logger("rclcpp"), "dropped %zu bytes on '%s': not a valid %s",
+      Logger("rclcpp"), "dropped %zu bytes on '%s': not a valid %s",
       raw.buffer_length, name().c_str(), type.name);
   }
   return fits;

@@ -1,6 +1,9 @@
 #include "rclcpp/qos.hpp"
 
 #include <tuple>
+#include <utility>
+
+#include "rclcpp/logging.hpp"
 
 namespace rclcpp
 {
@@ -56,6 +59,16 @@ std::string warnings(const rmw_qos_profile_t & offered, const rmw_qos_profile_t 
   return found;
 }
 
+/// Warn once. Upstream, one of the two texts lacks the space.
+void warn_of_zero_depth(bool & warned, const char * space)
+{
+  if (std::exchange(warned, true)) {return;}
+  RCLCPP_WARN(
+    Logger("rclcpp"),
+    "A zero depth with KEEP_LAST doesn't make sense; no data could be stored.%s"
+    "This will be interpreted as SYSTEM_DEFAULT", space);
+}
+
 }  // namespace
 
 std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind)
@@ -71,6 +84,22 @@ std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t policy_kind)
   }
 }
 
+QoSInitialization::QoSInitialization(
+  rmw_qos_history_policy_e history_policy, std::size_t history_depth, bool print_depth_warning)
+: history_policy(history_policy), depth(history_depth)
+{
+  static bool warned = false;
+  if (history_policy == RMW_QOS_POLICY_HISTORY_KEEP_LAST && !depth && print_depth_warning) {
+    warn_of_zero_depth(warned, " ");
+  }
+}
+
+QoSInitialization QoSInitialization::from_rmw(const rmw_qos_profile_t & rmw_qos)
+{
+  if (rmw_qos.history == RMW_QOS_POLICY_HISTORY_KEEP_ALL) {return KeepAll();}
+  return KeepLast(rmw_qos.depth, rmw_qos.history != RMW_QOS_POLICY_HISTORY_SYSTEM_DEFAULT);
+}
+
 QoS::QoS(const QoSInitialization & qos_initialization, const rmw_qos_profile_t & initial_profile)
 : profile_(initial_profile)
 {
@@ -80,6 +109,8 @@ QoS::QoS(const QoSInitialization & qos_initialization, const rmw_qos_profile_t &
 
 QoS & QoS::keep_last(std::size_t depth)
 {
+  static bool warned = false;
+  if (!depth) {warn_of_zero_depth(warned, "");}
   profile_.depth = depth;
   return history(HistoryPolicy::KeepLast);
 }

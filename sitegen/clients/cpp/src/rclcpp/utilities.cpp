@@ -21,7 +21,7 @@ Context & context_or_default(const Context::SharedPtr & context)
 
 void on_signal(int signal)
 {
-  RCLCPP_INFO(get_logger("rclcpp"), "signal_handler(signum=%d)", signal);
+  RCLCPP_INFO(Logger("rclcpp"), "signal_handler(signum=%d)", signal);
   auto & context = *contexts::get_global_default_context();
   if (context.get_init_options().shutdown_on_signal) {context.shutdown("signal handler");}
 }
