@@ -40,8 +40,7 @@ bool Rate::sleep()
     return false;
   }
   // Stop may have arrived after the loop called ok(): not an error.
-  if (contexts::get_global_default_context()->is_valid()) {clock_->sleep_for(next - now);}
-  return true;
+  return contexts::get_global_default_context()->is_valid() && clock_->sleep_for(next - now);
 }
 
 void Rate::reset() {last_ = clock_->now();}
