@@ -28,7 +28,7 @@ const BUNDLES = {
     export {
       AmbientLight, ArrowHelper, AxesHelper, Box3, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color,
       ConeGeometry, CylinderGeometry, DataTexture, DirectionalLight, DoubleSide, DynamicDrawUsage, Euler,
-      Float32BufferAttribute, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineSegments,
+      Float32BufferAttribute, Group, HemisphereLight, InstancedBufferAttribute, InstancedMesh, Line, LineBasicMaterial, LineSegments,
       LoadingManager, Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MOUSE, NearestFilter, Object3D,
       OrthographicCamera, PerspectiveCamera, Plane, PlaneGeometry, Points, PointsMaterial, Quaternion, Raycaster,
       RedFormat, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,

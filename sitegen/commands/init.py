@@ -16,7 +16,7 @@ from sitegen.commands.github import workflows
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.paths import segment
 from sitegen.errors import Location, Problems, SiteError, relative
-from sitegen.launch import launched
+from sitegen.launch import Window, launched
 from sitegen.model import Node, Package
 from sitegen.nodes.python import archives, dependencies
 from sitegen.report import Report
@@ -116,10 +116,13 @@ def _runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         for file in _files(package, LAUNCH):
             problems = Problems(root)
             path = package.path / file
-            started = launched(path, {}, {**workspace.shipped_packages(), **packages}, problems)
+            windows: list[Window] = []
+            there = {**workspace.shipped_packages(), **packages}
+            started = launched(path, {}, there, problems, opened=windows)
             lines = [*problems.lines, *_faults(root, started, packages, missing).values()]
             if not started and not lines:
-                lines = ["starts no node that can run in the browser"]
+                what = "opens windows, but starts" if windows else "starts"
+                lines = [f"{what} no node that can run in the browser"]
             if lines:
                 where = relative(path, root)
                 faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")

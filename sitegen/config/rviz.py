@@ -37,6 +37,7 @@ CLASSES: Mapping[str, tuple[str, Mapping[str, str]]] = {
             "axes": "Show Axes",
             "arrows": "Show Arrows",
             "scale": "Marker Scale",
+            "timeout": "Frame Timeout",
         },
     ),
     "RobotModel": (

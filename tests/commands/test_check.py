@@ -15,7 +15,7 @@ from sitegen.errors import SiteError
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
 
-SITES = ["demos/demo03", "demos/demo04", "demos/demo05", "demos/demo06"]
+SITES = [f"demos/demo{number:02}" for number in (3, 4, 5, 6, 9, 10, 11, 13, 14)]
 
 CPP = """\
 #include <memory>
@@ -287,6 +287,38 @@ def test_a_widget_may_be_wrong_too(tmp_path: Path) -> None:
     assert "this widget subscribes to '/chater'" in found[0]
     assert "this widget publishes '/chat'" in found[1]
     assert "but std_msgs/msg/Int32 for this widget (site.yaml:14)" in found[4]
+
+
+@pytest.mark.parametrize("widget", ["3d:", "joints:", "teleop:", "parameters:", "tf:"])
+def test_a_panel_silences_nothing(widget: str, tmp_path: Path) -> None:
+    listener = PYTHON.replace('"chatter"', '"chater"')
+    site = SITE.replace("console: server", f"console: server\n      - {widget}")
+    found = warnings(write(tmp_path, site=site, listener=listener))
+    told = [line for line in found if "'listener' subscribes to '/chater'" in line]
+    # The view shows whatever there is, so it may be the other side of the talker.
+    assert len(told) == 1
+    own = [line for line in found if "this widget" in line]
+    assert [line.partition("this widget ")[2].partition(" on page")[0] for line in own] == {
+        "joints:": ["publishes '/joint_states'", "subscribes to '/robot_description'"],
+        "teleop:": ["publishes '/cmd_vel'"],
+    }.get(widget, [])
+
+
+@pytest.mark.parametrize(
+    ("widget", "count"),
+    [
+        ("plot: {series: [/chatter/data]}", 0),
+        ("value: {path: /chatter/data/size}", 0),
+        ("plot: {series: [/chatter.data/size]}", 0),
+        ("plot: {series: [/chater/data]}", 1),
+        ("3d: {displays: [{markers: /chater}]}", 0),
+    ],
+)
+def test_paths_are_read_as_rqt_writes_them(widget: str, count: int, tmp_path: Path) -> None:
+    site = SITE.replace("console: server", f"console: server\n      - {widget}")
+    found = warnings(write(tmp_path, site=site))
+    assert [line for line in found if "this widget subscribes" in line][count:] == []
+    assert len(found) == count
 
 
 def test_packages_that_are_absent(tmp_path: Path) -> None:

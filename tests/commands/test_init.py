@@ -95,7 +95,8 @@ launch:
         "'swimmer'; known: listener, talker",
         "src/bringup/launch/all_launch.xml:1: include: 'all.launch.py' is outside the folder of "
         "site.yaml",
-        "src/bringup/launch/look.launch.xml: starts no node that can run in the browser",
+        "src/bringup/launch/look.launch.xml: opens windows, but starts no node that can run in the "
+        "browser",
     ]
     assert "  /cpp_pubsub/on/  src/cpp_pubsub/launch/on.launch.yaml\n" in said
     for fault in faults:

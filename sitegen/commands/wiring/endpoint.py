@@ -15,7 +15,8 @@ class Endpoint:
     """A publisher, subscription, service or client that a source or a widget creates.
 
     `type` is like std_msgs/msg/String, or empty if it is unknown. An endpoint that is not `sure`
-    may exist or not: it causes no warning, but it may be the counterpart of others.
+    may exist or not: it causes no warning, but it may be the counterpart of others. It may have one
+    of the names in `instead` in place of its own.
     """
 
     kind: str
@@ -23,6 +24,11 @@ class Endpoint:
     type: str
     location: Location
     sure: bool = True
+    instead: frozenset[str] = frozenset()
+
+    @property
+    def names(self) -> frozenset[str]:
+        return self.instead | {self.name}
 
 
 @dataclass

@@ -5,13 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from sitegen.commands.wiring.endpoint import CLIENT, PUBLISHER, SUBSCRIPTION, Endpoint
+from sitegen.config.displays import kinds
+from sitegen.errors import Location
 from sitegen.model import Widget
 
 # Stands for a widget whose topic or service the visitor chooses.
 ANY = "*"
-# These widgets start nodes or show the graph, and have no endpoints to check.
-_LOOK_ON = {"buttons", "console", "graph", "log", "nodes"}
+# These widgets start nodes, show the graph, or have only endpoints that every node has a counterpart for.
+_LOOK_ON = {
+    *("actions", "buttons", "console", "diagnostics", "graph", "launch", "lifecycle", "log"),
+    *("nodes", "parameters", "tf"),
+}
 _TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
+_STAMPED, _JOY = "geometry_msgs/msg/TwistStamped", "sensor_msgs/msg/Joy"
+_STATE, _STRING = "sensor_msgs/msg/JointState", "std_msgs/msg/String"
 _IMAGE, _COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
 _INFO = "sensor_msgs/msg/CameraInfo"
 _WINDOW = "turtlesim_window/msg/Window"
@@ -58,18 +65,23 @@ def _publish(widget: Widget) -> Iterator[Endpoint]:
 def _plot(widget: Widget) -> Iterator[Endpoint]:
     series = widget.options.get("series")
     paths = [*(series if isinstance(series, list) else []), widget.options.get("x")]
-    for topic in dict.fromkeys(_topic_of(path) for path in paths if path):
-        yield Endpoint(SUBSCRIPTION, topic, "", widget.location)
+    for path in dict.fromkeys(str(path) for path in paths if path):
+        yield _subscription(path, widget.location)
     # Visitors add others.
     yield Endpoint(SUBSCRIPTION, ANY, "", widget.location, sure=False)
 
 
 def _value(widget: Widget) -> Iterator[Endpoint]:
-    yield Endpoint(SUBSCRIPTION, _topic_of(widget.options["path"]), "", widget.location)
+    yield _subscription(str(widget.options["path"]), widget.location)
 
 
-def _topic_of(path: object) -> str:
-    return str(path).partition(".")[0]
+def _subscription(path: str, location: Location) -> Endpoint:
+    """Return the subscription for a message path; `/a/b/c` may be the field `c` of `/a/b`."""
+    topic, dot, _ = path.partition(".")
+    parts = topic.split("/")
+    shorter = ("/".join(parts[:count]) for count in range(2, len(parts)))
+    instead = frozenset(() if dot else shorter)
+    return Endpoint(SUBSCRIPTION, topic, "", location, instead=instead)
 
 
 def _image(widget: Widget) -> Iterator[Endpoint]:
@@ -98,14 +110,55 @@ def _robot(widget: Widget) -> Iterator[Endpoint]:
         yield Endpoint(SUBSCRIPTION, str(given["twist"]), _TWIST, widget.location, sure=own)
     if given["kind"] == "vernie":
         own = given["color"] != "/color"
-        text = "std_msgs/msg/String"
-        yield Endpoint(SUBSCRIPTION, str(given["color"]), text, widget.location, sure=own)
+        yield Endpoint(SUBSCRIPTION, str(given["color"]), _STRING, widget.location, sure=own)
         for name, type in _SENSORS.items():
             sensor = f"{given['sensors']}/{name}"
             yield Endpoint(PUBLISHER, sensor, type, widget.location, sure=False)
 
 
+def _joints(widget: Widget) -> Iterator[Endpoint]:
+    topic = widget.options.get("topic") or "/joint_states"
+    description = widget.options.get("description") or "/robot_description"
+    yield Endpoint(PUBLISHER, str(topic), _STATE, widget.location)
+    yield Endpoint(SUBSCRIPTION, str(description), _STRING, widget.location)
+
+
+def _teleop(widget: Widget) -> Iterator[Endpoint]:
+    topic = widget.options.get("topic") or "/cmd_vel"
+    type = _STAMPED if widget.options.get("stamped") else _TWIST
+    yield Endpoint(PUBLISHER, str(topic), type, widget.location)
+    if joy := widget.options.get("joy"):
+        yield Endpoint(PUBLISHER, str(joy), _JOY, widget.location)
+
+
+def _scene(widget: Widget) -> Iterator[Endpoint]:
+    """A view says itself which of its topics, often those of an `.rviz` file, nobody publishes."""
+    where = widget.location
+    shown = widget.options.get("displays")
+    displays = shown if isinstance(shown, list) else []
+    topics = {
+        str(each.get("topic") or kinds()[each["kind"]].defaults.get("topic", ""))
+        for each in displays
+    }
+    for topic in sorted(topics - {""}) if isinstance(shown, list) else [ANY]:
+        yield Endpoint(SUBSCRIPTION, topic, "", where, sure=False)
+        # What comes beside a map and an image, and what interactive markers answer.
+        folder, name = topic.rpartition("/")[::2]
+        for beside in (f"{topic}_updates", f"{folder}/camera_info"):
+            yield Endpoint(SUBSCRIPTION, beside, "", where, sure=False)
+        if name == "update":
+            yield Endpoint(PUBLISHER, f"{folder}/feedback", "", where, sure=False)
+    given = widget.options.get("tools")
+    tools = {**_TOOLS, **(given if isinstance(given, dict) else {})}
+    for topic in tools.values():
+        yield Endpoint(PUBLISHER, str(topic), "", where, sure=False)
+
+
+_TOOLS = {"goal": "/goal_pose", "estimate": "/initialpose", "point": "/clicked_point"}
 _READ = {
+    "3d": _scene,
+    "joints": _joints,
+    "teleop": _teleop,
     "topics": _topics,
     "services": _services,
     "publish": _publish,

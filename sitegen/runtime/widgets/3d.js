@@ -63,7 +63,15 @@ function show(element, ros, options, stage, title) {
   });
   save.title = say("Save a picture");
   const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save, fullScreenButton(element));
-  stage.element.append(tools.note);
+  const blind = create("p", "ros-scene-lost",
+    say("The browser has stopped drawing this view: the graphics card was reset, or too many views are open."));
+  blind.setAttribute("role", "alert");
+  blind.hidden = true;
+  stage.element.append(tools.note, blind);
+  stage.hint = (text) => tools.hint(text);
+  stage.lost = (lost) => {
+    blind.hidden = !lost;
+  };
   stage.background = options.background ?? "";
   if (options.top) stage.top = true;
   if (options.view) stage.view = options.view;

@@ -1,6 +1,7 @@
 // @ts-check
 // Sliders for the joints of a robot, which publish their positions as joint_state_publisher_gui does.
 
+import { RosClock } from "../messages/rosClock.js";
 import { button, create, setNote } from "../ui/elements.js";
 import { say } from "../ui/words.js";
 import { positionsOf, readJoints } from "./joints/description.js";
@@ -37,6 +38,7 @@ export function mount(element, ros, { topic = "/joint_states", description = "/r
 
 class Joints {
   #ros;
+  #clock;
   #topic;
   #source;
   /** @type {Joint[]} */
@@ -58,6 +60,7 @@ class Joints {
   /** @param {Ros} ros @param {string} topic @param {string} source */
   constructor(ros, topic, source) {
     this.#ros = ros;
+    this.#clock = new RosClock(ros);
     this.#topic = topic;
     this.#source = source;
     const center = button(say("Center"), "", () => this.#move(({ start }) => start));
@@ -80,8 +83,10 @@ class Joints {
     const unsubscribe = this.#ros.subscribe(this.#source, STRING, ({ data }) => this.#describe(data), qos);
     this.#publisher = this.#ros.advertise(this.#topic, STATE);
     const timer = setInterval(() => this.#publish(), PERIOD);
+    const unfollow = this.#clock.begin();
     return () => {
       clearInterval(timer);
+      unfollow();
       cancelAnimationFrame(this.#frame);
       this.#frame = 0;
       unsubscribe();
@@ -172,11 +177,10 @@ class Joints {
 
   #publish() {
     if (!this.#publisher || !this.#joints.length) return;
-    const now = Date.now();
     const positions = positionsOf(this.#joints, this.#positions);
     try {
       this.#publisher.publish({
-        header: { stamp: { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 }, frame_id: "" },
+        header: { stamp: this.#clock.now(), frame_id: "" },
         name: [...positions.keys()],
         position: Float64Array.from(positions.values()),
         velocity: new Float64Array(),

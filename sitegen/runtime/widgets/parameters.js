@@ -8,7 +8,7 @@ import { say } from "../ui/words.js";
 import { fromFile, toFile } from "../messages/parameters/file.js";
 import { list, nodesOf, set } from "../messages/parameters/node.js";
 import { Row } from "./parameters/row.js";
-import { parse } from "../messages/parameters/value.js";
+import { parse, textOf } from "../messages/parameters/value.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Parameter } from "../messages/parameters/node.js" */
@@ -69,7 +69,10 @@ class NodeForm {
   #parameters = [];
   /** @type {Map<string, Row>} */
   #row = new Map();
-  #reading = false;
+  /** @type {Promise<void> | undefined} */
+  #reading;
+  /** Whether something changed while the parameters were read. */
+  #stale = false;
   element;
 
   /** @param {Ros} ros @param {string} name of the node @param {boolean} open */
@@ -101,21 +104,30 @@ class NodeForm {
 
   /** Ask the node for its parameters, if they are shown. */
   async read() {
-    if (!this.element.open || this.#reading) return;
-    this.#reading = true;
+    this.#stale = true;
+    if (!this.element.open) return;
+    this.#reading ??= this.#ask().finally(() => {
+      this.#reading = undefined;
+    });
+    await this.#reading;
+  }
+
+  async #ask() {
     try {
-      this.#parameters = await list(this.#ros, this.#name);
+      while (this.#stale) {
+        this.#stale = false;
+        this.#parameters = await list(this.#ros, this.#name);
+      }
       this.#draw();
       this.#tell(this.#parameters.length ? "" : say("This node has no parameters."));
     } catch (error) {
       this.#tell(error instanceof Error ? error.message : String(error), true);
     }
-    this.#reading = false;
   }
 
   /** Show what others have changed. @param {any} event a ParameterEvent */
   hear({ new_parameters: fresh, changed_parameters: changed, deleted_parameters: deleted }) {
-    if (fresh.length || deleted.length) {
+    if (fresh.length || deleted.length || this.#reading) {
       this.read();
       return;
     }
@@ -124,40 +136,48 @@ class NodeForm {
 
   #draw() {
     const former = this.#row;
-    this.#row = new Map(this.#parameters.map((parameter) => [parameter.name, new Row(parameter, async (value) => {
-      const reason = await set(this.#ros, this.#name, [{ name: parameter.name, value }]);
-      if (!reason) parameter.value = value;
-      return reason;
-    })]));
-    const focused = [...former].find(([, { element }]) => element.contains(document.activeElement))?.[0];
-    this.#rows.replaceChildren(...[...this.#row.values()].map(({ element }) => element));
-    const control = this.#row.get(focused ?? "")?.element.querySelector("input:not([hidden])");
-    if (control instanceof HTMLElement) control.focus();
+    this.#row = new Map(this.#parameters.map((parameter) => {
+      const { name } = parameter;
+      const row = former.get(name);
+      row?.describe(parameter);
+      return [name, row ?? new Row(parameter, (value) => set(this.#ros, this.#name, [{ name, value }]))];
+    }));
+    arrange(this.#rows, [...this.#row.values()].map(({ element }) => element));
   }
 
-  /** Set what a file says, one after the other, and tell what was refused. @param {string} text */
+  /** Set what a file says: all of it, or nothing if something is wrong. @param {string} text */
   async #load(text) {
     /** @type {string[]} */
     const faults = [];
     try {
+      const changed = [];
       for (const [name, given] of fromFile(text, this.#name)) {
-        const parameter = this.#parameters.find((each) => each.name === name);
-        const fault = parameter ? await this.#take(parameter, given) : say("the node has no such parameter");
-        if (fault) faults.push(`${name}: ${fault}`);
+        const value = this.#read(name, given, faults);
+        if (value) changed.push({ name, value });
       }
+      const reason = faults.length || !changed.length ? "" : await set(this.#ros, this.#name, changed);
+      if (reason) faults.push(reason);
     } catch (error) {
       faults.push(error instanceof Error ? error.message : String(error));
     }
     await this.read();
-    this.#tell(faults.length ? faults.join("\n") : say("All values were set."), faults.length > 0);
+    const told = faults.length ? [say("Nothing was set:"), ...faults] : [say("All values were set.")];
+    this.#tell(told.join("\n"), faults.length > 0);
   }
 
-  /** @param {Parameter} parameter @param {string} text @returns {Promise<string>} what is wrong */
-  async #take({ name, value }, text) {
+  /**
+   * Return the value that a file gives to a parameter; undefined if that has it already, or if something is wrong.
+   * @param {string} name @param {string} given @param {string[]} faults
+   */
+  #read(name, given, faults) {
     try {
-      return await set(this.#ros, this.#name, [{ name, value: parse(text, value.type) }]);
+      const parameter = this.#parameters.find((each) => each.name === name);
+      if (!parameter) throw new Error(say("the node has no such parameter"));
+      const value = parse(given, parameter.value.type);
+      return textOf(value) === textOf(parameter.value) ? undefined : value;
     } catch (error) {
-      return error instanceof Error ? error.message : String(error);
+      faults.push(`${name}: ${error instanceof Error ? error.message : String(error)}`);
+      return undefined;
     }
   }
 

@@ -1,6 +1,7 @@
 // @ts-check
 // Drive a robot with a stick, keys or a gamepad.
 
+import { RosClock } from "../messages/rosClock.js";
 import { create, setNote, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
@@ -41,6 +42,7 @@ export function mount(element, ros, options) {
 
 class Teleop {
   #ros;
+  #clock;
   #topic;
   #type;
   #joy;
@@ -62,6 +64,7 @@ class Teleop {
   /** @param {Ros} ros @param {Options} options */
   constructor(ros, { topic = "/cmd_vel", stamped = false, linear = "0.5", angular = "1.0", joy, deadman = false }) {
     this.#ros = ros;
+    this.#clock = new RosClock(ros);
     this.#topic = topic;
     this.#type = stamped ? STAMPED : TWIST;
     this.#joy = joy ?? "";
@@ -95,9 +98,11 @@ class Teleop {
     this.#publisher = this.#ros.advertise(this.#topic, this.#type);
     if (this.#joy) this.#joyPublisher = this.#ros.advertise(this.#joy, JOY);
     const timer = setInterval(() => this.#send(), PERIOD);
+    const unfollow = this.#clock.begin();
     return () => {
       this.#seen = false;
       clearInterval(timer);
+      unfollow();
       this.#keys.clear();
       this.#stick.clear();
       this.#send();
@@ -122,30 +127,36 @@ class Teleop {
   #send() {
     if (!this.#publisher) return;
     const pad = this.#seen ? readGamepad(this.#guarded) : undefined;
-    if (pad) this.#publishJoy(pad);
     const inputs = this.#seen ? [this.#stick.read(), this.#keys.read(this.#guarded), pad?.drive ?? NOTHING] : [];
     const drive = inputs.find(({ forward, left }) => forward || left) ?? NOTHING;
+    // What moves or stops the robot comes first, whatever happens to the rest.
+    const faults = [this.#publishDrive(drive), pad ? this.#publishJoy(pad) : ""].filter(Boolean);
+    setNote(this.#note, faults[0] ?? "", faults.length > 0);
+  }
+
+  /** Return what is wrong. @param {Drive} drive */
+  #publishDrive(drive) {
     const drives = drive !== NOTHING;
-    if (!drives && !this.#driving) return;
-    this.#driving = drives;
+    if (!drives && !this.#driving) return "";
     const twist = {
       linear: { x: drive.forward * this.#linear.value(), y: 0, z: 0 },
       angular: { x: 0, y: 0, z: drive.left * this.#angular.value() },
     };
-    try {
-      this.#publisher.publish(this.#type === STAMPED ? { header: header(), twist } : twist);
-      setNote(this.#note, "");
-    } catch (error) {
-      // The queue of a robot that reads too slowly: the command to stop must not be lost.
-      this.#driving = true;
-      setNote(this.#note, error instanceof Error ? error.message : String(error), true);
-    }
     this.#tell(drive);
+    const fault = attempt(() => this.#publisher?.publish(this.#type === STAMPED ? { header: this.#header(), twist } : twist));
+    // The queue of a robot that reads too slowly: the command to stop must not be lost.
+    this.#driving = drives || Boolean(fault);
+    return fault;
   }
 
-  /** @param {{axes: number[], buttons: number[]}} pad */
+  /** Return what is wrong. @param {{axes: number[], buttons: number[]}} pad */
   #publishJoy({ axes, buttons }) {
-    this.#joyPublisher?.publish({ header: header(), axes: Float32Array.from(axes), buttons: Int32Array.from(buttons) });
+    const message = { header: this.#header(), axes: Float32Array.from(axes), buttons: Int32Array.from(buttons) };
+    return attempt(() => this.#joyPublisher?.publish(message));
+  }
+
+  #header() {
+    return { stamp: this.#clock.now(), frame_id: "" };
   }
 
   /** @param {Drive} drive */
@@ -156,9 +167,14 @@ class Teleop {
   }
 }
 
-function header() {
-  const now = Date.now();
-  return { stamp: { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 }, frame_id: "" };
+/** Do something, and return what is wrong. @param {() => void} act */
+function attempt(act) {
+  try {
+    act();
+    return "";
+  } catch (error) {
+    return error instanceof Error ? error.message : String(error);
+  }
 }
 
 /** A slider for the largest speed, up to twice the given one. @param {string} text @param {string} unit @param {string} given */

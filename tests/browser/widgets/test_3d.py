@@ -6,8 +6,8 @@ import re
 from typing import Any
 
 import pytest
+from playwright.sync_api import Locator, expect
 from playwright.sync_api import Page as Tab
-from playwright.sync_api import expect
 from scenes import at, emit, expect_colors, pixels, view
 from stage import add, hide_tab, show, subscribed
 
@@ -326,6 +326,109 @@ def test_tools_publish_a_goal_a_pose_and_a_point(stage: Tab) -> None:
     stage.mouse.move(middle[0] + scale, middle[1])
     expect(panel.locator(".ros-scene-note")).to_have_text(re.compile(r"1\.0\d\d m"))
     stage.mouse.up()
+
+
+def drag(tab: Tab, panel: Locator, begin: tuple[float, float], end: tuple[float, float]) -> None:
+    """Drag from a point of the floor to another, in metres from the middle."""
+    box = panel.locator("canvas").bounding_box()
+    assert box
+    for (x, y), act in ((begin, tab.mouse.down), (end, tab.mouse.up)):
+        scale = box["height"] / 4
+        tab.mouse.move(
+            box["x"] + box["width"] / 2 + x * scale, box["y"] + box["height"] / 2 - y * scale
+        )
+        act()
+
+
+def test_tools_stamp_with_the_time_of_nodes(stage: Tab) -> None:
+    stage.evaluate("void (ros.types['rosgraph_msgs/msg/Clock'] = ros.fields(''))")
+    panel = view(stage, {"kind": "grid"})
+    add(stage, "publisher", "/player", "/clock", "rosgraph_msgs/msg/Clock")
+    goal = panel.get_by_role("button", name="Goal")
+    for at_second in (0, 12):
+        if at_second:
+            emit(stage, "/clock", "{ clock: { sec: 12, nanosec: 5 } }")
+        goal.click()
+        drag(stage, panel, (0, 0), (0, 1))
+        stamp = stage.evaluate("ros.published.at(-1).message.header.stamp")
+        assert stamp == {"sec": at_second, "nanosec": 5 if at_second else 0}
+    stage.evaluate("ros.graph.remove('/player')")
+    goal.click()
+    drag(stage, panel, (0, 0), (0, 1))
+    assert stage.evaluate("ros.published.at(-1).message.header.stamp.sec") > 1e9
+
+
+def test_nothing_is_published_in_a_frame_without_a_name(stage: Tab) -> None:
+    panel = view(stage, {"kind": "grid"}, frame="")
+    panel.get_by_role("button", name="Goal").click()
+    drag(stage, panel, (0, 0), (0, 1))
+    expect(panel.locator(".ros-scene-note")).to_have_text("not published: no frame is known yet")
+    assert stage.evaluate("ros.published") == []
+
+
+def test_points_are_those_that_are_seen(stage: Tab) -> None:
+    add(stage, "publisher", "/node", "/t", "visualization_msgs/msg/Marker")
+    panel = view(stage, {"kind": "markers", "topic": "/t"})
+    emit(stage, "/t", "marker({})")
+    point = panel.get_by_role("button", name="Point", exact=True)
+    point.click()
+    drag(stage, panel, (0.1, 0.1), (0.1, 0.1))
+    assert stage.evaluate("ros.published[0].message.point.z") == pytest.approx(0.5, abs=0.01)
+    panel.locator("summary").click()
+    panel.get_by_role("checkbox", name="Markers /t").uncheck()
+    point.click()
+    drag(stage, panel, (0.1, 0.1), (0.1, 0.1))
+    assert stage.evaluate("ros.published[1].message.point.z") == pytest.approx(0, abs=0.01)
+
+
+def test_a_drawing_that_is_lost_says_so(stage: Tab) -> None:
+    panel = view(stage, {"kind": "axes", "length": 1, "radius": 0.2})
+    alert = panel.get_by_role("alert")
+    expect(alert).to_be_hidden()
+    stage.evaluate(
+        """() => {
+          const canvas = document.querySelector(".ros-scene canvas");
+          window.lose = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
+          lose.loseContext();
+        }"""
+    )
+    expect(alert).to_contain_text("stopped drawing this view")
+    stage.evaluate("lose.restoreContext()")
+    expect(alert).to_be_hidden()
+    expect_colors(panel, {(0.7, 0): "red"})
+
+
+def test_the_page_scrolls_until_the_view_is_selected(stage: Tab) -> None:
+    """By the wheel and by a finger; the view says how it is moved."""
+    panel = view(stage, {"kind": "grid"})
+    stage.evaluate("document.body.style.paddingBlockEnd = '3000px'")
+    box = panel.locator("canvas").bounding_box()
+    assert box
+    middle = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    note = panel.locator(".ros-scene-note")
+    client = stage.context.new_cdp_session(stage)
+
+    def swipe() -> None:
+        gesture = {"x": middle[0], "y": middle[1], "yDistance": -150, "gestureSourceType": "touch"}
+        client.send("Input.synthesizeScrollGesture", gesture)
+
+    swipe()
+    assert stage.evaluate("scrollY") > 100
+    expect(note).to_have_text("Tap the view, then move it with one finger")
+    stage.evaluate("scrollTo(0, 0)")
+    stage.mouse.move(*middle)
+    stage.mouse.wheel(0, 50)
+    expect(note).to_have_text("Click the view to zoom with the wheel")
+    stage.wait_for_function("scrollY > 0")
+    stage.evaluate("scrollTo(0, 0)")
+    panel.locator("canvas").focus()
+    before = stage.evaluate("ros.kept().view")
+    swipe()
+    assert stage.evaluate("scrollY") == 0
+    assert stage.evaluate("ros.kept().view") != before
+    panel.locator("summary").focus()
+    swipe()
+    assert stage.evaluate("scrollY") > 100
 
 
 def test_the_camera_is_moved_by_keys(stage: Tab) -> None:

@@ -39,10 +39,10 @@ NODE = """() => {
     if (service.endsWith("describe_parameters")) {
       return { descriptors: request.names.map((name) => ({ name, ...described[name] })) };
     }
-    for (const { name, value } of request.parameters) {
-      if (name === "count" && value.integer_value > 9n) return { result: { successful: false, reason: "too many" } };
-      node[name] = value;
+    if (request.parameters.some(({ name, value }) => name === "count" && value.integer_value > 9n)) {
+      return { result: { successful: false, reason: "too many" } };
     }
+    for (const { name, value } of request.parameters) node[name] = value;
     return { result: { successful: true, reason: "" } };
   };
 }"""  # noqa: E501
@@ -131,19 +131,118 @@ def test_they_are_saved_and_loaded_as_files(stage: Tab, tmp_path: Path) -> None:
     file = tmp_path / "mover.yaml"
     file.write_text(
         "/**: {ros__parameters: {speed: 1.0}}\n"
-        "/mover: {ros__parameters: {speed: 4.5, count: 99, arm: {name: both}, more: 1}}\n"
+        "/mover: {ros__parameters: {speed: 4.5, fixed: x, arm: {name: both}}}\n"
         "/other: {ros__parameters: {on: false}}\n"
     )
     panel.locator("input[type=file]").set_input_files(file)
     note = panel.locator(".ros-parameter-node > .ros-parameter-hint")
-    expect(note).to_have_text("count: too many\nmore: the node has no such parameter")
+    expect(note).to_have_text("All values were set.")
     assert [value(stage, name) for name in ("speed", "arm.name", "on")] == [4.5, "both", True]
+    # What has its value already is not set: it may be read-only.
+    assert stage.evaluate("ros.calls.at(-4).request.parameters.map(({ name }) => name)") == [
+        *("speed", "arm.name")
+    ]
     file.write_text("a: [")
     panel.locator("input[type=file]").set_input_files(file)
     expect(note).to_have_class("ros-parameter-hint ros-wrong")
     file.write_text("nothing: here")
     panel.locator("input[type=file]").set_input_files(file)
     expect(note).to_contain_text("not a file of parameters")
+
+
+WRONG = {
+    "a value": ("count: 99", "too many"),
+    "a type": ("count: many", "count: 'many' is not a whole number"),
+    "a name": ("more: 1", "more: the node has no such parameter"),
+}
+
+
+@pytest.mark.parametrize("kind", WRONG)
+def test_of_a_file_with_a_fault_nothing_is_set(stage: Tab, tmp_path: Path, kind: str) -> None:
+    entry, reason = WRONG[kind]
+    panel = form(stage)
+    file = tmp_path / "mover.yaml"
+    file.write_text(f"/mover:\n  ros__parameters:\n    speed: 4.5\n    {entry}\n    on: false\n")
+    panel.locator("input[type=file]").set_input_files(file)
+    note = panel.locator(".ros-parameter-node > .ros-parameter-hint")
+    expect(note).to_have_text(f"Nothing was set:\n{reason}")
+    assert [value(stage, name) for name in ("speed", "on")] == [2.5, True]
+
+
+def test_files_have_bytes_and_names_below_names(stage: Tab, tmp_path: Path) -> None:
+    stage.evaluate(NODE)
+    stage.evaluate(
+        """() => {
+          window.node = {
+            a: { type: 2, integer_value: 1n }, "a.b": { type: 2, integer_value: 2n },
+            "a.b.c": { type: 2, integer_value: 3n }, bytes: { type: 5, byte_array_value: Uint8Array.of(1, 255) },
+            "gains.p": { type: 3, double_value: 1 },
+          };
+        }"""
+    )
+    add(stage, "service", "/mover", "/mover/list_parameters", "rcl_interfaces/srv/ListParameters")
+    panel = show(stage, "parameters")
+    expect(panel.get_by_label("bytes byte array")).to_have_value("[1, 255]")
+    _, content = saved(panel.get_by_role("button", name="Save"))
+    assert content.decode() == (
+        "/mover:\n  ros__parameters:\n    a: 1\n    a.b: 2\n    a.b.c: 3\n    bytes: [1, 255]\n"
+        "    gains:\n      p: 1.0\n"
+    )
+    file = tmp_path / "mover.yaml"
+    file.write_bytes(content.replace(b"a.b: 2", b"a.b: 5").replace(b"255", b"7"))
+    panel.locator("input[type=file]").set_input_files(file)
+    expect(panel).to_contain_text("All values were set.")
+    assert [value(stage, name) for name in ("a", "a.b", "a.b.c", "bytes")] == [1, 5, 3, [1, 7]]
+
+
+def test_what_is_being_typed_stays(stage: Tab) -> None:
+    panel = form(stage)
+    name = panel.get_by_label("arm.name string")
+    name.fill("ha")
+    event = """(event) => ros.emit("/parameter_events", { node: "/mover", new_parameters: [],
+      changed_parameters: [], deleted_parameters: [], ...event })"""
+    right = {"name": "arm.name", "value": {"type": 4, "string_value": "right"}}
+    stage.evaluate(event, {"changed_parameters": [right]})
+    stage.evaluate("void (node['arm.name'] = { type: 4, string_value: 'right' })")
+    stage.evaluate("void (node.more = { type: 4, string_value: 'new' })")
+    stage.evaluate(event, {"new_parameters": [{"name": "more"}]})
+    expect(panel.get_by_label("more string")).to_have_value("new")
+    expect(name).to_have_value("ha")
+    expect(name).to_be_focused()
+    stage.keyboard.type("lf")
+    name.press("Enter")
+    expect(name).to_have_value("half")
+    assert value(stage, "arm.name") == "half"
+    name.fill("no")
+    name.press("Escape")
+    expect(name).to_have_value("half")
+
+
+def test_what_changes_during_a_read_is_read(stage: Tab) -> None:
+    panel = form(stage)
+    stage.evaluate(
+        """() => {
+          const { call } = ros;
+          const held = new Promise((resolve) => { window.release = resolve; });
+          ros.call = async (service, ...rest) => {
+            const answer = await call(service, ...rest);
+            if (service.endsWith("get_parameters")) await held;
+            return answer;
+          };
+        }"""
+    )
+    event = "(event) => ros.emit('/parameter_events', { node: '/mover', new_parameters: [],"
+    event += " changed_parameters: [], deleted_parameters: [], ...event })"
+    count = stage.evaluate("ros.calls.length")
+    stage.evaluate(event, {"deleted_parameters": [{"name": "later"}]})
+    stage.wait_for_function("(count) => ros.calls.length >= count + 3", arg=count)
+    stage.evaluate("void (node['arm.name'] = { type: 4, string_value: 'right' })")
+    right = {"name": "arm.name", "value": {"type": 4, "string_value": "right"}}
+    stage.evaluate(event, {"changed_parameters": [right]})
+    stage.evaluate("release()")
+    stage.wait_for_function("(count) => ros.calls.length >= count + 6", arg=count)
+    stage.evaluate("frames()")
+    expect(panel.get_by_label("arm.name string")).to_have_value("right")
 
 
 def test_one_node_can_be_chosen(stage: Tab) -> None:

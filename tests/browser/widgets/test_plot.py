@@ -182,6 +182,23 @@ def test_old_samples_are_forgotten(robot: Tab) -> None:
     assert "1000" not in robot.locator("#panel").inner_text()
 
 
+def test_samples_that_there_is_no_room_for_are_told(robot: Tab) -> None:
+    panel = show(robot, "plot", {"series": ["/v.x"], "window": 600})
+    fill = """async (count) => {
+      const { MOST } = await import("./runtime/widgets/plot/trace.js");
+      for (let n = 0; n < MOST + count; n++) vector((window.at = (window.at ?? 0) + 0.001), n);
+    }"""
+    robot.evaluate(fill, -1)
+    expect(panel.locator(".ros-key li")).to_have_count(1)
+    robot.evaluate(fill, 0)
+    expect(panel.locator(".ros-key li.ros-silent")).to_contain_text(
+        "/v.x: only the last 131072 samples are kept: 131.1 s"
+    )
+    panel.get_by_label("seconds").fill("60")
+    panel.get_by_label("seconds").press("Enter")
+    expect(panel.locator(".ros-key li")).to_have_count(1)
+
+
 def test_an_outline_has_all_peaks(stage: Tab) -> None:
     found = stage.evaluate(
         """async () => {

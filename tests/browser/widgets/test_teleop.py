@@ -125,3 +125,35 @@ def test_speeds_are_set_and_travel_in_links(stage: Tab) -> None:
 def test_a_page_without_the_type_says_so(stage: Tab) -> None:
     panel = show(stage, "teleop", {"stamped": True})
     expect(panel).to_contain_text("no node on this page uses geometry_msgs/msg/TwistStamped")
+
+
+def test_a_robot_stops_whatever_happens_to_the_gamepad(stage: Tab) -> None:
+    stage.evaluate(
+        """() => {
+          ros.types["sensor_msgs/msg/Joy"] = ros.fields("");
+          const { advertise } = ros;
+          ros.advertise = (topic, type) => (topic === "/joy"
+            ? { publish() { throw new Error("the queue is full"); }, close() {} } : advertise(topic, type));
+        }"""
+    )
+    stage.evaluate(PAD, 0)
+    panel = show(stage, "teleop", {"joy": "/joy"})
+    stage.wait_for_function("ros.published.some(({ message }) => message.linear.x > 0.4)")
+    expect(panel.locator(".ros-note")).to_have_text("the queue is full")
+    stage.evaluate(PAD.replace("[-0.5, -1, 0.05]", "[0, 0, 0]"), 0)
+    stage.wait_for_function("ros.published.at(-1).message.linear.x === 0")
+    assert commands(stage)[-1] == (0, 0)
+
+
+def test_stamps_follow_simulated_time(stage: Tab) -> None:
+    stage.evaluate(
+        """() => {
+          ros.types["geometry_msgs/msg/TwistStamped"] = ros.fields("");
+          ros.types["rosgraph_msgs/msg/Clock"] = ros.fields("");
+          ros.graph.add("publisher", "/player", "/clock", "rosgraph_msgs/msg/Clock");
+        }"""
+    )
+    panel = show(stage, "teleop", {"stamped": True})
+    stage.evaluate("ros.emit('/clock', { clock: { sec: 7, nanosec: 0 } })")
+    panel.locator(".ros-stick").press("ArrowUp")
+    assert stage.evaluate("ros.published[0].message.header.stamp.sec") == 7

@@ -3,7 +3,7 @@
 
 import { FAILSAFE_SCHEMA, load } from "../../vendor/yaml.js";
 import { say } from "../../ui/words.js";
-import { yamlOf } from "./value.js";
+import { quoted, yamlOf } from "./value.js";
 
 /** @import { Parameter } from "./node.js" */
 
@@ -13,16 +13,19 @@ const ROOT = "ros__parameters";
 export function toFile(node, parameters) {
   /** @type {Map<string, any>} */
   const tree = new Map();
+  const names = new Set(parameters.map(({ name }) => name));
   for (const { name, value } of parameters) {
-    const path = name.split(".");
-    const last = /** @type {string} */ (path.pop());
     let inner = tree;
-    for (const part of path) {
-      const next = inner.get(part);
-      if (!(next instanceof Map)) inner.set(part, new Map());
+    let rest = name;
+    for (let dot = rest.indexOf("."); dot > 0; dot = rest.indexOf(".")) {
+      // Beside a parameter 'a', 'a.b' is written as one name.
+      if (names.has(name.slice(0, name.length - rest.length + dot))) break;
+      const part = rest.slice(0, dot);
+      if (!inner.has(part)) inner.set(part, new Map());
       inner = inner.get(part);
+      rest = rest.slice(dot + 1);
     }
-    inner.set(last, yamlOf(value));
+    inner.set(rest, yamlOf(value));
   }
   return [`${node}:`, `  ${ROOT}:`, ...lines(tree, "    "), ""].join("\n");
 }
@@ -30,7 +33,7 @@ export function toFile(node, parameters) {
 /** @param {Map<string, any>} tree @param {string} indent @returns {string[]} */
 function lines(tree, indent) {
   return [...tree].flatMap(([name, value]) => (value instanceof Map
-    ? [`${indent}${name}:`, ...lines(value, `${indent}  `)] : [`${indent}${name}: ${value}`]));
+    ? [`${indent}${quoted(name)}:`, ...lines(value, `${indent}  `)] : [`${indent}${quoted(name)}: ${value}`]));
 }
 
 /**

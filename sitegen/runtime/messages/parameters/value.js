@@ -21,6 +21,7 @@ const NAMES = ["not set", "bool", "integer", "double", "string", "byte array", "
   "double array", "string array"];
 
 export const [NOT_SET, BOOL, INTEGER, DOUBLE, STRING] = [0, 1, 2, 3, 4];
+const [DOUBLE_ARRAY, STRING_ARRAY] = [8, 9];
 
 /** The name of a type as ROS has it. @param {number} type */
 export function nameOf(type) {
@@ -42,14 +43,14 @@ export function plainOf(value) {
 export function textOf(value) {
   const plain = plainOf(value);
   if (plain === undefined) return "";
-  return isList(value.type) ? `[${Array.from(plain, itemText).join(", ")}]` : scalarText(plain, value.type);
+  return isList(value.type) ? listText(plain, value.type) : scalarText(plain, value.type);
 }
 
 /** Return a value as YAML. @param {any} value a ParameterValue */
 export function yamlOf(value) {
   const plain = plainOf(value);
   if (plain === undefined) return "null";
-  if (isList(value.type)) return `[${Array.from(plain, itemText).join(", ")}]`;
+  if (isList(value.type)) return listText(plain, value.type);
   return value.type === STRING ? quoted(plain) : scalarText(plain, value.type);
 }
 
@@ -76,13 +77,15 @@ function scalarText(plain, type) {
   return Number.isInteger(plain) && Math.abs(plain) < 1e15 ? plain.toFixed(1) : String(plain);
 }
 
-/** @param {any} item */
-function itemText(item) {
-  return typeof item === "string" ? JSON.stringify(item) : typeof item === "number" ? scalarText(item, DOUBLE) : String(item);
+/** @param {Iterable<any>} items @param {number} type */
+function listText(items, type) {
+  const texts = Array.from(items, (item) => (
+    type === DOUBLE_ARRAY ? scalarText(item, DOUBLE) : type === STRING_ARRAY ? JSON.stringify(item) : String(item)));
+  return `[${texts.join(", ")}]`;
 }
 
-/** @param {string} text */
-function quoted(text) {
+/** Return a text as it stands in YAML. @param {string} text */
+export function quoted(text) {
   return text && isPlain(text) && !/[\n"']/.test(text) ? text : JSON.stringify(text);
 }
 
@@ -101,8 +104,6 @@ export function guess(text) {
   const [type = STRING] = types.size === 1 ? types : [STRING];
   return parse(trimmed, items.length ? type + STRING + 1 : STRING_ARRAY);
 }
-
-const STRING_ARRAY = 9;
 
 /** @param {string} trimmed @param {string} text */
 function scalarOf(trimmed, text) {

@@ -285,6 +285,7 @@ export const words = {
   "message path of a new curve": "Nachrichtenpfad einer neuen Kurve",
   "Enter a message path, such as {}": "Einen Nachrichtenpfad eingeben, zum Beispiel {}",
   "Add a message path to plot it": "Einen Nachrichtenpfad hinzufügen, um ihn zu zeichnen",
+  "only the last {} samples are kept: {} s": "nur die letzten {} Werte bleiben erhalten: {} s",
   "Nothing received yet": "Noch nichts empfangen",
   "{} is plotted already": "{} wird schon gezeichnet",
   "A plot has at most {} paths; remove one first": "Ein Diagramm hat höchstens {} Pfade; zuerst einen entfernen",

@@ -1,7 +1,7 @@
 // @ts-check
 // Points with colours, and those of the last seconds as well: what laser scans and point clouds have in common.
 
-import { Color, Group, SRGBColorSpace } from "../../vendor/three.js";
+import { Color, SRGBColorSpace } from "../../vendor/three.js";
 import { MOST_POINTS } from "./cloudFields.js";
 import { createPoints } from "./points.js";
 
@@ -18,10 +18,7 @@ const HUES = 0.85;
  * @param {Record<string, any>} options `size` in metres, `color_by`, `color`, `alpha`, `decay` in seconds, and `min` and
  *   `max` of the values to colour by; both 0: those of the message
  */
-export function pointsOf({ root, world, redraw }, options) {
-  // Former messages stay where they were, so each has a place of its own in the fixed frame.
-  const former = new Group();
-  world.floor.add(former);
+export function pointsOf({ root, floor, redraw }, options) {
   /** @type {{cloud: Cloud, until: number}[]} */
   const kept = [];
   /** @type {Cloud | undefined} */
@@ -34,7 +31,8 @@ export function pointsOf({ root, world, redraw }, options) {
     /** @param {Float32Array} positions @param {{rgb?: Float32Array, intensity?: Float32Array}} values */
     show(positions, values) {
       if (current && options.decay > 0) {
-        former.attach(current.points);
+        // It stays where it was.
+        floor.attach(current.points);
         kept.push({ cloud: current, until: performance.now() + options.decay * 1000 });
         while (kept.reduce((sum, { cloud }) => sum + countOf(cloud), 0) > MOST_POINTS) forget(1);
         current = undefined;
@@ -50,7 +48,6 @@ export function pointsOf({ root, world, redraw }, options) {
       redraw();
     },
     update(/** @type {number} */ now) {
-      former.visible = root.visible;
       const old = kept.findIndex(({ until }) => until > now);
       forget(old < 0 ? kept.length : old);
       if (kept.length) redraw();
@@ -65,7 +62,6 @@ export function pointsOf({ root, world, redraw }, options) {
     },
     close() {
       forget(kept.length);
-      former.removeFromParent();
       current?.close();
     },
   };

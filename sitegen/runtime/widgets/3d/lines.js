@@ -25,17 +25,16 @@ export class Lines {
   show(points, { color = new Color(0xffffff), colors, width = 0, opacity = 1 }) {
     if (!points.length || (this.#object && this.#wide !== width > 0)) this.clear();
     if (!points.length) return;
-    const geometry = width > 0 ? wideGeometry(points, colors) : thinGeometry(points, colors);
-    if (this.#object) {
-      this.#object.geometry.dispose();
-      this.#object.geometry = /** @type {any} */ (geometry);
-    } else {
+    if (!this.#object) {
       this.#wide = width > 0;
-      this.#object = this.#wide
-        ? new LineSegments2(/** @type {any} */ (geometry), new LineMaterial({ worldUnits: true }))
-        : new LineSegments(geometry, new LineBasicMaterial());
+      this.#object = this.#wide ? new LineSegments2(undefined, new LineMaterial({ worldUnits: true }))
+        : new LineSegments(undefined, new LineBasicMaterial());
       this.#object.frustumCulled = false;
       this.#root.add(this.#object);
+    }
+    if (!this.#fill(points, colors)) {
+      this.#object.geometry.dispose();
+      this.#object.geometry = this.#wide ? wideGeometry(points, colors) : thinGeometry(points, colors);
     }
     // The material stays: a new one for each message would be compiled each time.
     const { material } = this.#object;
@@ -45,6 +44,25 @@ export class Lines {
     material.opacity = opacity;
     material.transparent = opacity < 1;
     if (this.#wide) material.linewidth = width;
+  }
+
+  /**
+   * Put other numbers into the geometry that is there; return whether that has room for just these.
+   * @param {Float32Array} points @param {Float32Array} [colors]
+   */
+  #fill(points, colors) {
+    const [places, tints] = this.#wide ? ["instanceStart", "instanceColorStart"] : ["position", "color"];
+    const { attributes } = this.#object.geometry;
+    const [place, tint] = [places, tints].map((name) => attributes[name]?.data ?? attributes[name]);
+    if (place?.array.length !== points.length || tint?.array.length !== colors?.length) return false;
+    place.array.set(points);
+    place.needsUpdate = true;
+    if (colors) tint.array.set(colors);
+    if (colors) tint.needsUpdate = true;
+    // They are computed again when they are needed.
+    this.#object.geometry.boundingBox = null;
+    this.#object.geometry.boundingSphere = null;
+    return true;
   }
 
   clear() {
@@ -74,16 +92,15 @@ function thinGeometry(points, colors) {
 
 /**
  * Return the segments of a line through points.
- * @param {number[][]} points @param {boolean} [closed]
+ * @param {ArrayLike<number>} points x, y and z of each @param {boolean} [closed]
  */
 export function segments(points, closed = false) {
-  const count = points.length < 2 ? 0 : points.length - (closed ? 0 : 1);
-  const flat = new Float32Array(count * 6);
-  for (let index = 0; index < count; index++) {
-    flat.set(/** @type {number[]} */ (points[index]), index * 6);
-    flat.set(/** @type {number[]} */ (points[(index + 1) % points.length]), index * 6 + 3);
+  const { length } = points;
+  const ends = new Float32Array(length < 6 ? 0 : 2 * length - (closed ? 0 : 6));
+  for (let at = 0; at < ends.length; at += 6) {
+    for (let part = 0; part < 6; part++) ends[at + part] = /** @type {number} */ (points[(at / 2 + part) % length]);
   }
-  return flat;
+  return ends;
 }
 
 /** Return whether all numbers are finite: what is drawn with others would not be seen. @param {Iterable<number>} numbers */

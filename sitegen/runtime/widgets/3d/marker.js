@@ -2,8 +2,8 @@
 // Draw a visualization_msgs/msg/Marker.
 
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, InstancedMesh, Matrix4, Mesh,
-  MeshLambertMaterial, SphereGeometry, SRGBColorSpace, Vector3,
+  BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DoubleSide, InstancedBufferAttribute,
+  InstancedMesh, Matrix4, Mesh, MeshLambertMaterial, SphereGeometry, SRGBColorSpace, Vector3,
 } from "../../vendor/three.js";
 import { say } from "../../ui/words.js";
 import { createLabel } from "./label.js";
@@ -14,7 +14,10 @@ import { Arrows } from "./shapes.js";
 
 /** @typedef {{resource(url: string): string, redraw(): void, say(text: string): void}} Help */
 
-const MOST_POINTS = 1_000_000;
+/** More points than these are not drawn, of one marker or of all. */
+export const MOST_POINTS = 1_000_000;
+// The sides and rings of spheres, by how many there are: all together must be drawn in a frame.
+const ROUND = /** @type {const} */ ([[10_000, 12, 8], [100_000, 8, 4], [Infinity, 4, 2]]);
 const X = new Vector3(1, 0, 0);
 
 /**
@@ -23,23 +26,29 @@ const X = new Vector3(1, 0, 0);
  */
 export function drawMarker(group, marker, help) {
   const draw = DRAWN[marker.type];
-  if (!draw) throw new Error(say("marker {}: unknown type {}", `${marker.ns} ${marker.id}`, marker.type));
-  const { scale } = marker;
+  if (!draw) throw new Error(say("unknown type {}", marker.type));
+  const { scale, color: { r, g, b, a } } = marker;
   if (!finite([scale.x, scale.y, scale.z])) throw new Error(say("its scale is not finite"));
-  if (marker.points.length > MOST_POINTS) throw new Error(say("a marker has more than {} points", MOST_POINTS));
-  draw(group, marker, help);
+  if (!finite([r, g, b, a])) throw new Error(say("its color is not finite"));
+  if (marker.points.length > MOST_POINTS) throw new Error(say("it has more than {} points", MOST_POINTS));
+  const points = pointsOf(marker);
+  if (!finite(points)) throw new Error(say("its points are not finite"));
+  draw(group, marker, points, help);
 }
 
-/** By the number of the type. @type {Record<number, (group: any, marker: any, help: Help) => void>} */
+/**
+ * By the number of the type; the points are x, y and z of each.
+ * @type {Record<number, (group: any, marker: any, points: Float32Array, help: Help) => void>}
+ */
 const DRAWN = {
   0: drawArrow,
   1: (group, marker) => drawShape(group, marker, new BoxGeometry()),
   2: (group, marker) => drawShape(group, marker, new SphereGeometry(0.5, 32, 16)),
   3: (group, marker) => drawShape(group, marker, new CylinderGeometry(0.5, 0.5, 1, 32).rotateX(Math.PI / 2)),
-  4: (group, marker) => drawLines(group, marker, segments(pointsOf(marker)), (index) => (index >> 1) + (index & 1)),
-  5: (group, marker) => drawLines(group, marker, pairs(pointsOf(marker)), (index) => index),
-  6: (group, marker) => drawList(group, marker, new BoxGeometry()),
-  7: (group, marker) => drawList(group, marker, new SphereGeometry(0.5, 12, 8)),
+  4: (group, marker, points) => drawLines(group, marker, segments(points), (index) => (index >> 1) + (index & 1)),
+  5: (group, marker, points) => drawLines(group, marker, whole(points, 2), (index) => index),
+  6: (group, marker, points) => drawList(group, marker, points, new BoxGeometry()),
+  7: (group, marker, points) => drawList(group, marker, points, sphere(points.length / 3)),
   8: drawPoints,
   9: drawText,
   10: drawMesh,
@@ -49,13 +58,30 @@ const DRAWN = {
 
 /** @param {any} marker */
 function pointsOf({ points }) {
-  return points.map((/** @type {any} */ { x, y, z }) => [x, y, z]).map(
-    (/** @type {number[]} */ point) => (finite(point) ? point : [0, 0, 0]));
+  const found = new Float32Array(points.length * 3);
+  let at = 0;
+  for (const { x, y, z } of points) {
+    found[at++] = x;
+    found[at++] = y;
+    found[at++] = z;
+  }
+  return found;
 }
 
-/** @param {number[][]} points */
-function pairs(points) {
-  return new Float32Array(points.slice(0, points.length - (points.length % 2)).flat());
+/** Return the points without those that make no whole pair or triangle. @param {Float32Array} points @param {number} size */
+function whole(points, size) {
+  return points.subarray(0, points.length - (points.length % (3 * size)));
+}
+
+/** Return a sphere of which so many can be drawn. @param {number} count */
+function sphere(count) {
+  const [, sides = 4, rings = 2] = ROUND.find(([most]) => count <= most) ?? [];
+  return new SphereGeometry(0.5, sides, rings);
+}
+
+/** @param {Float32Array} points @param {number} index */
+function vectorAt(points, index) {
+  return new Vector3().fromArray(points, index * 3);
 }
 
 /** Return a colour as it is computed with. @param {{r: number, g: number, b: number}} color */
@@ -90,22 +116,20 @@ function drawShape(group, marker, geometry) {
   group.add(mesh);
 }
 
-/** @param {any} group @param {any} marker @param {any} geometry */
-function drawList(group, marker, geometry) {
-  const points = pointsOf(marker);
-  const own = colorsOf(marker, points.length);
+/** @param {any} group @param {any} marker @param {Float32Array} points @param {any} geometry */
+function drawList(group, marker, points, geometry) {
+  const count = points.length / 3;
+  const own = colorsOf(marker, count);
   const look = material(marker);
   if (own) {
     look.color = new Color(0xffffff);
     look.opacity = opacityOf(marker);
     look.transparent = look.opacity < 1;
   }
-  const mesh = new InstancedMesh(geometry, look, points.length);
+  const mesh = new InstancedMesh(geometry, look, count);
   const matrix = new Matrix4().makeScale(marker.scale.x, marker.scale.y, marker.scale.z);
-  points.forEach(([x = 0, y = 0, z = 0], /** @type {number} */ index) => {
-    mesh.setMatrixAt(index, matrix.setPosition(x, y, z));
-    if (own) mesh.setColorAt(index, new Color().fromArray(own, index * 3));
-  });
+  for (let index = 0; index < count; index++) mesh.setMatrixAt(index, matrix.setPosition(vectorAt(points, index)));
+  if (own) mesh.instanceColor = new InstancedBufferAttribute(own, 3);
   group.add(mesh);
 }
 
@@ -115,11 +139,10 @@ function drawLines(group, marker, ends, point) {
   new Lines(group).show(ends, { color: color(marker.color), colors, width: marker.scale.x, opacity: opacityOf(marker) });
 }
 
-/** @param {any} group @param {any} marker */
-function drawPoints(group, marker) {
-  const points = pointsOf(marker);
-  const colors = colorsOf(marker, points.length);
-  const cloud = createPoints(new Float32Array(points.flat()), colors);
+/** @param {any} group @param {any} marker @param {Float32Array} points */
+function drawPoints(group, marker, points) {
+  const colors = colorsOf(marker, points.length / 3);
+  const cloud = createPoints(points, colors);
   cloud.style({ size: marker.scale.x, color: color(marker.color), opacity: opacityOf(marker) });
   group.add(cloud.points);
 }
@@ -131,12 +154,12 @@ function drawText(group, marker) {
   group.add(createLabel(marker.text, z, { color: color(marker.color), opacity: Math.min(1, marker.color.a) }));
 }
 
-/** @param {any} group @param {any} marker */
-function drawTriangles(group, marker) {
-  const points = pointsOf(marker);
-  const count = points.length - (points.length % 3);
+/** @param {any} group @param {any} marker @param {Float32Array} points */
+function drawTriangles(group, marker, points) {
+  const corners = whole(points, 3);
+  const count = corners.length / 3;
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(points.slice(0, count).flat()), 3));
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
   // A colour for each point, or for each triangle.
   const byTriangle = marker.colors.length > 0 && marker.colors.length === count / 3;
   const given = byTriangle ? { ...marker, points: marker.colors } : marker;
@@ -158,15 +181,15 @@ function drawTriangles(group, marker) {
 /**
  * An arrow between two points, with the diameters of its shaft and head and the length of the head as its scale; or
  * along x, with its length, width and height as its scale.
- * @param {any} group @param {any} marker
+ * @param {any} group @param {any} marker @param {Float32Array} points
  */
-function drawArrow(group, marker) {
+function drawArrow(group, marker, points) {
   const { scale } = marker;
-  const [from, to] = pointsOf(marker).map((/** @type {number[]} */ point) => new Vector3(...point));
   const arrows = new Arrows(group);
   arrows.begin();
-  if (from && to) {
-    const along = to.clone().sub(from);
+  if (points.length >= 6) {
+    const from = vectorAt(points, 0);
+    const along = vectorAt(points, 1).sub(from);
     arrows.add(from, along, { shaft: scale.x, head: scale.y, length: scale.z || along.length() * 0.23 }, color(marker.color));
   } else {
     const size = { shaft: scale.y * 0.5, head: scale.y, length: scale.x * 0.23 };
@@ -175,29 +198,26 @@ function drawArrow(group, marker) {
   arrows.end(Math.min(1, marker.color.a));
 }
 
-/** @param {any} group @param {any} marker */
-function drawArrowStrip(group, marker) {
+/** @param {any} group @param {any} marker @param {Float32Array} points */
+function drawArrowStrip(group, marker, points) {
   const { scale } = marker;
-  const points = pointsOf(marker).map((/** @type {number[]} */ point) => new Vector3(...point));
   const arrows = new Arrows(group);
   arrows.begin();
-  for (let index = 1; index < points.length; index++) {
-    const along = points[index].clone().sub(points[index - 1]);
+  for (let index = 1; index < points.length / 3; index++) {
+    const from = vectorAt(points, index - 1);
+    const along = vectorAt(points, index).sub(from);
     const length = scale.z || along.length() * 0.23;
-    arrows.add(points[index - 1], along, { shaft: scale.x, head: scale.y, length }, color(marker.color));
+    arrows.add(from, along, { shaft: scale.x, head: scale.y, length }, color(marker.color));
   }
   arrows.end(Math.min(1, marker.color.a));
 }
 
-/** @param {any} group @param {any} marker @param {Help} help */
-function drawMesh(group, marker, help) {
+/** @param {any} group @param {any} marker @param {Float32Array} _points @param {Help} help */
+function drawMesh(group, marker, _points, help) {
   loadMesh(marker.mesh_resource, help.resource).then((mesh) => {
     const own = marker.mesh_use_embedded_materials && !/\.stl$/i.test(marker.mesh_resource);
     mesh.traverse((/** @type {any} */ each) => {
-      if (!each.isMesh) return;
-      // The mesh belongs to the cache, and is disposed with the marker.
-      each.geometry = each.geometry.clone();
-      each.material = own ? each.material.clone() : material(marker);
+      if (each.isMesh && !own) each.material = material(marker);
     });
     mesh.scale.set(marker.scale.x, marker.scale.y, marker.scale.z);
     group.add(mesh);

@@ -11,7 +11,7 @@ import { say } from "../../ui/words.js";
 const loaded = new Map();
 
 /**
- * Return a copy of a mesh. Reject with an Error that says what is wrong.
+ * Return a mesh with materials of its own. Reject with an Error that says what is wrong.
  * @param {string} url as in the description: `package://…` @param {(url: string) => string} resource its address
  * @returns {Promise<any>} a group, in metres and with z up as ROS has it
  */
@@ -23,7 +23,24 @@ export async function loadMesh(url, resource) {
     loaded.set(address, loading);
     loading.catch(() => loaded.delete(address));
   }
-  return (await loading).clone();
+  return ownMaterials((await loading).clone());
+}
+
+/**
+ * Give an object copies of its materials: others that show the same mesh have other colours and opacities. Its geometry
+ * and textures may be disposed nevertheless, as the drawing loads what it needs again.
+ * @param {any} object
+ */
+function ownMaterials(object) {
+  const copies = new Map();
+  const copied = (/** @type {any} */ material) => {
+    if (!copies.has(material)) copies.set(material, material.clone());
+    return copies.get(material);
+  };
+  object.traverse((/** @type {any} */ each) => {
+    if (each.material) each.material = Array.isArray(each.material) ? each.material.map(copied) : copied(each.material);
+  });
+  return object;
 }
 
 /**

@@ -14,11 +14,12 @@ export function createPoints(positions, colors) {
   let color = material.color;
   points.frustumCulled = false;
   let metres = 1;
-  // Sizes are in metres for a camera with perspective, and in pixels for one without.
   points.onBeforeRender = (renderer, _scene, camera) => {
-    const flat = /** @type {any} */ (camera);
-    const height = renderer.domElement.height / renderer.getPixelRatio();
-    material.size = flat.isOrthographicCamera ? (metres * flat.zoom * height) / (flat.top - flat.bottom) : metres;
+    // The part of half the view's height that a metre takes, with perspective at a distance of 1 m. There, three.js
+    // multiplies by half the height itself.
+    const [, , , , , part = 1] = camera.projectionMatrix.elements;
+    const half = renderer.domElement.height / renderer.getPixelRatio() / 2;
+    material.size = metres * part * (/** @type {any} */ (camera).isOrthographicCamera ? half : 1);
   };
   return {
     points,

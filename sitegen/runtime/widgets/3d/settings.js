@@ -2,6 +2,7 @@
 // The options of a display, as controls made from their defaults.
 
 import { create } from "../../ui/elements.js";
+import { NAMES } from "./optionNames.js";
 
 /** @import { Setting, Shown } from "./shown.js" */
 
@@ -22,8 +23,10 @@ export function createSettings(shown, change) {
     const control = createControl(standard, choices[key]);
     control.id = `ros-setting-${++lastId}`;
     controls.set(key, control);
-    const label = create("label", "", key.replaceAll("_", " "));
+    const label = create("label", "", NAMES[key] ?? key);
     label.htmlFor = control.id;
+    // As authors write it.
+    label.title = key;
     control.addEventListener("change", () => {
       const value = read(control, standard);
       if (value === undefined) put(control, shown.options[key]);
@@ -43,7 +46,7 @@ export function createSettings(shown, change) {
 
 /** @param {Setting} standard @param {string[]} [choices] */
 function createControl(standard, choices) {
-  if (choices) return create("select", "", ...choices.map((choice) => new Option(choice, choice)));
+  if (choices) return create("select", "", ...choices.map((choice) => new Option(NAMES[choice] ?? choice, choice)));
   const input = create("input", "");
   if (typeof standard === "boolean") {
     input.type = "checkbox";

@@ -137,12 +137,12 @@ export class Axes {
 
   /**
    * @param {InstanceType<typeof Vector3>} position @param {InstanceType<typeof Quaternion>} rotation
-   * @param {number} length @param {number} width
+   * @param {number} length @param {number} width @param {any} [only] the color of all three instead of their own
    */
-  add(position, rotation, length, width) {
+  add(position, rotation, length, width, only) {
     for (const [axis, color] of AXES) {
       const along = axis.clone().applyQuaternion(rotation).multiplyScalar(length);
-      this.#rods.add(position, along, width, new Color(color));
+      this.#rods.add(position, along, width, only ?? new Color(color));
     }
   }
 

@@ -19,17 +19,19 @@ import { seconds } from "../tf/transforms.js";
  * @typedef {string | number | boolean} Setting
  * @typedef {{
  *   receive?(message: any, type: string): void, frameOf?(message: any): {frame_id: string, stamp: any} | undefined,
+ *   frame?(): string,
  *   set?(options: Record<string, any>): void, update?(now: number): void, clear?(): void, close?(): void,
  *   begin?(): void, end?(): void, controls?: HTMLElement,
  * }} Display `controls` stand with its options. `begin` and `end` are called when it is subscribed to its topic, and no
- *   longer. `receive` draws a message into the display's group, which is placed in the frame of its header, or in what
- *   `frameOf` returns; without that, the display places its parts itself in `update`, which is called before each frame
+ *   longer. `receive` draws a message into the display's group, which is placed in the frame that `frameOf` returns, or
+ *   always in `frame`; without these, the display places its parts itself in `update`, which is called before each frame
  * @typedef {{
- *   root: InstanceType<typeof Group>, world: World, ros: Ros,
+ *   root: InstanceType<typeof Group>, floor: InstanceType<typeof Group>, world: World, ros: Ros,
  *   say(text: string): void, place(object: any, frame: string, time?: number): boolean, redraw(): void,
  *   resource(url: string): string,
- * }} Context what a display is given: the group to draw into, its world; `say` shows a problem, `place` moves an object
- *   to the pose of a frame and returns whether that is known, `resource` is the address of a package:// file
+ * }} Context what a display is given: the group to draw into, that for what stays in the fixed frame, its world; `say`
+ *   shows a problem, `place` moves an object to the pose of a frame and returns whether that is known, `resource` is the
+ *   address of a package:// file
  */
 
 // Messages that wait for their transforms.
@@ -37,8 +39,11 @@ const MOST_WAITING = 20;
 
 export class Shown {
   root = new Group();
-  /** @type {string} */
-  status = "";
+  #floor = new Group();
+  /** What the display says is wrong. */
+  #said = "";
+  /** Why it is not in its place, or not in the place of its newest message. */
+  #lost = "";
   enabled;
   options;
   #display;
@@ -66,8 +71,11 @@ export class Shown {
     /** The topic that it showed first: part of its name in links. */
     this.firstTopic = String(this.options.topic ?? "");
     this.root.visible = enabled;
+    this.#floor.visible = enabled;
+    world.floor.add(this.#floor);
     this.#display = kind.create({
       root: this.root,
+      floor: this.#floor,
       world,
       ros: world.ros,
       say: (text) => this.tell(text),
@@ -84,6 +92,11 @@ export class Shown {
 
   get kind() {
     return this.#kind;
+  }
+
+  /** What is wrong; "" if nothing is. */
+  get status() {
+    return this.#lost || this.#said;
   }
 
   /** What the visitor can do with what it shows, beside its options. */
@@ -143,6 +156,7 @@ export class Shown {
   enable(on) {
     this.enabled = on;
     this.root.visible = on;
+    this.#floor.visible = on;
     if (on) this.begin();
     else this.end();
     this.#world.redraw();
@@ -164,7 +178,8 @@ export class Shown {
   clear() {
     this.#waiting = [];
     this.drawn = false;
-    this.status = "";
+    this.#said = "";
+    this.#lost = "";
     this.#display.clear?.();
   }
 
@@ -172,12 +187,20 @@ export class Shown {
     this.end();
     this.#display.close?.();
     this.root.removeFromParent();
+    this.#floor.removeFromParent();
   }
 
   /** Say what is wrong, or nothing. @param {string} text */
   tell(text) {
-    if (this.status === text) return;
-    this.status = text;
+    if (this.#said === text) return;
+    this.#said = text;
+    this.#world.told();
+  }
+
+  /** @param {string} fault */
+  #lose(fault) {
+    if (this.#lost === fault) return;
+    this.#lost = fault;
     this.#world.told();
   }
 
@@ -185,9 +208,9 @@ export class Shown {
   update(now) {
     if (!this.enabled) return;
     if (this.#waiting.length) this.#settle();
-    const { fixed } = this.#world;
-    if (this.#headed && this.drawn && this.#placedIn !== fixed) {
-      this.#placedIn = this.#place(this.root, this.#header.frame_id, seconds(this.#header.stamp)) ? fixed : "";
+    if (this.#display.frame) this.#move(this.#display.frame());
+    else if (this.#headed && this.drawn && this.#placedIn !== this.#world.fixed) {
+      this.#move(this.#header.frame_id, seconds(this.#header.stamp));
     }
     this.#display.update?.(now);
   }
@@ -197,7 +220,7 @@ export class Shown {
     this.#world.heard(this.#display.frameOf?.(message)?.frame_id);
     if (!this.#headed) {
       this.drawn = true;
-      if (this.status) this.tell("");
+      this.tell("");
       this.#draw(message, type);
       return;
     }
@@ -219,17 +242,27 @@ export class Shown {
       }
       this.#waiting.splice(0, index + 1);
       this.#header = header;
-      this.#placedIn = this.#world.fixed;
-      put(this.root, found.pose);
       this.tell("");
+      // What it leaves behind is where the group is before that moves.
       this.#draw(message, type);
+      this.#move(header.frame_id, seconds(header.stamp));
       if (!this.drawn) {
         this.drawn = true;
         this.#world.appeared();
       }
       return;
     }
-    this.tell(fault);
+    this.#lose(fault);
+  }
+
+  /** Move the group to a frame; where that is unknown, nothing can be shown. @param {string} frame @param {number} [time] */
+  #move(frame, time) {
+    const { fixed, transforms } = this.#world;
+    const { pose, fault } = transforms.lookup(fixed, frame, time);
+    if (pose) put(this.root, pose);
+    this.root.visible = Boolean(pose);
+    this.#placedIn = pose ? fixed : "";
+    this.#lose(fault);
   }
 
   /** @param {any} message @param {string} type */

@@ -32,6 +32,10 @@ export class Stage {
   prepare = () => {};
   /** Called when the visitor has moved the camera. */
   moved = () => {};
+  /** Called with how the view is moved, after a gesture that scrolls the page. @type {(text: string) => void} */
+  hint = () => {};
+  /** Called when the browser can draw no longer, or again. @type {(lost: boolean) => void} */
+  lost = () => {};
   /** Whether the visitor or an option decides what is in view. */
   chosen = false;
   #renderer;
@@ -44,11 +48,12 @@ export class Stage {
   #size = new Vector2(1, 1);
   #resized = new ResizeObserver(() => this.#resize());
   #closed = false;
+  #aiming = false;
 
   /** Throws an Error if the browser has no WebGL. @param {string} label of the drawing, for screen readers */
   constructor(label) {
     this.canvas.tabIndex = 0;
-    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", label);
     const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
     if (!context) throw new Error("no WebGL");
@@ -72,8 +77,21 @@ export class Stage {
     this.#pan.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN };
     this.#select();
     this.canvas.addEventListener("keydown", (event) => this.#press(event));
-    this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-    this.canvas.addEventListener("webglcontextrestored", () => this.redraw());
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.lost(true);
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      this.lost(false);
+      this.redraw();
+    });
+    for (const type of ["focus", "blur"]) this.canvas.addEventListener(type, () => this.#touch());
+    this.#touch();
+    // The browser took the finger for scrolling.
+    this.canvas.addEventListener("pointercancel", () => this.hint(say("Tap the view, then move it with one finger")));
+    this.canvas.addEventListener("wheel", ({ ctrlKey }) => {
+      if (!ctrlKey && !this.#isSelected) this.hint(say("Click the view to zoom with the wheel"));
+    }, { passive: true });
     this.#resized.observe(this.element);
   }
 
@@ -81,7 +99,7 @@ export class Stage {
   #control(camera) {
     // The wheel scrolls the page unless the visitor has selected the drawing, as with other drawings.
     const wheel = (/** @type {WheelEvent} */ event) => {
-      controls.enableZoom = event.ctrlKey || document.activeElement === this.canvas;
+      controls.enableZoom = event.ctrlKey || this.#isSelected;
     };
     this.canvas.addEventListener("wheel", wheel, { capture: true, passive: true });
     const controls = new OrbitControls(camera, this.canvas);
@@ -92,6 +110,15 @@ export class Stage {
     });
     controls.addEventListener("end", () => this.moved());
     return controls;
+  }
+
+  get #isSelected() {
+    return document.activeElement === this.canvas;
+  }
+
+  /** Let a finger scroll the page upwards and downwards until the visitor has selected the drawing. */
+  #touch() {
+    this.canvas.style.touchAction = this.#aiming || this.#isSelected ? "none" : "pan-y";
   }
 
   get camera() {
@@ -117,6 +144,8 @@ export class Stage {
   /** Let the visitor's pointer move the camera, or not while a tool uses it. @param {boolean} on */
   set movable(on) {
     this.#controls.enabled = on;
+    this.#aiming = !on;
+    this.#touch();
   }
 
   /** Where the camera is, for shared links. @returns {View} */

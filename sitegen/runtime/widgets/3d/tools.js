@@ -17,6 +17,8 @@ const POSE = "geometry_msgs/msg/PoseStamped";
 const ESTIMATE = "geometry_msgs/msg/PoseWithCovarianceStamped";
 const POINT = "geometry_msgs/msg/PointStamped";
 const GREEN = new Color(0x46d67f);
+// For how long a hint is shown (ms).
+const MOMENT = 2500;
 // The uncertainty of RViz's estimate: 0.5 m, and 15 degrees.
 const VARIANCE = { 0: 0.25, 7: 0.25, 35: (Math.PI / 12) ** 2 };
 
@@ -78,6 +80,11 @@ export class Tools {
   /** @type {Point | undefined} */
   #from;
   #topics;
+  /** @type {PointerEvent | undefined} */
+  #pointer;
+  #frame = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
   #ends = new AbortController();
 
   /** @param {Ros} ros @param {Stage} stage @param {World} world @param {Record<string, string>} [topics] by tool */
@@ -104,7 +111,17 @@ export class Tools {
     canvas.addEventListener("keydown", ({ key }) => key === "Escape" && this.#choose(undefined), { signal });
   }
 
+  /** Tell for a moment how the view is moved. @param {string} text */
+  hint(text) {
+    if (this.#active) return;
+    setText(this.note, text);
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.note.textContent === text && setText(this.note, ""), MOMENT);
+  }
+
   close() {
+    clearTimeout(this.#timer);
+    cancelAnimationFrame(this.#frame);
     this.#ends.abort();
   }
 
@@ -130,7 +147,7 @@ export class Tools {
     caster.params.Points.threshold = 0.05;
     const floor = caster.ray.intersectPlane(FLOOR, new Vector3()) ?? undefined;
     if (this.#active?.type && this.#active.aims) return floor;
-    const [hit] = caster.intersectObject(this.#stage.content, true);
+    const [hit] = caster.intersectObjects(visible(this.#stage.content), false);
     return hit?.point ?? floor;
   }
 
@@ -141,8 +158,18 @@ export class Tools {
     this.#stage.canvas.setPointerCapture(event.pointerId);
   }
 
-  /** @param {PointerEvent} event */
+  /** Show once in a frame where the pointer is: what is under it may have millions of points. @param {PointerEvent} event */
   #aim(event) {
+    if (!this.#from) return;
+    this.#pointer = event;
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0;
+      if (this.#pointer) this.#draw(this.#pointer);
+    });
+  }
+
+  /** @param {PointerEvent} event */
+  #draw(event) {
     const to = this.#from && this.#active?.aims ? this.#under(event) : undefined;
     if (!this.#from || !to) return;
     const along = to.clone().sub(this.#from);
@@ -152,7 +179,7 @@ export class Tools {
       this.#arrows.add(this.#from, along, { shaft: length * 0.08, head: length * 0.2, length: length * 0.3 }, GREEN);
       this.#arrows.end();
     } else {
-      this.#line.show(segments([this.#from.toArray(), to.toArray()]), { color: GREEN });
+      this.#line.show(segments([...this.#from, ...to]), { color: GREEN });
       setText(this.note, `${along.length().toFixed(3)} m`);
     }
     this.#stage.redraw();
@@ -160,19 +187,23 @@ export class Tools {
 
   /** @param {PointerEvent} event */
   #finish(event) {
+    this.#draw(event);
     const tool = this.#active;
     const from = this.#from;
     this.#from = undefined;
     if (!tool || !from || !tool.message || !tool.type) return;
     const to = (tool.aims && this.#under(event)) || from;
     const angle = Math.atan2(to.y - from.y, to.x - from.x);
+    const { fixed, clock } = this.#world;
+    this.#choose(undefined);
+    if (!fixed) {
+      setText(this.note, say("not published: no frame is known yet"));
+      return;
+    }
     const publisher = this.#ros.advertise(this.#topicOf(tool), tool.type);
-    const now = Date.now();
-    const stamp = { sec: Math.floor(now / 1000), nanosec: (now % 1000) * 1e6 };
-    publisher.publish(tool.message(from, angle, { stamp, frame_id: this.#world.fixed }));
+    publisher.publish(tool.message(from, angle, { stamp: clock.now(), frame_id: fixed }));
     // A subscription that has just matched must be able to take it first.
     setTimeout(() => publisher.close(), 1000);
-    this.#choose(undefined);
     setText(this.note, say("published on {}", this.#topicOf(tool)));
   }
 
@@ -182,6 +213,11 @@ export class Tools {
     this.#line.clear();
     this.#stage.redraw();
   }
+}
+
+/** Return what is shown of an object, itself included. @param {any} object @returns {any[]} */
+function visible(object) {
+  return object.visible ? [object, ...object.children.flatMap(visible)] : [];
 }
 
 /** @param {Point} position @param {number} angle around z (rad) */

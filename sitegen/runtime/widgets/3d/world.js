@@ -2,6 +2,7 @@
 // What a 3D view shows: the transforms between frames, the fixed frame, and the displays.
 
 import { Group } from "../../vendor/three.js";
+import { RosClock } from "../../messages/rosClock.js";
 import { place } from "../../place.js";
 import { Transforms } from "../tf/transforms.js";
 import { infoOf } from "./displays/camera.js";
@@ -21,6 +22,7 @@ const MOST_SHOWN = 30;
 
 export class World {
   transforms = new Transforms();
+  clock;
   /** @type {Shown[]} */
   displays = [];
   fixed = "";
@@ -35,6 +37,10 @@ export class World {
   /** Whether the fixed frame was chosen by the author or by the visitor. */
   #chosen = false;
   #heard = "";
+  /** When the last transform came (ms). */
+  #moved = 0;
+  /** Whether somebody publishes transforms. */
+  #moving = false;
   #version = -1;
   #seen = false;
   #news = false;
@@ -47,6 +53,7 @@ export class World {
    */
   constructor(ros, stage, { frame, displays, resources = {} }) {
     this.ros = ros;
+    this.clock = new RosClock(ros);
     this.#stage = stage;
     this.#automatic = !displays;
     this.resource = (/** @type {string} */ url) => {
@@ -100,11 +107,13 @@ export class World {
       listens ||= Boolean(this.ros.types[TF]);
       if (this.#automatic) this.#offer();
       for (const shown of this.displays) shown.begin();
+      const tf = this.ros.graph.topics().find(({ name }) => name === "/tf");
+      this.#moving = Boolean(tf?.publishers.length);
+      this.redraw();
     };
     this.ros.graph.addEventListener("change", look);
-    this.#ends.push(() => this.ros.graph.removeEventListener("change", look));
+    this.#ends.push(() => this.ros.graph.removeEventListener("change", look), this.clock.begin());
     look();
-    this.redraw();
     return () => {
       this.#seen = false;
       for (const end of this.#ends.splice(0)) end();
@@ -116,6 +125,7 @@ export class World {
   #listen() {
     const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ { transforms }) => {
       for (const one of transforms) this.transforms.add(one, fixed);
+      this.#moved = performance.now();
       this.redraw();
     };
     this.#ends.push(
@@ -138,6 +148,15 @@ export class World {
       this.#heard = frame.replace(/^\//, "");
       this.#version = -1;
     }
+  }
+
+  /**
+   * Return the time by which transforms grow old (ms): it stands still while all their publishers are silent, as those
+   * of a bag that is paused.
+   * @param {number} now
+   */
+  transformTime(now) {
+    return this.#moving ? Math.min(now, this.#moved) : now;
   }
 
   /** Show the first message of a display. */

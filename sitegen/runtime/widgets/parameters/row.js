@@ -12,6 +12,8 @@ let lastId = 0;
 export class Row {
   #parameter;
   #set;
+  /** The text of the value that the field shows. */
+  #shown = "";
   #note = create("p", "ros-note");
   #type = create("small", "");
   #box = create("input", "");
@@ -24,11 +26,10 @@ export class Row {
     this.#parameter = parameter;
     this.#set = set;
     const id = `ros-parameter-${++lastId}`;
-    const { name, descriptor } = parameter;
+    const { name } = parameter;
     this.#box.type = "checkbox";
     this.#slider.type = "range";
     Object.assign(this.#field, { spellcheck: false, autocomplete: "off" });
-    for (const control of this.#controls) control.disabled = Boolean(descriptor.read_only);
     this.#box.id = `${id}-box`;
     this.#field.id = id;
     this.#slider.setAttribute("aria-label", say("slider of {}", name));
@@ -36,6 +37,9 @@ export class Row {
     for (const control of this.#controls) control.setAttribute("aria-describedby", this.#note.id);
     this.#box.addEventListener("change", () => this.#send(() => valueOf(this.#box.checked, BOOL)));
     this.#field.addEventListener("change", () => this.#send(() => parse(this.#field.value, this.#parameter.value.type)));
+    this.#field.addEventListener("keydown", ({ key }) => {
+      if (key === "Escape") this.#field.value = this.#shown;
+    });
     this.#slider.addEventListener("input", () => {
       this.#field.value = this.#slider.value;
     });
@@ -43,25 +47,45 @@ export class Row {
       this.#send(() => valueOf(Number(this.#slider.value), this.#parameter.value.type)));
     const label = create("label", "", name, " ", this.#type);
     label.htmlFor = id;
-    const help = [descriptor.description, descriptor.additional_constraints, descriptor.read_only && say("read-only")];
-    const about = create("p", "ros-parameter-about", help.filter(Boolean).join(" · "));
-    about.hidden = !about.textContent;
-    this.element = create("div", "ros-parameter", label, create("div", "ros-parameter-value", ...this.#controls), about, this.#note);
+    const controls = create("div", "ros-parameter-value", ...this.#controls);
+    this.element = create("div", "ros-parameter", label, controls, this.#about, this.#note);
     this.#label = label;
     this.#id = id;
-    this.show(parameter.value);
+    this.describe(parameter);
   }
 
   #label;
   #id;
+  #about = create("p", "ros-parameter-about");
 
   get #controls() {
     return [this.#box, this.#slider, this.#field];
   }
 
-  /** Show a value, and forget what was wrong with another. @param {any} value a ParameterValue */
+  /** Show what was read again. @param {Parameter} parameter */
+  describe(parameter) {
+    this.#parameter = parameter;
+    const { descriptor, value } = parameter;
+    const help = [descriptor.description, descriptor.additional_constraints, descriptor.read_only && say("read-only")];
+    setText(this.#about, help.filter(Boolean).join(" · "));
+    this.#about.hidden = !this.#about.textContent;
+    for (const control of this.#controls) control.disabled = Boolean(descriptor.read_only);
+    this.show(value);
+  }
+
+  /** Whether the visitor has typed something that is not sent yet. */
+  get #typed() {
+    return document.activeElement === this.#field && this.#field.value !== this.#shown;
+  }
+
+  /**
+   * Show a value, and forget what was wrong with another. What the visitor types stays until it is sent or given up.
+   * @param {any} value a ParameterValue
+   */
   show(value) {
+    const typed = this.#typed;
     this.#parameter.value = value;
+    this.#shown = textOf(value);
     const { type } = value;
     const range = this.#range();
     setText(this.#type, nameOf(type));
@@ -72,7 +96,7 @@ export class Row {
     this.#label.htmlFor = type === BOOL ? this.#box.id : this.#id;
     this.#field.inputMode = type === INTEGER ? "numeric" : type === DOUBLE ? "decimal" : "text";
     this.#box.checked = type === BOOL && plainOf(value);
-    this.#field.value = textOf(value);
+    if (!typed) this.#field.value = this.#shown;
     if (range) {
       const [least, most, step] = range.map(Number);
       Object.assign(this.#slider, { min: String(least), max: String(most), step: step ? String(step) : type === INTEGER ? "1" : "any" });
@@ -98,9 +122,10 @@ export class Row {
       this.#tell(error instanceof Error ? error.message : String(error));
       return;
     }
-    const before = this.#parameter.value;
+    // It is no longer what is being typed.
+    this.#shown = this.#field.value;
     const reason = await this.#set(value).catch((error) => (error instanceof Error ? error.message : String(error)));
-    this.show(reason ? before : value);
+    this.show(reason ? this.#parameter.value : value);
     this.#tell(reason);
   }
 

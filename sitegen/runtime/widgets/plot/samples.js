@@ -5,6 +5,7 @@ import { checkNumeric, isSliced, parsePath, readPath, toNumber } from "../../mes
 import { TopicReader } from "../../messages/topicReader.js";
 import { say } from "../../ui/words.js";
 import { Curve, MOST_CURVES, Series } from "./curve.js";
+import { MOST } from "./trace.js";
 
 /** @import { MessageInfo, Ros } from "../../protocol.js" */
 /** @import { Path } from "../../messages/path.js" */
@@ -114,11 +115,20 @@ export class Samples {
     this.#latest.clear();
   }
 
-  /** Why a series has no values, in a sentence; "" if it has some. @param {Series} series */
+  /** Why a series has no values, or not all of the window, in a sentence; else "". @param {Series} series */
   describe(series) {
     if (series.error) return series.error;
-    if (series.curves.size) return "";
+    if (series.curves.size) return this.#describeLoss(series);
     return this.#readers.get(series.path?.topic ?? "")?.describeSilence() ?? "";
+  }
+
+  /** @param {Series} series */
+  #describeLoss({ curves }) {
+    for (const { trace } of curves.values()) {
+      const kept = trace.size === MOST ? this.newest - trace.time(0) : Infinity;
+      if (kept < this.window) return say("only the last {} samples are kept: {} s", MOST, kept.toFixed(1));
+    }
+    return "";
   }
 
   /** Forget what is older than the window. */

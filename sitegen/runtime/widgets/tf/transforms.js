@@ -2,29 +2,37 @@
 // The transforms between frames, over time, as tf2 buffers them.
 
 import { say } from "../../ui/words.js";
-import { IDENTITY, between, compose, inverse, isFinitePose, normalized } from "./pose.js";
+import { IDENTITY, compose, inverse, isFinitePose, normalized } from "./pose.js";
+import { Track } from "./track.js";
 
 /** @import { Pose } from "./pose.js" */
 
 /**
- * @typedef {{time: number, parent: string, pose: Pose}} Sample the pose of a frame in its parent at a time (s)
- * @typedef {{fixed: boolean, samples: Sample[]}} Track the samples of a frame in order; a fixed frame has one
- * @typedef {{pose?: Pose, fault: string, early: boolean}} Found without a pose, `fault` says why there is none; it is
- *   `early` if a later transform may give it
+ * @typedef {{pose?: Pose, time: number, fault: string, early: boolean}} Found `time` (s) is when that was, infinite if
+ *   nothing moves; without a pose, `fault` says why there is none, and it is `early` if a later transform may give it
  */
 
-/** How long transforms are kept, in seconds; as in tf2. */
-const KEPT = 10;
 // Bounds for what nodes publish.
-const MOST_SAMPLES = 10_000;
 const MOST_FRAMES = 10_000;
 const LONGEST_CHAIN = 1_000;
 
+/** @type {Found} */
+const SAME = { pose: IDENTITY, time: Infinity, fault: "", early: false };
+// What stands for the latest pose of a frame that is in another tree, or below a loop.
+/** @type {Found} */
+const APART = { time: NaN, fault: "", early: true };
+/** @type {Found} */
+const LOOP = { time: NaN, fault: "", early: false };
+
 export class Transforms {
-  /** @type {Map<string, Track>} */
+  /** Those that move in the order in which they were heard of last. @type {Map<string, Track>} */
   #tracks = new Map();
   /** Increases with every change of which frames there are. */
   version = 0;
+  /** The frames of a version. @type {{version: number, names: Set<string>}} */
+  #frames = { version: -1, names: new Set() };
+  /** The latest poses in one frame, so far as they were asked for since the last transform. @type {{target: string, poses?: Map<string, Found>}} */
+  #latest = { target: "" };
 
   /**
    * Take a geometry_msgs/msg/TransformStamped from /tf, or from /tf_static if `fixed`. Transforms that are not numbers,
@@ -36,44 +44,60 @@ export class Transforms {
     const parent = plain(header.frame_id);
     const pose = normalized({ position: [t.x, t.y, t.z], rotation: [r.x, r.y, r.z, r.w] });
     if (!isFinitePose(pose) || !child || !parent || child === parent) return;
+    const sample = { time: seconds(header.stamp), parent, pose };
     let track = this.#tracks.get(child);
     if (!track) {
-      if (this.#tracks.size >= MOST_FRAMES) return;
-      track = { fixed, samples: [] };
-      this.#tracks.set(child, track);
+      if (this.#tracks.size >= MOST_FRAMES && !this.#forget()) return;
+      track = new Track(sample, fixed);
+      this.version++;
+    } else {
+      if (track.parent !== parent || track.fixed !== fixed) this.version++;
+      track.add(sample, fixed);
+      if (!fixed) this.#tracks.delete(child);
     }
-    const before = track.samples.at(-1);
-    if (before?.parent !== parent || track.fixed !== fixed) this.version++;
-    const sample = { time: seconds(header.stamp), parent, pose };
-    if (fixed || track.fixed) {
-      track.samples = [sample];
-      track.fixed = fixed;
-      return;
+    this.#tracks.set(child, track);
+    this.#latest = { target: "" };
+  }
+
+  /** Forget the frame that moves and was not heard of for the longest time; return whether there is one. */
+  #forget() {
+    for (const [frame, { fixed }] of this.#tracks) {
+      if (fixed) continue;
+      this.#tracks.delete(frame);
+      this.version++;
+      return true;
     }
-    insert(track.samples, sample);
+    return false;
+  }
+
+  get #names() {
+    if (this.#frames.version !== this.version) {
+      const names = [...this.#tracks].flatMap(([frame, { parent }]) => [frame, parent]);
+      this.#frames = { version: this.version, names: new Set(names.sort()) };
+    }
+    return this.#frames.names;
   }
 
   /** The frames, in alphabetical order. */
   frames() {
-    const names = new Set(this.#tracks.keys());
-    for (const { samples } of this.#tracks.values()) names.add(samples.at(-1)?.parent ?? "");
-    return [...names].sort();
+    return [...this.#names];
   }
 
   /** @param {string} frame @returns {string | undefined} its parent; undefined for a root */
   parentOf(frame) {
-    return this.#tracks.get(frame)?.samples.at(-1)?.parent;
+    return this.#tracks.get(frame)?.parent;
   }
 
   /** @param {string} frame @returns {{fixed: boolean, time: number} | undefined} how it came; undefined for a root */
   about(frame) {
     const track = this.#tracks.get(frame);
-    return track && { fixed: track.fixed, time: track.samples.at(-1)?.time ?? 0 };
+    return track && { fixed: track.fixed, time: track.time };
   }
 
   /** Forget everything. */
   clear() {
     this.#tracks.clear();
+    this.#latest = { target: "" };
     this.version++;
   }
 
@@ -85,63 +109,124 @@ export class Transforms {
   lookup(target, source, time = 0) {
     target = plain(target);
     source = plain(source);
-    if (target === source) return { pose: IDENTITY, fault: "", early: false };
+    if (target === source) return SAME;
+    return time ? this.#at(target, source, time) : this.#newest(target, source);
+  }
+
+  /** @param {string} target @param {string} source @param {number} time @returns {Found} */
+  #at(target, source, time) {
     const up = this.#chain(source);
     const down = this.#chain(target);
-    if (!up || !down) return { fault: say("the frames above '{}' form a loop", up ? target : source), early: false };
-    const meet = up.find((frame) => down.includes(frame));
-    if (meet === undefined) return this.#unconnected(target, source);
-    const ups = up.slice(0, up.indexOf(meet));
-    const downs = down.slice(0, down.indexOf(meet));
-    const at = time || this.#latest([...ups, ...downs]);
-    const there = this.#along(ups, at);
-    const back = this.#along(downs, at);
+    if (!up || !down) return loop(up ? target : source);
+    const places = new Map(down.map((frame, index) => [frame, index]));
+    const meet = up.findIndex((frame) => places.has(frame));
+    if (meet < 0) return this.#unconnected(target, source);
+    const there = this.#along(up.slice(0, meet), time);
+    const back = this.#along(down.slice(0, places.get(/** @type {string} */ (up[meet]))), time);
     if (!there.pose || !back.pose) return there.pose ? back : there;
-    return { pose: compose(inverse(back.pose), there.pose), fault: "", early: false };
+    return { pose: compose(inverse(back.pose), there.pose), time, fault: "", early: false };
   }
 
   /** Return a frame and all above it; undefined if these form a loop. @param {string} frame */
   #chain(frame) {
-    const chain = [frame];
+    const chain = new Set([frame]);
     for (let next = this.parentOf(frame); next !== undefined; next = this.parentOf(next)) {
-      if (chain.length > LONGEST_CHAIN || chain.includes(next)) return undefined;
-      chain.push(next);
+      if (chain.size > LONGEST_CHAIN || chain.has(next)) return undefined;
+      chain.add(next);
     }
-    return chain;
-  }
-
-  /** @param {string[]} frames @returns {number} the latest time for which all of these are known */
-  #latest(frames) {
-    let latest = Infinity;
-    for (const frame of frames) {
-      const track = this.#tracks.get(frame);
-      if (track && !track.fixed) latest = Math.min(latest, track.samples.at(-1)?.time ?? 0);
-    }
-    return latest;
+    return [...chain];
   }
 
   /** Compose the poses of frames, each in the next one. @param {string[]} frames @param {number} time @returns {Found} */
   #along(frames, time) {
     let pose = IDENTITY;
     for (const frame of frames) {
-      const step = at(/** @type {Track} */ (this.#tracks.get(frame)), time);
-      if (!step.pose) {
-        const fault = step.early ? say("no transform of '{}' that is new enough", frame)
-          : say("no transform of '{}' that is old enough", frame);
-        return { fault, early: step.early };
-      }
+      const step = /** @type {Track} */ (this.#tracks.get(frame)).at(time);
+      if (!step.pose) return lacking(frame, time, step.early);
       pose = compose(step.pose, pose);
     }
-    return { pose, fault: "", early: false };
+    return { pose, time, fault: "", early: false };
+  }
+
+  /**
+   * Return the latest pose. Each frame continues from the pose of the one above it, so that all poses of a long chain
+   * cost one step each.
+   * @param {string} target @param {string} source @returns {Found}
+   */
+  #newest(target, source) {
+    if (this.#latest.target !== target) this.#latest = { target, poses: this.#above(target) };
+    const { poses } = this.#latest;
+    if (!poses) return loop(target);
+    /** @type {string[]} */
+    const below = [];
+    let frame = source;
+    while (!poses.has(frame)) {
+      below.push(frame);
+      const parent = this.parentOf(frame);
+      if (parent === undefined) poses.set(frame, APART);
+      else if (below.length > LONGEST_CHAIN) poses.set(frame, LOOP);
+      else frame = parent;
+    }
+    let found = /** @type {Found} */ (poses.get(frame));
+    for (const each of below.reverse()) {
+      found = poses.get(each) ?? this.#step(target, found, each, each);
+      poses.set(each, found);
+    }
+    if (found === APART) return this.#unconnected(target, source);
+    return found === LOOP ? loop(source) : found;
+  }
+
+  /** Return the latest poses of a frame and of all above it; undefined if these form a loop. @param {string} target */
+  #above(target) {
+    let frame = target;
+    let found = SAME;
+    const poses = new Map([[frame, found]]);
+    for (let parent = this.parentOf(frame); parent !== undefined; parent = this.parentOf(frame)) {
+      if (poses.size > LONGEST_CHAIN || poses.has(parent)) return undefined;
+      found = this.#step(target, found, frame, parent);
+      poses.set(parent, found);
+      frame = parent;
+    }
+    return poses;
+  }
+
+  /**
+   * Return the latest pose of a frame next to one whose latest pose is known.
+   * @param {string} target @param {Found} near @param {string} frame the lower of the two, whose transform leads from
+   *   one to the other @param {string} to the frame that is asked for
+   * @returns {Found}
+   */
+  #step(target, near, frame, to) {
+    if (near === APART || near === LOOP) return near;
+    const track = /** @type {Track} */ (this.#tracks.get(frame));
+    const time = Math.min(near.time, track.end);
+    if (time < near.time && near.time < Infinity) return this.#at(target, to, time);
+    if (!near.pose) return near;
+    const step = track.at(time);
+    if (!step.pose) return lacking(frame, time, step.early);
+    const pose = compose(near.pose, to === frame ? step.pose : inverse(step.pose));
+    return { pose, time, fault: "", early: false };
   }
 
   /** @param {string} target @param {string} source @returns {Found} */
   #unconnected(target, source) {
-    const known = new Set(this.frames());
-    const unknown = [source, target].find((frame) => !known.has(frame));
-    if (unknown !== undefined) return { fault: say("no frame '{}' in /tf", unknown), early: true };
-    return { fault: say("frame '{}' is not connected to '{}'", source, target), early: true };
+    const unknown = [source, target].find((frame) => !this.#names.has(frame));
+    const fault = unknown !== undefined ? say("no frame '{}' in /tf", unknown)
+      : say("frame '{}' is not connected to '{}'", source, target);
+    return { time: NaN, fault, early: true };
   }
+}
+
+/** @param {string} frame @returns {Found} */
+function loop(frame) {
+  return { time: NaN, fault: say("the frames above '{}' form a loop", frame), early: false };
+}
+
+/** @param {string} frame @param {number} time @param {boolean} early @returns {Found} */
+function lacking(frame, time, early) {
+  const fault = early ? say("no transform of '{}' that is new enough", frame)
+    : say("no transform of '{}' that is old enough", frame);
+  return { time, fault, early };
 }
 
 /** Return a time of ROS in seconds. @param {{sec: number, nanosec: number}} stamp */
@@ -152,41 +237,4 @@ export function seconds({ sec, nanosec }) {
 /** The name of a frame as tf2 has it. @param {string} name */
 export function plain(name) {
   return name.startsWith("/") ? name.slice(1) : name;
-}
-
-/** Insert a sample by its time, and remove those that are too old. @param {Sample[]} samples @param {Sample} sample */
-function insert(samples, sample) {
-  const newest = samples.at(-1)?.time ?? -Infinity;
-  // A clock that was set back starts again.
-  if (sample.time < newest - KEPT) samples.length = 0;
-  let place = samples.length;
-  while (place > 0 && /** @type {Sample} */ (samples[place - 1]).time > sample.time) place--;
-  const same = samples[place - 1]?.time === sample.time;
-  samples.splice(same ? place - 1 : place, same ? 1 : 0, sample);
-  const oldest = /** @type {Sample} */ (samples.at(-1)).time - KEPT;
-  let old = Math.max(0, samples.length - MOST_SAMPLES);
-  while (/** @type {Sample} */ (samples[old]).time < oldest) old++;
-  // Removed in portions, because each removal moves all others.
-  if (old > 64 || samples.length > MOST_SAMPLES) samples.splice(0, old);
-}
-
-/** @param {Track} track @param {number} time @returns {{pose?: Pose, early: boolean}} */
-function at({ fixed, samples }, time) {
-  const newest = /** @type {Sample} */ (samples.at(-1));
-  if (fixed || time === newest.time) return { pose: newest.pose, early: false };
-  if (time > newest.time) return { early: true };
-  let low = 0;
-  let high = samples.length - 1;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (/** @type {Sample} */ (samples[middle]).time < time) low = middle + 1;
-    else high = middle;
-  }
-  const after = /** @type {Sample} */ (samples[low]);
-  if (after.time === time) return { pose: after.pose, early: false };
-  const before = samples[low - 1];
-  if (!before) return { early: false };
-  if (before.parent !== after.parent) return { pose: before.pose, early: false };
-  const part = (time - before.time) / (after.time - before.time);
-  return { pose: between(before.pose, after.pose, part), early: false };
 }

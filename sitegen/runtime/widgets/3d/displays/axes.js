@@ -13,7 +13,7 @@ export const kind = {
   types: [],
   defaults: { length: 1, radius: 0.1, frame: "", alpha: 1 },
 
-  create({ root, world, place }, options) {
+  create({ root, world }, options) {
     const axes = new Axes(root);
     return {
       set({ length, radius, alpha }) {
@@ -21,9 +21,7 @@ export const kind = {
         axes.add(new Vector3(), new Quaternion(), length, 2 * radius);
         axes.end(alpha);
       },
-      update: () => {
-        root.visible = place(root, options.frame || world.fixed);
-      },
+      frame: () => options.frame || world.fixed,
     };
   },
 };

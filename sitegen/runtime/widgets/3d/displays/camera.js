@@ -6,7 +6,7 @@ import {
 } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
 import { decode } from "../../image/decode.js";
-import { Lines, segments } from "../lines.js";
+import { Lines } from "../lines.js";
 import { dispose } from "../shapes.js";
 
 /** @import { Context, Kind } from "../shown.js" */
@@ -182,7 +182,7 @@ class Camera {
     const [a, b, c, d] = /** @type {[number[], number[], number[], number[]]} */ (corners);
     const eye = [0, 0, 0];
     const edges = [[eye, a], [eye, b], [eye, c], [eye, d], [a, b], [b, c], [c, d], [d, a]];
-    const ends = new Float32Array(edges.flatMap((edge) => [...segments(edge)]));
+    const ends = new Float32Array(edges.flat(2));
     new Lines(this.#pyramid).show(ends, { color: new Color(color) });
     this.#context.redraw();
   }

@@ -16,7 +16,7 @@ export const kind = {
   defaults: { cells: 10, size: 1, color: "#a0a0a4", alpha: 0.5, plane: "XY", frame: "", width: 0 },
   choices: { plane: ["XY", "XZ", "YZ"] },
 
-  create({ root, world, place }, options) {
+  create({ root, world }, options) {
     const lines = new Lines(root);
     return {
       set({ cells: wanted, size, color, alpha, plane, width }) {
@@ -31,7 +31,7 @@ export const kind = {
         const flat = points.flatMap(([x = 0, y = 0]) => order.map((axis) => [x, y, 0][axis] ?? 0));
         lines.show(new Float32Array(flat), { color: new Color(color), opacity: alpha, width });
       },
-      update: () => place(root, options.frame || world.fixed),
+      frame: () => options.frame || world.fixed,
     };
   },
 };

@@ -48,6 +48,8 @@ class InteractiveMarkers {
   keys;
   /** Whether there are others than those in `keys`. */
   #changed = false;
+  /** Whether the camera has shown them. */
+  #appeared = false;
 
   /** @param {Context} context @param {Record<string, any>} options */
   constructor(context, options) {
@@ -145,7 +147,10 @@ class InteractiveMarkers {
       }
     }
     this.#context.redraw();
-    if (markers.length) this.#context.world.appeared();
+    if (this.#handles.size && !this.#appeared) {
+      this.#appeared = true;
+      this.#context.world.appeared();
+    }
   }
 
   /** @param {string} name */

@@ -26,8 +26,8 @@ export const kind = {
         let count = 0;
         for (let index = 0; index < ranges.length; index++) {
           const range = ranges[index];
-          // Comparisons with NaN are false.
-          if (!(range >= least && range <= most)) continue;
+          // Comparisons with NaN are false. A scanner without a limit says that nothing is there by infinity.
+          if (!(range >= least && range <= most) || range === Infinity) continue;
           const angle = start + index * step;
           positions[count * 3] = range * Math.cos(angle);
           positions[count * 3 + 1] = range * Math.sin(angle);

@@ -23,15 +23,30 @@ export const kind = {
   defaults: { topic: "/map", alpha: 0.7, scheme: "map" },
   choices: { scheme: ["map", "costmap", "raw"] },
 
-  create({ root, ros, redraw }, options) {
+  create({ root, ros, redraw, say: tell }, options) {
     /** @type {Sheet | undefined} */
     let sheet;
-    let unsubscribe = () => {};
+    /** @type {(() => void) | undefined} */
+    let unsubscribe;
     const clear = () => {
       dispose(root);
       sheet = undefined;
     };
+    const update = (/** @type {any} */ part) => {
+      if (!sheet) return;
+      tell(sheet.update(part, options) ? "" : say("an update lies outside of the map"));
+      redraw();
+    };
+    const listen = () => {
+      // Nodes that send updates bring their type, perhaps later.
+      if (ros.types[UPDATE]) unsubscribe ??= ros.subscribe(`${options.topic}_updates`, UPDATE, update);
+    };
     return {
+      begin: listen,
+      end() {
+        unsubscribe?.();
+        unsubscribe = undefined;
+      },
       // A map is where its frame is now, however old it is.
       frameOf: ({ header }) => ({ ...header, stamp: { sec: 0, nanosec: 0 } }),
       receive(message) {
@@ -39,21 +54,11 @@ export const kind = {
         sheet = new Sheet(message);
         sheet.style(options);
         root.add(sheet.place);
-        unsubscribe();
-        const topic = `${options.topic}_updates`;
-        const sent = ros.graph.topics().some(({ name, types }) => name === topic && types.includes(UPDATE));
-        unsubscribe = sent && ros.types[UPDATE] ? ros.subscribe(topic, UPDATE, (update) => {
-          sheet?.update(update);
-          sheet?.style(options);
-          redraw();
-        }) : () => {};
+        listen();
       },
       set: () => sheet?.style(options),
       clear,
-      close() {
-        unsubscribe();
-        clear();
-      },
+      close: clear,
     };
   },
 };
@@ -66,6 +71,10 @@ class Sheet {
   /** @type {number} */
   #height;
   #cells;
+  /** The colours of the cells, which the texture has. */
+  #pixels;
+  /** Whether the graphics card needs all of them. */
+  #whole = true;
   #texture;
   #material;
 
@@ -78,9 +87,14 @@ class Sheet {
     if (Math.max(width, height) > LARGEST) throw new Error(say("the map is larger than {} × {} cells", LARGEST, LARGEST));
     [this.#width, this.#height] = [width, height];
     this.#cells = Uint8Array.from(data, (cell) => cell & 255);
-    this.#texture = new DataTexture(new Uint8Array(width * height * 4), width, height);
+    const bytes = new Uint8Array(width * height * 4);
+    this.#pixels = new Uint32Array(bytes.buffer);
+    this.#texture = new DataTexture(bytes, width, height);
     this.#texture.colorSpace = SRGBColorSpace;
     this.#texture.magFilter = NearestFilter;
+    this.#texture.onUpdate = () => {
+      this.#whole = false;
+    };
     this.#material = new MeshBasicMaterial({ map: this.#texture, transparent: true, side: DoubleSide, depthWrite: false });
     const mesh = new Mesh(new PlaneGeometry(width * resolution, height * resolution), this.#material);
     mesh.position.set((width * resolution) / 2, (height * resolution) / 2, 0);
@@ -88,24 +102,42 @@ class Sheet {
     this.place.add(mesh);
   }
 
-  /** Take the new cells of a part; one that is not inside is ignored. @param {any} update */
-  update({ x, y, width, height, data }) {
-    if (x < 0 || y < 0 || x + width > this.#width || y + height > this.#height) return;
+  /**
+   * Take the new cells of a part, and return whether that is inside.
+   * @param {any} part @param {Record<string, any>} options
+   */
+  update({ x, y, width, height, data }, { scheme }) {
+    if (x < 0 || y < 0 || x + width > this.#width || y + height > this.#height || data.length < width * height) return false;
     const cells = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    const palette = paletteOf(scheme);
     for (let row = 0; row < height; row++) {
-      this.#cells.set(cells.subarray(row * width, (row + 1) * width), (y + row) * this.#width + x);
+      const start = (y + row) * this.#width + x;
+      this.#cells.set(cells.subarray(row * width, (row + 1) * width), start);
+      this.#paint(palette, start, start + width);
+      if (!this.#whole) this.#texture.addUpdateRange(start * 4, width * 4);
     }
+    // Those of a map that is not shown would wait without an end.
+    if (this.#texture.updateRanges.length > this.#height) this.#sendWhole();
+    this.#texture.needsUpdate = true;
+    return true;
   }
 
   /** @param {Record<string, any>} options */
   style({ alpha, scheme }) {
     this.#material.opacity = alpha;
-    const palette = paletteOf(scheme);
-    const pixels = new Uint32Array(/** @type {Uint8Array} */ (this.#texture.image.data).buffer);
-    this.#cells.forEach((cell, index) => {
-      pixels[index] = palette[cell] ?? 0;
-    });
+    this.#paint(paletteOf(scheme), 0, this.#cells.length);
+    this.#sendWhole();
     this.#texture.needsUpdate = true;
+  }
+
+  #sendWhole() {
+    this.#whole = true;
+    this.#texture.clearUpdateRanges();
+  }
+
+  /** @param {Uint32Array} palette @param {number} start @param {number} end */
+  #paint(palette, start, end) {
+    for (let index = start; index < end; index++) this.#pixels[index] = palette[this.#cells[index] ?? 0] ?? 0;
   }
 }
 

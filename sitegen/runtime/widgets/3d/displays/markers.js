@@ -5,7 +5,7 @@ import { Group } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
 import { isFinitePose, poseOf } from "../../tf/pose.js";
 import { seconds } from "../../tf/transforms.js";
-import { drawMarker } from "../marker.js";
+import { MOST_POINTS, drawMarker } from "../marker.js";
 import { dispose } from "../shapes.js";
 import { put } from "../shown.js";
 
@@ -14,10 +14,13 @@ import { put } from "../shown.js";
 const ARRAY = "visualization_msgs/msg/MarkerArray";
 const [ADD, DELETE, DELETE_ALL] = [0, 2, 3];
 const MOST = 20_000;
+// So many faults are told.
+const MOST_FAULTS = 3;
 
 /**
- * @typedef {{place: any, namespace: string, frame: string, time: number, locked: boolean, placedIn: string, until: number}} Entry
- *   a marker: the group in its frame, that frame, and when it disappears (ms)
+ * @typedef {{place: any, namespace: string, frame: string, time: number, locked: boolean, placedIn: string,
+ *   until: number, points: number, fault: string}} Entry a marker: the group in its frame, that frame, when it disappears
+ *   (ms), how many points it has, and why it cannot be drawn
  */
 
 /** @type {Kind} */
@@ -34,7 +37,6 @@ export const kind = {
           context.world.heard(marker.header.frame_id);
           markers.take(marker);
         }
-        context.world.appeared();
       },
       update: (now) => markers.update(now, String(options.hidden).split(",").map((each) => each.trim())),
       clear: () => markers.clear(),
@@ -47,8 +49,12 @@ class Markers {
   #context;
   /** By namespace and number. @type {Map<string, Entry>} */
   #entries = new Map();
-  /** What could not be drawn, by marker. @type {Map<string, string>} */
-  #faults = new Map();
+  /** Of all markers. */
+  #points = 0;
+  /** Why there are not all markers. */
+  #limit = "";
+  /** Whether the camera has shown them. */
+  #appeared = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
@@ -57,46 +63,70 @@ class Markers {
     this.#context = context;
   }
 
-  /** Throws an Error if the marker cannot be drawn. @param {any} marker */
+  /** @param {any} marker */
   take(marker) {
     const key = `${marker.ns} ${marker.id}`;
     if (marker.action === DELETE_ALL) {
       for (const [each, { namespace }] of [...this.#entries]) {
         if (!marker.ns || namespace === marker.ns) this.#remove(each);
       }
-      return;
+    } else if (marker.action === DELETE) {
+      this.#remove(key);
+    } else {
+      this.#remove(key);
+      this.#add(key, marker);
     }
-    this.#remove(key);
-    if (marker.action === DELETE) return;
-    if (marker.action !== ADD) throw new Error(say("marker {}: unknown action {}", key, marker.action));
-    if (this.#entries.size >= MOST) throw new Error(say("more than {} markers", MOST));
-    const pose = poseOf(marker.pose);
-    if (!isFinitePose(pose)) throw new Error(say("marker {}: its pose is not finite", key));
-    const inner = new Group();
-    put(inner, pose);
-    const outer = new Group();
-    outer.add(inner);
-    outer.visible = false;
-    const { root, resource, redraw } = this.#context;
-    drawMarker(inner, marker, { resource, redraw, say: (text) => this.#faults.set(key, text) });
-    root.add(outer);
+  }
+
+  /** @param {string} key @param {any} marker */
+  #add(key, marker) {
+    const points = marker.points.length;
+    if (this.#entries.size >= MOST) this.#limit = say("more than {} markers", MOST);
+    else if (this.#points + points > MOST_POINTS) this.#limit = say("the markers have more than {} points", MOST_POINTS);
+    else this.#limit = "";
+    if (this.#limit) return;
     const life = seconds(marker.lifetime) * 1000;
-    this.#entries.set(key, {
-      place: outer,
+    const place = new Group();
+    place.visible = false;
+    /** @type {Entry} */
+    const entry = {
+      place,
       namespace: marker.ns,
       frame: marker.header.frame_id,
       time: seconds(marker.header.stamp),
       locked: marker.frame_locked,
       placedIn: "",
       until: life > 0 ? performance.now() + life : Infinity,
-    });
+      points,
+      fault: "",
+    };
+    const fail = (/** @type {string} */ reason) => {
+      entry.fault = say("marker {}: {}", key, reason);
+    };
+    try {
+      if (marker.action !== ADD) throw new Error(say("unknown action {}", marker.action));
+      const pose = poseOf(marker.pose);
+      if (!isFinitePose(pose)) throw new Error(say("its pose is not finite"));
+      const inner = new Group();
+      put(inner, pose);
+      place.add(inner);
+      const { resource, redraw } = this.#context;
+      drawMarker(inner, marker, { resource, redraw, say: fail });
+    } catch (error) {
+      fail(error instanceof Error ? error.message : String(error));
+    }
+    this.#context.root.add(place);
+    this.#points += points;
+    this.#entries.set(key, entry);
   }
 
   /** Place the markers, and remove those whose time is over. @param {number} now @param {string[]} hidden namespaces */
   update(now, hidden) {
     const { world, redraw } = this.#context;
+    const faults = new Set(this.#limit ? [this.#limit] : []);
     let next = Infinity;
     let placed = true;
+    let seen = false;
     for (const [key, entry] of [...this.#entries]) {
       if (entry.until <= now) {
         this.#remove(key);
@@ -105,8 +135,14 @@ class Markers {
       next = Math.min(next, entry.until);
       if (entry.locked || entry.placedIn !== world.fixed) placed = this.#place(entry) && placed;
       entry.place.visible = entry.placedIn === world.fixed && !hidden.includes(entry.namespace || "(none)");
+      seen ||= entry.place.visible;
+      if (entry.fault && faults.size < MOST_FAULTS) faults.add(entry.fault);
     }
-    if (this.#entries.size && placed) this.#context.say([...new Set(this.#faults.values())].slice(0, 3).join("; "));
+    if (this.#entries.size && placed) this.#context.say([...faults].join("; "));
+    if (seen && !this.#appeared) {
+      this.#appeared = true;
+      world.appeared();
+    }
     clearTimeout(this.#timer);
     if (next < Infinity) this.#timer = setTimeout(redraw, Math.max(0, next - now) + 1);
   }
@@ -114,6 +150,8 @@ class Markers {
   clear() {
     clearTimeout(this.#timer);
     for (const key of [...this.#entries.keys()]) this.#remove(key);
+    this.#limit = "";
+    this.#appeared = false;
   }
 
   /** @param {Entry} entry */
@@ -130,7 +168,7 @@ class Markers {
   #remove(key) {
     const entry = this.#entries.get(key);
     if (!entry) return;
-    this.#faults.delete(key);
+    this.#points -= entry.points;
     dispose(entry.place);
     entry.place.removeFromParent();
     this.#entries.delete(key);

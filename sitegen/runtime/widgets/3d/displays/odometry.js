@@ -8,7 +8,8 @@ import { Arrows, dispose } from "../shapes.js";
 
 /** @import { Kind } from "../shown.js" */
 
-const MOST = 1000;
+// `keep: 0` keeps all, as in RViz, up to this many.
+const MOST = 10_000;
 
 /** @type {Kind} */
 export const kind = {
@@ -18,12 +19,12 @@ export const kind = {
     topic: "/odom", keep: 100, color: "#ff1900", alpha: 1, length: 0.4, distance: 0.1, angle: 0.1,
   },
 
-  create({ root }, options) {
+  create({ root, say: tell }, options) {
     const arrows = new Arrows(root);
     /** @type {{position: any, along: any}[]} */
     let trail = [];
     const draw = () => {
-      trail = trail.slice(-Math.min(MOST, Math.max(1, options.keep)));
+      trail = trail.slice(-Math.max(1, Math.min(MOST, options.keep > 0 ? Math.round(options.keep) : MOST)));
       const { length } = options;
       const size = { shaft: length * 0.08, head: length * 0.2, length: length * 0.3 };
       arrows.begin();
@@ -42,8 +43,11 @@ export const kind = {
         const last = trail.at(-1);
         const still = last && last.position.distanceTo(position) < options.distance
           && last.along.angleTo(along) < options.angle;
-        if (!still) trail.push({ position, along });
-        draw();
+        if (!still) {
+          trail.push({ position, along });
+          draw();
+        }
+        if (trail.length === MOST && options.keep !== MOST) tell(say("only the last {} arrows are shown", MOST));
       },
       set: draw,
       clear() {

@@ -15,7 +15,7 @@ export const kind = {
 
   create({ root }, options) {
     const lines = new Lines(root);
-    /** @type {number[][]} */
+    /** @type {number[]} */
     let points = [];
     const draw = () => {
       lines.show(segments(points), { color: new Color(options.color), opacity: options.alpha, width: options.width });
@@ -23,11 +23,14 @@ export const kind = {
     return {
       frameOf: ({ header }) => header,
       receive({ poses }) {
-        points = poses.map((/** @type {any} */ { pose: { position: { x, y, z } } }) => [x, y, z]).filter(finite);
+        points = poses.map((/** @type {any} */ { pose: { position: { x, y, z } } }) => [x, y, z]).filter(finite).flat();
         draw();
       },
       set: draw,
-      clear: () => lines.clear(),
+      clear() {
+        points = [];
+        lines.clear();
+      },
       close: () => lines.clear(),
     };
   },

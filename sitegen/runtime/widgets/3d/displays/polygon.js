@@ -15,7 +15,7 @@ export const kind = {
 
   create({ root }, options) {
     const lines = new Lines(root);
-    /** @type {number[][]} */
+    /** @type {number[]} */
     let corners = [];
     const draw = () => {
       const { color, alpha, width } = options;
@@ -24,11 +24,14 @@ export const kind = {
     return {
       frameOf: ({ header }) => header,
       receive({ polygon: { points } }) {
-        corners = points.map((/** @type {any} */ { x, y, z }) => [x, y, z]).filter(finite);
+        corners = points.map((/** @type {any} */ { x, y, z }) => [x, y, z]).filter(finite).flat();
         draw();
       },
       set: draw,
-      clear: () => lines.clear(),
+      clear() {
+        corners = [];
+        lines.clear();
+      },
       close: () => lines.clear(),
     };
   },

@@ -70,7 +70,7 @@ function ellipseOf(covariance) {
   const short = Math.sqrt(Math.max(0, middle - spread));
   const turn = Math.atan2(2 * b, a - d) / 2;
   if (!Number.isFinite(long + short + turn) || long === 0) return new Float32Array();
-  const points = Array.from({ length: POINTS }, (_, index) => {
+  const points = Array.from({ length: POINTS }).flatMap((_, index) => {
     const angle = (index / POINTS) * 2 * Math.PI;
     const x = long * Math.cos(angle);
     const y = short * Math.sin(angle);

@@ -128,7 +128,10 @@ class Model {
   clear() {
     this.#version++;
     this.#faults.clear();
-    for (const { group } of this.#links) group.removeFromParent();
+    for (const { group } of this.#links) {
+      dispose(group);
+      group.removeFromParent();
+    }
     this.#links = [];
   }
 }

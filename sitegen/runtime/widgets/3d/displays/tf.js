@@ -14,35 +14,60 @@ const MOST_NAMES = 150;
 const GREY = new Color(0x9aa3b8);
 // The share of the view's height that a name takes.
 const NAME = 0.035;
+// The part of the timeout after which frames are grey, as in RViz.
+const PALE = 1 / 3;
+
+/** @typedef {{position: InstanceType<typeof Vector3>, rotation: InstanceType<typeof Quaternion>, pale: boolean}} Place */
 
 /** @type {Kind} */
 export const kind = {
   title: say("Frames"),
   types: [],
-  defaults: { names: true, axes: true, arrows: true, scale: 1, alpha: 1 },
+  defaults: { names: true, axes: true, arrows: true, scale: 1, alpha: 1, timeout: 15 },
 
-  create({ root, world }, options) {
+  create({ root, world, redraw }, options) {
     const axes = new Axes(root);
     const lines = new Lines(root);
     const names = new Group();
     root.add(names);
     let drawn = "";
+    /** By frame: the time of its transforms (s), and since when that is (ms). @type {Map<string, {time: number, since: number}>} */
+    let heard = new Map();
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let timer;
 
     return {
-      update() {
+      update(time) {
         const { transforms, fixed } = world;
+        const now = world.transformTime(time);
+        const timeout = options.timeout > 0 ? options.timeout * 1000 : Infinity;
+        /** @type {Map<string, Place>} */
         const poses = new Map();
+        const former = heard;
+        heard = new Map();
+        let next = Infinity;
         for (const frame of transforms.frames()) {
-          const { pose } = transforms.lookup(fixed, frame);
-          if (!pose) continue;
+          const found = transforms.lookup(fixed, frame);
+          if (!found.pose) continue;
+          const { pose } = found;
+          const before = former.get(frame);
+          const entry = before?.time === found.time ? before : { time: found.time, since: now };
+          heard.set(frame, entry);
+          // Nothing is heard again of frames that do not move.
+          const age = found.time < Infinity ? now - entry.since : 0;
+          if (age >= timeout) continue;
+          const pale = age >= timeout * PALE;
+          if (found.time < Infinity) next = Math.min(next, (pale ? timeout : timeout * PALE) - age);
           poses.set(frame, {
-            position: new Vector3(...pose.position), rotation: new Quaternion(...pose.rotation),
+            position: new Vector3(...pose.position), rotation: new Quaternion(...pose.rotation), pale,
           });
         }
+        clearTimeout(timer);
+        if (now === time && next < Infinity) timer = setTimeout(redraw, next + 1);
         axes.begin();
         if (options.axes) {
-          for (const { position, rotation } of poses.values()) {
-            axes.add(position, rotation, 0.2 * options.scale, 0.02 * options.scale);
+          for (const { position, rotation, pale } of poses.values()) {
+            axes.add(position, rotation, 0.2 * options.scale, 0.02 * options.scale, pale ? GREY : undefined);
           }
         }
         axes.end(options.alpha);
@@ -59,11 +84,14 @@ export const kind = {
           for (const frame of shown) names.add(createLabel(frame, NAME, { fixed: true }));
         }
         shown.forEach((frame, index) => {
-          const { position } = poses.get(frame);
+          const { position } = /** @type {Place} */ (poses.get(frame));
           names.children[index]?.position.copy(position).add(new Vector3(0, 0, 0.06 * options.scale));
         });
       },
-      close: () => dispose(root),
+      close() {
+        clearTimeout(timer);
+        dispose(root);
+      },
     };
   },
 };

@@ -44,6 +44,8 @@ export class Pointer {
     canvas.addEventListener("pointermove", (event) => this.#move(event), { signal });
     canvas.addEventListener("pointerup", (event) => this.#lift(event), { signal });
     canvas.addEventListener("pointercancel", () => this.release(), { signal });
+    // A finger on a marker does not scroll the page.
+    canvas.addEventListener("touchstart", (event) => this.#grip && event.preventDefault(), { signal, passive: false });
   }
 
   /** Let go of what is held, or of this marker. @param {Handle} [handle] */
