@@ -14,9 +14,9 @@ const TARGET = join(import.meta.dirname, "sitegen/bundles");
 // rosMain.js has a copy of what it shares with the parts: a page of consoles loads no other file.
 const START = ["rosMain.js"];
 const IN_START = ["widgets/buttons.js", "widgets/console.js"];
-// These have copies, too: what they share with single panels, such as a reader of YAML, would come to every page with a
-// panel.
-const APART = ["widgets/launch.js", "widgets/terminal.js"];
+// These have copies, too: what they share with single panels, such as a reader of YAML or the transforms of the 3D view,
+// would come to every page with a panel.
+const APART = ["widgets/launch.js", "widgets/terminal.js", "widgets/tf.js"];
 const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
   (name) => ![...IN_START, ...APART].includes(name));
 // What few parts share, and is too large for the file that all of them load.
@@ -29,6 +29,7 @@ const ALONE = [
   "jupyter/extension.js",
   "jupyter/ownGraph.js",
   "messages/filter/contentFilter.js",
+  "messages/parameters/fileReader.js",
   "page/searchIndex.js",
   "rosbridge/encoding.js",
   "rosbridge/outside.js",

@@ -61,6 +61,9 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if any(widget.kind == "buttons" for widget in _widgets(site.pages)):
         # Loaded by visitors who open the options of a node.
         names.add("widgets/buttons/options.js")
+    if any(widget.kind == "parameters" for widget in _widgets(site.pages)):
+        # Loaded by visitors who load a file of parameters.
+        names.add("messages/parameters/fileReader.js")
     if any(widget.kind in ("console", "prompt") for widget in _widgets(site.pages)):
         # Loaded when a visitor wants to find, copy or save lines.
         names.add("ui/lineTools.js")

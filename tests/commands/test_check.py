@@ -309,7 +309,6 @@ def test_a_panel_silences_nothing(widget: str, tmp_path: Path) -> None:
     [
         ("plot: {series: [/chatter/data]}", 0),
         ("value: {path: /chatter/data/size}", 0),
-        ("plot: {series: [/chatter.data/size]}", 0),
         ("plot: {series: [/chater/data]}", 1),
         ("3d: {displays: [{markers: /chater}]}", 0),
     ],

@@ -28,6 +28,7 @@ class Endpoint:
 
     @property
     def names(self) -> frozenset[str]:
+        """All names that it may have."""
         return self.instead | {self.name}
 
 

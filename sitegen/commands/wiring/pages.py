@@ -82,7 +82,8 @@ def _program(site: Site, node: Node) -> Program:
 def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems: Problems) -> None:
     endpoint = side.endpoint
     wanted = _OTHER.get(endpoint.kind)
-    others = {name for each in sides if each.endpoint.kind == wanted for name in each.endpoint.names}
+    opposite = (each.endpoint for each in sides if each.endpoint.kind == wanted)
+    others = {name for each in opposite for name in each.names}
     if wanted is None or {*endpoint.names, widgets.ANY} & others or _is_common(endpoint.name):
         return
     does, missing, way = {

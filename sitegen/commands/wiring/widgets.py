@@ -11,7 +11,7 @@ from sitegen.model import Widget
 
 # Stands for a widget whose topic or service the visitor chooses.
 ANY = "*"
-# These widgets start nodes, show the graph, or have only endpoints that every node has a counterpart for.
+# These widgets start nodes, show the graph, or use only topics and services of all nodes.
 _LOOK_ON = {
     *("actions", "buttons", "console", "diagnostics", "graph", "launch", "lifecycle", "log"),
     *("nodes", "parameters", "tf"),

@@ -1,14 +1,15 @@
 // @ts-check
 // The parameters of nodes, in forms.
 
+import { toFile } from "../messages/parameters/file.js";
+import { list, nodesOf, set } from "../messages/parameters/node.js";
+import { parse, textOf } from "../messages/parameters/value.js";
+import { place } from "../place.js";
 import { download } from "../ui/download.js";
 import { arrange, button, create, setNote } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { say } from "../ui/words.js";
-import { fromFile, toFile } from "../messages/parameters/file.js";
-import { list, nodesOf, set } from "../messages/parameters/node.js";
 import { Row } from "./parameters/row.js";
-import { parse, textOf } from "../messages/parameters/value.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Parameter } from "../messages/parameters/node.js" */
@@ -150,6 +151,8 @@ class NodeForm {
     /** @type {string[]} */
     const faults = [];
     try {
+      /** @type {typeof import("../messages/parameters/fileReader.js")} */
+      const { fromFile } = await import(place("messages/parameters/fileReader.js"));
       const changed = [];
       for (const [name, given] of fromFile(text, this.#name)) {
         const value = this.#read(name, given, faults);

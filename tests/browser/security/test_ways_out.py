@@ -65,7 +65,9 @@ NODES = {
 }
 # Start nodes, and return what their consoles say is open.
 RUN = """async (names) => {
-  const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  const main = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  while (!main.ros) await new Promise((resolve) => setTimeout(resolve, 100));
+  const { ros } = main;
   const consoles = names.map((name) => document.querySelector(`[role=log][aria-label="${name}"]`));
   for (const name of names) ros.nodes.get(name).start();
   const said = () => consoles.map((one) => one.textContent.match(/open:[^\\[\\n]*/)?.[0]);

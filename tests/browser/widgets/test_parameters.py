@@ -175,7 +175,8 @@ def test_files_have_bytes_and_names_below_names(stage: Tab, tmp_path: Path) -> N
         """() => {
           window.node = {
             a: { type: 2, integer_value: 1n }, "a.b": { type: 2, integer_value: 2n },
-            "a.b.c": { type: 2, integer_value: 3n }, bytes: { type: 5, byte_array_value: Uint8Array.of(1, 255) },
+            "a.b.c": { type: 2, integer_value: 3n },
+            bytes: { type: 5, byte_array_value: Uint8Array.of(1, 255) },
             "gains.p": { type: 3, double_value: 1 },
           };
         }"""

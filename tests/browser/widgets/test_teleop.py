@@ -132,8 +132,8 @@ def test_a_robot_stops_whatever_happens_to_the_gamepad(stage: Tab) -> None:
         """() => {
           ros.types["sensor_msgs/msg/Joy"] = ros.fields("");
           const { advertise } = ros;
-          ros.advertise = (topic, type) => (topic === "/joy"
-            ? { publish() { throw new Error("the queue is full"); }, close() {} } : advertise(topic, type));
+          const full = { publish() { throw new Error("the queue is full"); }, close() {} };
+          ros.advertise = (topic, type) => (topic === "/joy" ? full : advertise(topic, type));
         }"""
     )
     stage.evaluate(PAD, 0)

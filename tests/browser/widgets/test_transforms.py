@@ -84,7 +84,9 @@ def test_a_long_chain_is_looked_up_step_by_step(stage: Tab) -> None:
     found = stage.evaluate(
         f"""async () => {{ {HELPERS}
           const transforms = new Transforms();
-          for (let n = 1; n < 1000; n++) transforms.add(stamped(`f${{n - 1}}`, `f${{n}}`, 1), false);
+          for (let n = 1; n < 1000; n++) {{
+            transforms.add(stamped(`f${{n - 1}}`, `f${{n}}`, 1), false);
+          }}
           const far = (target, source) => transforms.lookup(target, source).pose.position[0];
           return [
             transforms.frames().map((each) => far("f0", each)).sort((a, b) => a - b).at(-1),

@@ -1,7 +1,8 @@
 // @ts-check
 // ros2 param: the parameters of nodes, by their services.
 
-import { fromFile, toFile } from "../../messages/parameters/file.js";
+import { toFile } from "../../messages/parameters/file.js";
+import { fromFile } from "../../messages/parameters/fileReader.js";
 import { list as readAll, nodesOf } from "../../messages/parameters/node.js";
 import { guess, NOT_SET, plainOf } from "../../messages/parameters/value.js";
 import { Failure } from "../shell/shell.js";

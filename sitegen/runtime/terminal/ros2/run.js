@@ -1,7 +1,7 @@
 // @ts-check
 // ros2 run: start a program of the page as a new process, with its output and input in the terminal.
 
-import { sections } from "../../messages/parameters/file.js";
+import { sections } from "../../messages/parameters/fileReader.js";
 import { executableOf, programsOf } from "../args/words.js";
 import { Failure } from "../shell/shell.js";
 import { Output } from "./output.js";

@@ -88,6 +88,7 @@ export const views = {
   "no transform of '{}' that is old enough": "keine Transformation von '{}', die alt genug ist",
   "no transforms of {}": "keine Transformationen von {}",
   "marker {}: {}": "Marker {}: {}",
+  "marker {}: its pose is not finite": "Marker {}: seine Pose ist nicht endlich",
   "it has more than {} points": "er hat mehr als {} Punkte",
   "its scale is not finite": "seine Größe ist nicht endlich",
   "its color is not finite": "seine Farbe ist nicht endlich",

@@ -7,7 +7,7 @@ import { createLabel } from "../label.js";
 import { Lines } from "../lines.js";
 import { Axes, dispose } from "../shapes.js";
 
-/** @import { Kind } from "../shown.js" */
+/** @import { Context, Kind } from "../shown.js" */
 
 // More names would cover each other, and each costs time.
 const MOST_NAMES = 150;
@@ -25,73 +25,99 @@ export const kind = {
   types: [],
   defaults: { names: true, axes: true, arrows: true, scale: 1, alpha: 1, timeout: 15 },
 
-  create({ root, world, redraw }, options) {
-    const axes = new Axes(root);
-    const lines = new Lines(root);
-    const names = new Group();
-    root.add(names);
-    let drawn = "";
-    /** By frame: the time of its transforms (s), and since when that is (ms). @type {Map<string, {time: number, since: number}>} */
-    let heard = new Map();
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    let timer;
-
-    return {
-      update(time) {
-        const { transforms, fixed } = world;
-        const now = world.transformTime(time);
-        const timeout = options.timeout > 0 ? options.timeout * 1000 : Infinity;
-        /** @type {Map<string, Place>} */
-        const poses = new Map();
-        const former = heard;
-        heard = new Map();
-        let next = Infinity;
-        for (const frame of transforms.frames()) {
-          const found = transforms.lookup(fixed, frame);
-          if (!found.pose) continue;
-          const { pose } = found;
-          const before = former.get(frame);
-          const entry = before?.time === found.time ? before : { time: found.time, since: now };
-          heard.set(frame, entry);
-          // Nothing is heard again of frames that do not move.
-          const age = found.time < Infinity ? now - entry.since : 0;
-          if (age >= timeout) continue;
-          const pale = age >= timeout * PALE;
-          if (found.time < Infinity) next = Math.min(next, (pale ? timeout : timeout * PALE) - age);
-          poses.set(frame, {
-            position: new Vector3(...pose.position), rotation: new Quaternion(...pose.rotation), pale,
-          });
-        }
-        clearTimeout(timer);
-        if (now === time && next < Infinity) timer = setTimeout(redraw, next + 1);
-        axes.begin();
-        if (options.axes) {
-          for (const { position, rotation, pale } of poses.values()) {
-            axes.add(position, rotation, 0.2 * options.scale, 0.02 * options.scale, pale ? GREY : undefined);
-          }
-        }
-        axes.end(options.alpha);
-        const ends = [...poses].flatMap(([frame, { position }]) => {
-          const parent = poses.get(transforms.parentOf(frame) ?? "");
-          return parent ? [...position.toArray(), ...parent.position.toArray()] : [];
-        });
-        lines.show(new Float32Array(options.arrows ? ends : []), { color: GREY, opacity: options.alpha });
-        const shown = options.names ? [...poses.keys()].slice(0, MOST_NAMES) : [];
-        const list = JSON.stringify([shown, options.scale]);
-        if (list !== drawn) {
-          drawn = list;
-          dispose(names);
-          for (const frame of shown) names.add(createLabel(frame, NAME, { fixed: true }));
-        }
-        shown.forEach((frame, index) => {
-          const { position } = /** @type {Place} */ (poses.get(frame));
-          names.children[index]?.position.copy(position).add(new Vector3(0, 0, 0.06 * options.scale));
-        });
-      },
-      close() {
-        clearTimeout(timer);
-        dispose(root);
-      },
-    };
+  create(context, options) {
+    const frames = new Frames(context, options);
+    return { update: (now) => frames.update(now), close: () => frames.close() };
   },
 };
+
+class Frames {
+  #context;
+  #options;
+  #axes;
+  #lines;
+  #names = new Group();
+  /** The names that are drawn. */
+  #named = "";
+  /** By frame: the time of its transforms (s), and since when that is (ms). @type {Map<string, {time: number, since: number}>} */
+  #heard = new Map();
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+
+  /** @param {Context} context @param {Record<string, any>} options */
+  constructor(context, options) {
+    this.#context = context;
+    this.#options = options;
+    this.#axes = new Axes(context.root);
+    this.#lines = new Lines(context.root);
+    context.root.add(this.#names);
+  }
+
+  /** @param {number} now (ms) */
+  update(now) {
+    const { transforms } = this.#context.world;
+    const { axes, arrows, names, scale, alpha } = this.#options;
+    const places = this.#placesAt(now);
+    this.#axes.begin();
+    for (const { position, rotation, pale } of axes ? places.values() : []) {
+      this.#axes.add(position, rotation, 0.2 * scale, 0.02 * scale, pale ? GREY : undefined);
+    }
+    this.#axes.end(alpha);
+    const ends = [...places].flatMap(([frame, { position }]) => {
+      const parent = places.get(transforms.parentOf(frame) ?? "");
+      return parent ? [...position, ...parent.position] : [];
+    });
+    this.#lines.show(new Float32Array(arrows ? ends : []), { color: GREY, opacity: alpha });
+    this.#name(names ? [...places].slice(0, MOST_NAMES) : []);
+  }
+
+  close() {
+    clearTimeout(this.#timer);
+    dispose(this.#context.root);
+  }
+
+  /** Return where the frames are, without those that were heard of too long ago. @param {number} time (ms) */
+  #placesAt(time) {
+    const { world, redraw } = this.#context;
+    const { transforms, fixed } = world;
+    const now = world.transformTime(time);
+    const timeout = this.#options.timeout > 0 ? this.#options.timeout * 1000 : Infinity;
+    /** @type {Map<string, Place>} */
+    const places = new Map();
+    const former = this.#heard;
+    this.#heard = new Map();
+    let next = Infinity;
+    for (const frame of transforms.frames()) {
+      const found = transforms.lookup(fixed, frame);
+      if (!found.pose) continue;
+      const before = former.get(frame);
+      const heard = before?.time === found.time ? before : { time: found.time, since: now };
+      this.#heard.set(frame, heard);
+      // Nothing is heard again of frames that do not move.
+      const moves = found.time < Infinity;
+      const age = moves ? now - heard.since : 0;
+      if (age >= timeout) continue;
+      const pale = age >= timeout * PALE;
+      if (moves) next = Math.min(next, (pale ? timeout : timeout * PALE) - age);
+      const { position, rotation } = found.pose;
+      places.set(frame, { position: new Vector3(...position), rotation: new Quaternion(...rotation), pale });
+    }
+    clearTimeout(this.#timer);
+    if (now === time && next < Infinity) this.#timer = setTimeout(redraw, next + 1);
+    return places;
+  }
+
+  /** @param {[string, Place][]} places */
+  #name(places) {
+    const { scale } = this.#options;
+    const named = JSON.stringify([places.map(([frame]) => frame), scale]);
+    if (named !== this.#named) {
+      this.#named = named;
+      dispose(this.#names);
+      for (const [frame] of places) this.#names.add(createLabel(frame, NAME, { fixed: true }));
+    }
+    places.forEach(([, { position }], index) => {
+      this.#names.children[index]?.position.copy(position).add(new Vector3(0, 0, 0.06 * scale));
+    });
+  }
+}
