@@ -110,7 +110,7 @@ def test_a_robot_is_in_the_file(alone: Page, tmp_path: Path) -> None:
     expect(alone.locator("svg.ros-floor")).to_be_visible()
 
 
-def test_meshes_are_in_the_file(alone: Page, tmp_path: Path) -> None:
+def test_meshes_and_what_is_loaded_later_are_in_the_file(alone: Page, tmp_path: Path) -> None:
     file = tmp_path / "file.html"
     assert main(["build", str(ROOT), "--single-file", "demo10", "--output", str(file)]) == 0
     alone.goto(file.as_uri())
@@ -118,6 +118,15 @@ def test_meshes_are_in_the_file(alone: Page, tmp_path: Path) -> None:
     expect(alone.get_by_role("region", name="trace", exact=True)).to_contain_text("tool at")
     # All displays show what they are for, the robot with its meshes among them.
     expect(view.locator(".ros-displays > summary")).to_have_text("Displays 4")
+    parameters = alone.get_by_role("region", name="Parameters")
+    parameters.scroll_into_view_if_needed()
+    width = parameters.get_by_label("width double")
+    expect(width).to_have_value("0.012")
+    saved = tmp_path / "trace.yaml"
+    saved.write_text("/trace: {ros__parameters: {width: 0.05}}\n")
+    parameters.locator("input[type=file]").set_input_files(saved)
+    expect(parameters).to_contain_text("All values were set.")
+    expect(width).to_have_value("0.05")
 
 
 def test_a_bag_is_in_the_file(alone: Page, tmp_path: Path) -> None:

@@ -66,9 +66,13 @@ NODES = {
 # Start nodes, and return what their consoles say is open.
 RUN = """async (names) => {
   const main = await import(document.querySelector("script[type=module][src*=rosMain]").src);
-  while (!main.ros) await new Promise((resolve) => setTimeout(resolve, 100));
+  const found = () => names.map((name) =>
+    document.querySelector(`[role=log][aria-label="${name}"]`));
+  while (!main.ros || found().includes(null)) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
   const { ros } = main;
-  const consoles = names.map((name) => document.querySelector(`[role=log][aria-label="${name}"]`));
+  const consoles = found();
   for (const name of names) ros.nodes.get(name).start();
   const said = () => consoles.map((one) => one.textContent.match(/open:[^\\[\\n]*/)?.[0]);
   for (let tries = 0; tries < 600 && said().includes(undefined); tries += 1) {

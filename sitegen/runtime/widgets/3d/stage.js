@@ -88,7 +88,9 @@ export class Stage {
     for (const type of ["focus", "blur"]) this.canvas.addEventListener(type, () => this.#touch());
     this.#touch();
     // The browser took the finger for scrolling.
-    this.canvas.addEventListener("pointercancel", () => this.hint(say("Tap the view, then move it with one finger")));
+    this.canvas.addEventListener("pointercancel", () => {
+      if (!this.#isSelected) this.hint(say("Tap the view, then move it with one finger"));
+    });
     this.canvas.addEventListener("wheel", ({ ctrlKey }) => {
       if (!ctrlKey && !this.#isSelected) this.hint(say("Click the view to zoom with the wheel"));
     }, { passive: true });

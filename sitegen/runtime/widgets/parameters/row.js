@@ -14,6 +14,9 @@ export class Row {
   #set;
   /** The text of the value that the field shows. */
   #shown = "";
+  #id = `ros-parameter-${++lastId}`;
+  #label = create("label", "");
+  #about = create("p", "ros-parameter-about");
   #note = create("p", "ros-note");
   #type = create("small", "");
   #box = create("input", "");
@@ -25,15 +28,14 @@ export class Row {
   constructor(parameter, set) {
     this.#parameter = parameter;
     this.#set = set;
-    const id = `ros-parameter-${++lastId}`;
     const { name } = parameter;
     this.#box.type = "checkbox";
     this.#slider.type = "range";
     Object.assign(this.#field, { spellcheck: false, autocomplete: "off" });
-    this.#box.id = `${id}-box`;
-    this.#field.id = id;
+    this.#box.id = `${this.#id}-box`;
+    this.#field.id = this.#id;
     this.#slider.setAttribute("aria-label", say("slider of {}", name));
-    this.#note.id = `${id}-note`;
+    this.#note.id = `${this.#id}-note`;
     for (const control of this.#controls) control.setAttribute("aria-describedby", this.#note.id);
     this.#box.addEventListener("change", () => this.#send(() => valueOf(this.#box.checked, BOOL)));
     this.#field.addEventListener("change", () => this.#send(() => parse(this.#field.value, this.#parameter.value.type)));
@@ -45,18 +47,11 @@ export class Row {
     });
     this.#slider.addEventListener("change", () =>
       this.#send(() => valueOf(Number(this.#slider.value), this.#parameter.value.type)));
-    const label = create("label", "", name, " ", this.#type);
-    label.htmlFor = id;
+    this.#label.append(name, " ", this.#type);
     const controls = create("div", "ros-parameter-value", ...this.#controls);
-    this.element = create("div", "ros-parameter", label, controls, this.#about, this.#note);
-    this.#label = label;
-    this.#id = id;
+    this.element = create("div", "ros-parameter", this.#label, controls, this.#about, this.#note);
     this.describe(parameter);
   }
-
-  #label;
-  #id;
-  #about = create("p", "ros-parameter-about");
 
   get #controls() {
     return [this.#box, this.#slider, this.#field];
