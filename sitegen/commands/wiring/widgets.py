@@ -134,13 +134,11 @@ def _teleop(widget: Widget) -> Iterator[Endpoint]:
 def _scene(widget: Widget) -> Iterator[Endpoint]:
     """A view says itself which of its topics, often those of an `.rviz` file, nobody publishes."""
     where = widget.location
-    shown = widget.options.get("displays")
-    displays = shown if isinstance(shown, list) else []
-    topics = {
-        str(each.get("topic") or kinds()[each["kind"]].defaults.get("topic", ""))
-        for each in displays
-    }
-    for topic in sorted(topics - {""}) if isinstance(shown, list) else [ANY]:
+    topics = [ANY]
+    if isinstance(shown := widget.options.get("displays"), list):
+        given = (each.get("topic") or kinds()[each["kind"]].defaults.get("topic") for each in shown)
+        topics = sorted({str(topic) for topic in given if topic})
+    for topic in topics:
         yield Endpoint(SUBSCRIPTION, topic, "", where, sure=False)
         # What comes beside a map and an image, and what interactive markers answer.
         folder, name = topic.rpartition("/")[::2]
@@ -148,9 +146,8 @@ def _scene(widget: Widget) -> Iterator[Endpoint]:
             yield Endpoint(SUBSCRIPTION, beside, "", where, sure=False)
         if name == "update":
             yield Endpoint(PUBLISHER, f"{folder}/feedback", "", where, sure=False)
-    given = widget.options.get("tools")
-    tools = {**_TOOLS, **(given if isinstance(given, dict) else {})}
-    for topic in tools.values():
+    tools = widget.options.get("tools")
+    for topic in {**_TOOLS, **(tools if isinstance(tools, dict) else {})}.values():
         yield Endpoint(PUBLISHER, str(topic), "", where, sure=False)
 
 

@@ -155,7 +155,7 @@ class NodeForm {
       const { fromFile } = await import(place("messages/parameters/fileReader.js"));
       const changed = [];
       for (const [name, given] of fromFile(text, this.#name)) {
-        const value = this.#read(name, given, faults);
+        const value = this.#valueOf(name, given, faults);
         if (value) changed.push({ name, value });
       }
       const reason = faults.length || !changed.length ? "" : await set(this.#ros, this.#name, changed);
@@ -172,7 +172,7 @@ class NodeForm {
    * Return the value that a file gives to a parameter; undefined if that has it already, or if something is wrong.
    * @param {string} name @param {string} given @param {string[]} faults
    */
-  #read(name, given, faults) {
+  #valueOf(name, given, faults) {
     try {
       const parameter = this.#parameters.find((each) => each.name === name);
       if (!parameter) throw new Error(say("the node has no such parameter"));

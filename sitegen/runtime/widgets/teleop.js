@@ -98,7 +98,8 @@ class Teleop {
     this.#publisher = this.#ros.advertise(this.#topic, this.#type);
     if (this.#joy) this.#joyPublisher = this.#ros.advertise(this.#joy, JOY);
     const timer = setInterval(() => this.#send(), PERIOD);
-    const unfollow = this.#clock.begin();
+    // A Twist has no stamp.
+    const unfollow = this.#type === STAMPED || this.#joy ? this.#clock.begin() : () => {};
     return () => {
       this.#seen = false;
       clearInterval(timer);

@@ -79,8 +79,7 @@ def test_of_too_many_frames_the_silent_ones_are_forgotten(stage: Tab) -> None:
     assert found["count"] == 10_001
 
 
-def test_a_long_chain_is_looked_up_step_by_step(stage: Tab) -> None:
-    """Each frame of a chain of 1,000 takes what is above it as known, from both ends."""
+def test_a_long_chain_is_right_from_both_ends(stage: Tab) -> None:
     found = stage.evaluate(
         f"""async () => {{ {HELPERS}
           const transforms = new Transforms();

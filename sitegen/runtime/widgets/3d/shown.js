@@ -7,6 +7,7 @@ import { seconds } from "../tf/transforms.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Pose } from "../tf/pose.js" */
+/** @import { Found } from "../tf/transforms.js" */
 /** @import { World } from "./world.js" */
 
 /**
@@ -208,9 +209,9 @@ export class Shown {
   update(now) {
     if (!this.enabled) return;
     if (this.#waiting.length) this.#settle();
-    if (this.#display.frame) this.#move(this.#display.frame());
+    if (this.#display.frame) this.#move(this.#find(this.#display.frame()));
     else if (this.#headed && this.drawn && this.#placedIn !== this.#world.fixed) {
-      this.#move(this.#header.frame_id, seconds(this.#header.stamp));
+      this.#move(this.#find(this.#header.frame_id, seconds(this.#header.stamp)));
     }
     this.#display.update?.(now);
   }
@@ -235,7 +236,7 @@ export class Shown {
     for (let index = this.#waiting.length - 1; index >= 0; index--) {
       const { message, type } = /** @type {{message: any, type: string}} */ (this.#waiting[index]);
       const header = this.#display.frameOf?.(message) ?? { frame_id: this.#world.fixed, stamp: { sec: 0, nanosec: 0 } };
-      const found = this.#world.transforms.lookup(this.#world.fixed, header.frame_id, seconds(header.stamp));
+      const found = this.#find(header.frame_id, seconds(header.stamp));
       if (!found.pose) {
         fault ||= found.fault;
         continue;
@@ -245,7 +246,7 @@ export class Shown {
       this.tell("");
       // What it leaves behind is where the group is before that moves.
       this.#draw(message, type);
-      this.#move(header.frame_id, seconds(header.stamp));
+      this.#move(found);
       if (!this.drawn) {
         this.drawn = true;
         this.#world.appeared();
@@ -255,14 +256,17 @@ export class Shown {
     this.#lose(fault);
   }
 
-  /** Move the group to a frame; where that is unknown, nothing can be shown. @param {string} frame @param {number} [time] */
-  #move(frame, time) {
-    const { fixed, transforms } = this.#world;
-    const { pose, fault } = transforms.lookup(fixed, frame, time);
+  /** Move the group to a pose; where there is none, nothing can be shown. @param {Found} found */
+  #move({ pose, fault }) {
     if (pose) put(this.root, pose);
     this.root.visible = Boolean(pose);
-    this.#placedIn = pose ? fixed : "";
+    this.#placedIn = pose ? this.#world.fixed : "";
     this.#lose(fault);
+  }
+
+  /** The pose of a frame in the fixed one. @param {string} frame @param {number} [time] */
+  #find(frame, time) {
+    return this.#world.transforms.lookup(this.#world.fixed, frame, time);
   }
 
   /** @param {any} message @param {string} type */
@@ -277,7 +281,7 @@ export class Shown {
 
   /** @param {any} object @param {string} frame @param {number} [time] */
   #place(object, frame, time) {
-    const { pose, fault } = this.#world.transforms.lookup(this.#world.fixed, frame, time);
+    const { pose, fault } = this.#find(frame, time);
     if (pose) put(object, pose);
     else this.tell(fault);
     return Boolean(pose);
