@@ -124,6 +124,18 @@ def test_each_option_has_a_name_in_words(stage: Tab) -> None:
     assert set(named) == (keys | choices) - letters
 
 
+def test_a_phone_has_room_for_options(stage: Tab) -> None:
+    stage.set_viewport_size({"width": 390, "height": 844})
+    panel = view(stage, {"kind": "robot", "topic": "/t"})
+    panel.locator("summary").click()
+    panel.get_by_role("button", name="Options of").click()
+    field, whole = panel.get_by_label("topic").bounding_box(), panel.bounding_box()
+    assert field
+    assert whole
+    assert field["x"] + field["width"] <= whole["x"] + whole["width"] - 8
+    assert field["width"] > 120
+
+
 def test_a_display_waits_for_its_frame(stage: Tab) -> None:
     panel = view(stage, {"kind": "axes", "length": 1, "radius": 0.2, "frame": "robot"})
     expect(note(panel)).to_have_text("no frame 'robot' in /tf")
