@@ -23,6 +23,11 @@ const BUNDLES = {
     export { EditorState, StateEffect, StateField } from "@codemirror/state";
     export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
     export { tags } from "@lezer/highlight";`,
+  icons: `
+    export {
+      Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, LocateFixed, Map, MapPin, Maximize2, Pause, Play, Ruler, Scan,
+      SlidersHorizontal, ZoomIn, ZoomOut,
+    } from "lucide";`,
   idiomorph: 'export { Idiomorph } from "idiomorph";',
   three: `
     export {

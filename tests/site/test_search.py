@@ -9,7 +9,8 @@ import pytest
 from browser import Built, Serve
 from paths import ROOT
 from playwright.sync_api import Page as Tab
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
+from waiting import until
 
 from sitegen.commands.build import build
 from sitegen.report import Report
@@ -99,6 +100,42 @@ def test_it_works_by_keyboard(tab_at_home: Tab) -> None:
     expect(tab.locator("dialog")).to_be_visible()
     tab.keyboard.press("Escape")
     expect(tab.locator("dialog")).to_be_hidden()
+
+
+def test_what_is_typed_at_once_is_the_query(tab: Tab, site: Path, serve: Serve) -> None:
+    late: list[Route] = []
+    for part in ("**/search.js", "**/search.en.json"):
+        tab.route(part, lambda route: late.append(route))
+    tab.goto(serve(site))
+    tab.keyboard.press("/")
+    tab.keyboard.type("wheels")
+    tab.keyboard.press("Enter")
+    expect(tab.get_by_role("searchbox")).to_have_value("wheels")
+    until(lambda: tab.evaluate("1") and late)
+    late.pop().continue_()
+    until(lambda: tab.evaluate("1") and late)
+    expect(tab.locator("dialog")).to_be_visible()
+    late.pop().continue_()
+    tab.wait_for_url("**/a/guide/#gro%C3%9Fe-fahrt")
+
+
+def test_enter_takes_the_result_of_all_that_was_typed(tab_at_home: Tab) -> None:
+    tab = tab_at_home
+    tab.keyboard.press("Control+k")
+    found(tab, "welcome")
+    # All at once, as from a fast hand: the page has no time to search between the letters.
+    tab.evaluate(
+        """() => {
+          const field = document.querySelector("dialog input");
+          const options = { bubbles: true, cancelable: true };
+          for (const text of ["in", "inst", "install"]) {
+            field.value = text;
+            field.dispatchEvent(new InputEvent("input", options));
+          }
+          field.dispatchEvent(new KeyboardEvent("keydown", { ...options, key: "Enter" }));
+        }"""
+    )
+    tab.wait_for_url("**/a/guide/#install")
 
 
 def test_what_pages_say_is_shown_as_text(tab_at_home: Tab) -> None:

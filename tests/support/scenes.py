@@ -50,7 +50,11 @@ def emit(tab: Tab, topic: str, message: str) -> None:
 def pixels(panel: Locator) -> Image.Image:
     """Return what the view shows now."""
     canvas = panel.locator(".ros-scene canvas")
+    # The tools lie over it. The policy of pages forbids the screenshot's own styles.
+    tools = panel.locator(".ros-scene-tools")
+    tools.evaluate("(tools) => void (tools.style.visibility = 'hidden')")
     data = canvas.screenshot()
+    tools.evaluate("(tools) => void (tools.style.visibility = '')")
     return Image.open(io.BytesIO(data)).convert("RGB")
 
 

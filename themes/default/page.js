@@ -69,14 +69,25 @@ function offerSearch() {
   const dialog = /** @type {HTMLDialogElement | null} */ (document.querySelector("dialog.search"));
   const button = /** @type {HTMLElement | null} */ (document.querySelector(".search-button"));
   if (!dialog || !button) return;
-  /** @type {Promise<unknown> | undefined} */
-  let dressed;
-  const open = async () => {
-    dressed ??= loadSheet("search.css");
-    const [{ openSearch }] = await Promise.all([import("./search.js"), dressed]);
-    openSearch(dialog);
+  const input = /** @type {HTMLInputElement} */ (dialog.querySelector("input"));
+  /** @type {Promise<typeof import("./search.js")> | undefined} */
+  let loading;
+  const load = () => (loading ??= loadSearch(dialog));
+  const open = () => {
+    if (dialog.open) return;
+    // At once, so that what is typed while the rest loads is part of the query.
+    dialog.showModal();
+    input.select();
+    load();
   };
   button.addEventListener("click", open);
+  // Enter waits for the results of what was typed before it.
+  dialog.addEventListener("keydown", async (event) => {
+    if (event.key !== "Enter" || event.target !== input || event.isComposing) return;
+    event.preventDefault();
+    const { followFirst } = await load();
+    followFirst(dialog);
+  });
   document.addEventListener("keydown", (event) => {
     const slash = event.key === "/" && !takesKeys(event) && !event.ctrlKey && !event.metaKey && !event.altKey;
     const letter = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "k";
@@ -85,6 +96,19 @@ function offerSearch() {
     open();
   });
   button.hidden = false;
+}
+
+/**
+ * Fill the dialog of the search. It is not seen without its styles.
+ *
+ * @param {HTMLDialogElement} dialog
+ */
+async function loadSearch(dialog) {
+  dialog.style.opacity = "0";
+  const [search] = await Promise.all([import("./search.js"), loadSheet("search.css")]);
+  dialog.style.opacity = "";
+  search.fillSearch(dialog);
+  return search;
 }
 
 /** In a frame of another page, let links to other pages open beside it. */

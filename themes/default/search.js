@@ -5,22 +5,26 @@
 
 const SHOWN = 20;
 
-/** @type {Promise<Index> | undefined} */
-let loading;
+/** Fulfilled when the results of what is typed are shown. @type {Promise<void>} */
+let shown;
 
 /**
- * Open the dialog; the first time, load the index that it names.
+ * Load the index that the dialog names, and show what is found in it.
  *
  * @param {HTMLDialogElement} dialog
  */
-export function openSearch(dialog) {
-  if (dialog.open) return;
-  if (!loading) {
-    loading = load(dialog);
-    listen(dialog, loading);
-  }
-  dialog.showModal();
-  dialog.querySelector("input")?.select();
+export function fillSearch(dialog) {
+  listen(dialog, load(dialog));
+}
+
+/**
+ * Open the first result of what is typed now.
+ *
+ * @param {HTMLDialogElement} dialog
+ */
+export async function followFirst(dialog) {
+  await shown;
+  if (dialog.open) dialog.querySelector("a")?.click();
 }
 
 /**
@@ -54,7 +58,9 @@ function listen(dialog, loading) {
     status.textContent = query.trim() ? counted(found.length, dialog.dataset) : "";
   }
 
-  input.addEventListener("input", show);
+  input.addEventListener("input", () => {
+    shown = show();
+  });
   dialog.addEventListener("keydown", (event) => {
     const links = [...list.querySelectorAll("a")];
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
@@ -63,16 +69,13 @@ function listen(dialog, loading) {
       // Above the first line is the input.
       const now = links.findIndex((link) => link === document.activeElement);
       (links[now + step] ?? (now + step < 0 ? input : links[now]))?.focus();
-    } else if (event.key === "Enter" && event.target === input) {
-      event.preventDefault();
-      links[0]?.click();
     }
   });
   list.addEventListener("click", () => dialog.close());
   dialog.addEventListener("click", (event) => {
     if (event.target === dialog) dialog.close(); // beside it
   });
-  show();
+  shown = show();
 }
 
 /**

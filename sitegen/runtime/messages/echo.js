@@ -2,9 +2,11 @@
 // Show the messages of a topic as YAML, the newest at the end, as `ros2 topic echo` does.
 
 import { isHidden, PAGE_NODE } from "../graphNames.js";
-import { button, create, setText } from "../ui/elements.js";
+import { create, setText } from "../ui/elements.js";
 import { Tail } from "../ui/tail.js";
+import { setTool, tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { Eraser, Pause, Play } from "../vendor/icons.js";
 import { toYaml } from "./yaml.js";
 
 /** @import { Ros } from "../protocol.js" */
@@ -20,11 +22,11 @@ export class Echo {
   #ros;
   #name = create("span", "ros-name");
   #kind = create("span", "ros-type");
-  #pause = button(say("Pause"), "ros-pause", () => {
+  #pause = tool(say("Pause"), Pause, () => {
     this.#paused = !this.#paused;
     this.look();
   });
-  #controls = create("div", "ros-controls", this.#pause, button(say("Clear"), "ros-clear", () => {
+  #controls = create("div", "ros-controls", this.#pause, tool(say("Clear"), Eraser, () => {
     this.#clear();
     this.look();
   }));
@@ -84,7 +86,7 @@ export class Echo {
     setText(this.#kind, topic.type);
     setText(this.#ends, this.#topic ? endsOf(topic) : "");
     this.#log.setAttribute("aria-label", say("messages on {}", this.#topic));
-    setText(this.#pause, this.#paused ? say("Resume") : say("Pause"));
+    setTool(this.#pause, this.#paused ? say("Resume") : say("Pause"), this.#paused ? Play : Pause);
     this.#controls.hidden = !this.#topic;
     this.#subscribe(topic.type);
     setText(this.#hint, this.#failure || this.#describeSilence(topic));

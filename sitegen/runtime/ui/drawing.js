@@ -1,10 +1,9 @@
 // @ts-check
 // A drawing that visitors zoom and move by wheel, touch, keyboard or buttons.
 
-import { button, create } from "./elements.js";
-import { say } from "./words.js";
+import { create, shape } from "./elements.js";
+import { zoomTools } from "./toolbar.js";
 
-const SVG = "http://www.w3.org/2000/svg";
 const STEP = 1.3;
 const SMALLEST = 0.1;
 const LARGEST = 4;
@@ -12,20 +11,12 @@ const LARGEST = 4;
 const STRIDE = 48;
 const MARGIN = 16;
 
-/** @param {string} tag @param {Record<string, string | number>} attributes @param {Element[]} content */
-export function shape(tag, attributes = {}, ...content) {
-  const element = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
-  element.append(...content);
-  return element;
-}
-
 /** An area that shows a drawing, and the buttons to zoom it. What is drawn goes into `layer`. */
 export class Drawing {
   layer = shape("g");
   svg = shape("svg", { tabindex: 0, role: "img" }, this.layer);
   element = create("div", "ros-drawing", this.svg);
-  buttons;
+  tools = zoomTools((closer) => this.#zoom(closer ? STEP : 1 / STEP), () => this.#fit());
   #width = 1;
   #height = 1;
   #view = { x: 0, y: 0, scale: 1 };
@@ -46,12 +37,6 @@ export class Drawing {
     this.svg.addEventListener("keydown", (event) => this.#press(event));
     this.#resized.observe(this.element);
 
-    const larger = button("+", "", () => this.#zoom(STEP));
-    larger.setAttribute("aria-label", say("Zoom in"));
-    const smaller = button("−", "", () => this.#zoom(1 / STEP));
-    smaller.setAttribute("aria-label", say("Zoom out"));
-    const whole = button(say("Fit"), "", () => this.#fit());
-    this.buttons = create("div", "ros-controls", larger, smaller, whole);
   }
 
   /** Set the size of the drawing. @param {number} width @param {number} height */

@@ -1,6 +1,8 @@
 // @ts-check
 // Create and update the elements of panels. Text is never parsed as HTML, because it may come from a node.
 
+const SVG = "http://www.w3.org/2000/svg";
+
 /**
  * @template {keyof HTMLElementTagNameMap} Tag
  * @param {Tag} tag
@@ -11,6 +13,17 @@
 export function create(tag, className, ...content) {
   const element = document.createElement(tag);
   if (className) element.className = className;
+  element.append(...content);
+  return element;
+}
+
+/**
+ * Create an element of SVG.
+ * @param {string} tag @param {Record<string, string | number>} attributes @param {Element[]} content
+ */
+export function shape(tag, attributes = {}, ...content) {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   element.append(...content);
   return element;
 }

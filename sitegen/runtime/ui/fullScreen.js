@@ -1,14 +1,15 @@
 // @ts-check
 // A button that lets the panel of a widget fill the screen; the window, where browsers have no full screen.
 
-import { button } from "./elements.js";
+import { Maximize2 } from "../vendor/icons.js";
+import { tool } from "./toolbar.js";
 import { say } from "./words.js";
 
 const FILLING = "ros-filling";
 
 /** @param {HTMLElement} element of the widget */
 export function fullScreenButton(element) {
-  const press = button("", "ros-full", () => {
+  const press = tool(say("Full screen"), Maximize2, () => {
     const panel = element.closest(".ros-panel") ?? element;
     if (document.fullscreenElement) document.exitFullscreen();
     else if (panel.classList.contains(FILLING)) panel.classList.remove(FILLING);
@@ -16,8 +17,7 @@ export function fullScreenButton(element) {
     else if (panel.requestFullscreen) panel.requestFullscreen().catch(() => panel.classList.add(FILLING));
     else panel.classList.add(FILLING);
   });
-  press.setAttribute("aria-label", say("Full screen"));
-  press.title = say("Full screen");
+  press.classList.add("ros-full");
   return press;
 }
 

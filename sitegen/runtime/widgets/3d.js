@@ -2,10 +2,12 @@
 // The robot and its world in 3D: frames, models, sensors and markers, as RViz shows them.
 
 import { download } from "../ui/download.js";
-import { button, create, setNote } from "../ui/elements.js";
+import { create, setNote } from "../ui/elements.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
+import { tool, Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { Camera, Map as MapIcon, Scan } from "../vendor/icons.js";
 import { DisplayList } from "./3d/displayList.js";
 import { FrameChooser } from "./3d/frameChooser.js";
 import { createStage } from "./3d/stage.js";
@@ -26,48 +28,44 @@ import { World } from "./3d/world.js";
  * @returns {() => void} unmount
  */
 export function mount(element, ros, options) {
-  const title = create("span", "ros-title", say("3D view"));
   const stage = createStage(say("3D view; arrow keys turn it, with Shift they move it, + and - zoom, 0 shows everything"));
   if (typeof stage === "string") {
     const note = create("p", "ros-empty");
     setNote(note, stage, true);
-    element.replaceChildren(create("div", "ros-bar", title), note);
+    element.replaceChildren(create("div", "ros-bar", create("span", "ros-title", say("3D view"))), note);
     return () => element.replaceChildren();
   }
-  return show(element, ros, options, stage, title);
+  return show(element, ros, options, stage);
 }
 
 /**
- * @param {HTMLElement} element @param {Ros} ros @param {any} options @param {Stage} stage @param {HTMLElement} title
+ * @param {HTMLElement} element @param {Ros} ros @param {any} options @param {Stage} stage
  */
-function show(element, ros, options, stage, title) {
+function show(element, ros, options, stage) {
   const world = new World(ros, stage, options);
   const frames = new FrameChooser(world);
   const list = new DisplayList(world);
   const tools = new Tools(ros, stage, world, options.tools);
-  const top = button(say("Top"), "", () => {
+  const top = tool(say("Top"), MapIcon, () => {
     stage.top = !stage.top;
     stage.fit();
     press();
-  });
+  }, say("Look straight down"));
   const press = () => top.setAttribute("aria-pressed", String(stage.top));
-  const fit = button(say("Fit"), "", () => {
+  const fit = tool(say("Fit"), Scan, () => {
     stage.chosen = false;
     stage.fit();
-  });
-  top.title = say("Look straight down");
-  fit.title = say("Show everything");
-  const save = button(say("Picture"), "", async () => {
+  }, say("Show everything"));
+  const save = tool(say("Picture"), Camera, async () => {
     const blob = await stage.picture();
     if (blob) download(blob, "3d.png");
-  });
-  save.title = say("Save a picture");
-  const controls = create("div", "ros-controls", frames.element, ...tools.buttons, top, fit, save, fullScreenButton(element));
+  }, say("Save a picture"));
+  const controls = new Toolbar([top, fit, ...tools.buttons, save], [fullScreenButton(element)]);
   const blind = create("p", "ros-scene-lost",
     say("The browser has stopped drawing this view: the graphics card was reset, or too many views are open."));
   blind.setAttribute("role", "alert");
   blind.hidden = true;
-  stage.element.append(tools.note, blind);
+  stage.element.append(create("div", "ros-scene-tools", frames.element, controls.element), tools.note, blind);
   stage.hint = (text) => tools.hint(text);
   stage.lost = (lost) => {
     blind.hidden = !lost;
@@ -76,7 +74,7 @@ function show(element, ros, options, stage, title) {
   if (options.top) stage.top = true;
   if (options.view) stage.view = options.view;
   press();
-  element.replaceChildren(create("div", "ros-bar", title, controls), stage.element, list.element);
+  element.replaceChildren(stage.element, list.element);
 
   world.changed = () => {
     frames.look();

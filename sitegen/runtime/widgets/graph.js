@@ -2,10 +2,12 @@
 // A drawing of the nodes, topics and services of the page, as in rqt_graph.
 
 import { isHidden, isShown } from "../graphNames.js";
-import { Drawing, shape } from "../ui/drawing.js";
-import { create, toggle } from "../ui/elements.js";
+import { Drawing } from "../ui/drawing.js";
+import { create, shape, toggle } from "../ui/elements.js";
+import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { Graph, layout } from "../vendor/dagre.js";
+import { Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
@@ -41,8 +43,8 @@ export function mount(element, ros) {
     hidden = on;
     look();
   });
-  const controls = create("div", "ros-tools", all, drawing.buttons);
-  const bar = create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls);
+  const controls = new Toolbar([all, ...drawing.tools], [fullScreenButton(element)]);
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Graph")), controls.element);
   const legend = create("p", "ros-legend", ...KINDS.map(([kind, text]) => create("span", `ros-${kind}-sign`, text)));
   element.replaceChildren(bar, drawing.element, hint, legend);
   drawing.svg.setAttribute("aria-label", inWords([], []));

@@ -2,12 +2,14 @@
 // The images of a topic, raw or compressed.
 
 import { isShown } from "../graphNames.js";
-import { create, button, setText } from "../ui/elements.js";
+import { create, setText } from "../ui/elements.js";
 import { download } from "../ui/download.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
+import { tool, Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { Download } from "../vendor/icons.js";
 import { hasRange } from "./image/decode.js";
 import { COMPRESSED, ImageSource, RAW } from "./image/source.js";
 import { ImageView } from "./image/view.js";
@@ -25,9 +27,8 @@ import { ImageView } from "./image/view.js";
  * @returns {() => void} unmount
  */
 export function mount(element, ros, options) {
-  const panel = new ImagePanel(ros, options);
+  const panel = new ImagePanel(element, ros, options);
   element.replaceChildren(...panel.elements);
-  element.querySelector(".ros-bar > .ros-controls")?.append(fullScreenButton(element));
   const shape = /** @type {const} */ ({ topic: "string", min: "string", max: "string" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
   const unlook = whileSeen(element, () => panel.begin());
@@ -54,24 +55,23 @@ class ImagePanel {
   #low = create("input", "ros-end");
   #high = create("input", "ros-end");
   #range = create("div", "ros-range-ends");
-  #save = button(say("Save"), "ros-save", () => this.#saveImage());
+  #save = tool(say("Save"), Download, () => this.#saveImage(), say("Save the image as PNG"));
   #hint = create("p", "ros-hint");
   #note = create("p", "ros-note");
   elements;
 
-  /** @param {Ros} ros @param {Options} options */
-  constructor(ros, options) {
+  /** @param {HTMLElement} panel @param {Ros} ros @param {Options} options */
+  constructor(panel, ros, options) {
     this.#ros = ros;
     this.#options = options;
     this.#fixed = options.topic ?? "";
     this.#source = this.#createSource(this.#fixed);
-    this.#save.title = say("Save the image as PNG");
     this.#note.setAttribute("role", "status");
     this.#createRange();
     this.#setRange(options.min ?? NaN, options.max ?? NaN);
-    const controls = create("div", "ros-controls", this.#range, ...this.#view.buttons, this.#save);
+    const controls = new Toolbar([...this.#view.tools, this.#range, this.#save], [fullScreenButton(panel)]);
     const area = create("div", "ros-picture-area", this.#view.element, this.#hint);
-    this.elements = [create("div", "ros-bar", this.#createHeading(), controls), area, this.#note];
+    this.elements = [create("div", "ros-bar", this.#createHeading(), controls.element), area, this.#note];
     this.#look();
   }
 

@@ -2,10 +2,12 @@
 // The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
-import { button, create, setText } from "../ui/elements.js";
+import { create, setText } from "../ui/elements.js";
 import { whileSeen } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
+import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { Eraser } from "../vendor/icons.js";
 import { Entries, readEntry } from "./log/entries.js";
 import { Filters } from "./log/filters.js";
 import { Levels } from "./log/levels.js";
@@ -60,7 +62,7 @@ class Log {
     this.#entries = new Entries(limit);
     // Who asks a node for more lines wants to see them.
     this.#levels = new Levels(ros, (severity) => this.filters.admitFrom(severity));
-    const clear = button(say("Clear"), "ros-clear", () => {
+    const clear = tool(say("Clear"), Eraser, () => {
       this.#entries.clear();
       this.redraw();
     });

@@ -2,12 +2,14 @@
 // A plot of numbers in messages, against the time or against each other.
 
 import { parsePath } from "../messages/path.js";
-import { button, create, setText, toggle } from "../ui/elements.js";
+import { create, setText } from "../ui/elements.js";
 import { download } from "../ui/download.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
+import { setTool, tool, Toolbar, zoomTools } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { ChartScatter, Download, Eraser, Pause, Play } from "../vendor/icons.js";
 import { Chart } from "./plot/chart.js";
 import { Chooser } from "./plot/chooser.js";
 import { toCsv } from "./plot/csv.js";
@@ -38,9 +40,8 @@ const FREE = { left: NaN, right: NaN, low: NaN, high: NaN };
  * @returns {() => void} unmount
  */
 export function mount(element, ros, options) {
-  const panel = new PlotPanel(ros, options);
+  const panel = new PlotPanel(element, ros, options);
   element.replaceChildren(...panel.elements);
-  element.querySelector(".ros-bar > .ros-controls")?.append(fullScreenButton(element));
   const shape = /** @type {const} */ ({ series: "object", window: "string", points: "boolean" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
   const unlook = whileSeen(element, () => panel.begin());
@@ -70,18 +71,14 @@ class PlotPanel {
   #timer = 0;
   #first;
 
-  #pause = button(say("Pause"), "ros-pause", () => this.#setPaused(!this.#paused));
-  #fit = button(say("Fit"), "", () => this.#setZoom(undefined));
+  #pause = tool(say("Pause"), Pause, () => this.#setPaused(!this.#paused));
   #seconds = create("input", "ros-seconds");
-  #points = toggle(say("Points"), (on) => {
-    this.#chart.points = on;
-    this.redraw();
-  });
+  #points = tool(say("Points"), ChartScatter, () => this.#setPoints(!this.#chart.points), say("Show each sample"));
   #hint = create("p", "ros-hint");
   elements;
 
-  /** @param {Ros} ros @param {Options} options */
-  constructor(ros, options) {
+  /** @param {HTMLElement} panel @param {Ros} ros @param {Options} options */
+  constructor(panel, ros, options) {
     this.#ros = ros;
     this.#options = options;
     this.#first = [options.series ?? []].flat();
@@ -98,30 +95,30 @@ class PlotPanel {
     this.#chart.element.addEventListener("keydown", (event) => this.#press(event));
     const about = create("div", "ros-key-area", this.#legend.element, this.#chooser.element);
     const area = create("div", "ros-chart-area", this.#chart.element, this.#hint);
-    this.elements = [this.#createBar(options.title), area, about];
+    this.elements = [this.#createBar(options.title, panel), area, about];
     this.#seconds.value = String(window);
-    if (options.points) this.#setPoints(true);
+    this.#setPoints(Boolean(options.points));
     this.#samples.choose(this.#first);
   }
 
-  /** @param {string | null | undefined} title */
-  #createBar(title) {
-    const larger = button("+", "", () => this.#scale(1 / STEP));
-    larger.setAttribute("aria-label", say("Zoom in"));
-    const smaller = button("−", "", () => this.#scale(STEP));
-    smaller.setAttribute("aria-label", say("Zoom out"));
+  /** @param {string | null | undefined} title @param {HTMLElement} panel */
+  #createBar(title, panel) {
     this.#seconds.inputMode = "decimal";
     this.#seconds.addEventListener("change", () => this.#setWindow(this.#seconds.value));
     const seconds = create("label", "ros-every", this.#seconds, say("seconds"));
-    const csv = button("CSV", "ros-save", () => this.#save());
-    csv.title = say("Save what is shown as a table");
-    const clear = button(say("Clear"), "ros-clear", () => {
-      this.#samples.clear();
-      this.redraw();
-    });
-    const controls = create("div", "ros-controls", this.#pause, larger, smaller, this.#fit, seconds, this.#points, csv, clear);
+    const controls = new Toolbar([
+      this.#pause,
+      ...zoomTools((closer) => this.#scale(closer ? 1 / STEP : STEP), () => this.#setZoom(undefined)),
+      seconds,
+      this.#points,
+      tool("CSV", Download, () => this.#save(), say("Save what is shown as a table")),
+      tool(say("Clear"), Eraser, () => {
+        this.#samples.clear();
+        this.redraw();
+      }),
+    ], [fullScreenButton(panel)]);
     const heading = create("div", "ros-node", create("span", "ros-title", title || say("Plot")));
-    return create("div", "ros-bar", heading, controls);
+    return create("div", "ros-bar", heading, controls.element);
   }
 
   /** Subscribe and draw while the panel is visible. @returns {() => void} end it */
@@ -196,8 +193,9 @@ class PlotPanel {
 
   /** @param {boolean} on */
   #setPoints(on) {
-    const box = this.#points.querySelector("input");
-    if (box && box.checked !== on) box.click();
+    this.#chart.points = on;
+    this.#points.setAttribute("aria-pressed", String(on));
+    this.redraw();
   }
 
   /** Show so many seconds; return whether that is possible. @param {string} text */
@@ -216,7 +214,7 @@ class PlotPanel {
     this.#pausedByZoom = false;
     if (!paused) this.#zoom = undefined;
     this.#samples.work(this.#seen && !paused);
-    setText(this.#pause, paused ? say("Resume") : say("Pause"));
+    setTool(this.#pause, paused ? say("Resume") : say("Pause"), paused ? Play : Pause);
     this.redraw();
   }
 

@@ -2,7 +2,9 @@
 // The tree of frames, who publishes each and how often, and the transform between two of them.
 
 import { create, setText } from "../ui/elements.js";
+import { fullScreenButton } from "../ui/fullScreen.js";
 import { whileSeen } from "../ui/looking.js";
+import { Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
 import { FrameEcho } from "./tf/echo.js";
 import { FrameSources } from "./tf/sources.js";
@@ -31,7 +33,8 @@ export function mount(element, ros, { reference, frame }) {
   const tree = new FrameTree();
   const table = new FrameTable();
   const echo = new FrameEcho(reference ?? "", frame ?? "");
-  const bar = create("div", "ros-bar", create("span", "ros-title", say("Frames")), tree.buttons);
+  const controls = new Toolbar(tree.tools, [fullScreenButton(element)]);
+  const bar = create("div", "ros-bar", create("span", "ros-title", say("Frames")), controls.element);
   const hint = create("p", "ros-hint");
   const note = create("p", "ros-note");
   element.replaceChildren(bar, tree.element, hint, note, table.element, echo.element);

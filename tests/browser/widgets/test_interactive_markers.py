@@ -27,7 +27,7 @@ def knob(tab: Tab, serve: Serve, built: Built) -> Iterator[Panel]:
     """The node with its views, both seen from above."""
     state = {"show": {f"3d-{number}": {"view": ABOVE} for number in (1, 2)}}
     coded = base64.urlsafe_b64encode(json.dumps(state).encode()).decode().rstrip("=")
-    tab.set_viewport_size({"width": 1000, "height": 900})
+    tab.set_viewport_size({"width": 1280, "height": 720})
     tab.goto(f"{serve(built(SITES / 'instruments'))}knob/#share=1.{coded}")
     panel = Panel(tab, "knob")
     panel.expect_state("running")

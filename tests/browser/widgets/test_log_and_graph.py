@@ -173,7 +173,7 @@ def test_two_fingers_zoom_the_graph(stage: Tab) -> None:
     panel = show(stage, "graph")
     stage.evaluate(
         """() => {
-          const svg = document.querySelector("#panel svg");
+          const svg = document.querySelector("#panel .ros-drawing svg");
           svg.setPointerCapture = () => {};
           const { left, top } = svg.getBoundingClientRect();
           const send = (kind, pointerId, x) => svg.dispatchEvent(new PointerEvent(kind, {

@@ -264,7 +264,7 @@ def test_a_link_has_the_curves_and_the_window(robot: Tab) -> None:
     assert [value for value in kept.values() if value] == []
     panel.get_by_label("seconds").fill("2,5")
     panel.get_by_label("seconds").dispatch_event("change")
-    panel.get_by_label("Points").check()
+    panel.get_by_role("button", name="Points", exact=True).click()
     panel.get_by_label("message path of a new curve").fill("/v.y")
     panel.get_by_role("button", name="Add").click()
     kept = robot.evaluate("ros.kept()")

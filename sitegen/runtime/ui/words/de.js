@@ -173,6 +173,7 @@ export const words = {
   "Zoom in": "Vergrößern",
   "Zoom out": "Verkleinern",
   "Fit": "Einpassen",
+  "More": "Mehr",
 
   // The log.
   "Log": "Log",
@@ -276,6 +277,7 @@ export const words = {
   "{} is text, not a number": "{} ist Text und keine Zahl",
   "Plot": "Diagramm",
   "Points": "Punkte",
+  "Show each sample": "Jeden Messwert zeigen",
   "seconds": "Sekunden",
   "Save what is shown as a table": "Das Gezeigte als Tabelle speichern",
   "curves and their values": "Kurven und ihre Werte",

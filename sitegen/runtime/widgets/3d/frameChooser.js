@@ -9,7 +9,7 @@ import { say } from "../../ui/words.js";
 export class FrameChooser {
   #world;
   #select = create("select", "");
-  element = create("label", "ros-frame", say("Fixed frame"), this.#select);
+  element = create("div", "ros-frame", this.#select);
   /** The frame that the visitor has chosen, or "". */
   chosen = "";
   #shown = "";
@@ -17,6 +17,8 @@ export class FrameChooser {
   /** @param {World} world */
   constructor(world) {
     this.#world = world;
+    this.#select.setAttribute("aria-label", say("Fixed frame"));
+    this.#select.title = say("Fixed frame");
     this.#select.addEventListener("change", () => {
       this.chosen = this.#select.value;
       world.choose(this.chosen);

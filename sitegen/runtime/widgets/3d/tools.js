@@ -2,12 +2,15 @@
 // What the pointer does in a 3D view besides moving the camera: set a goal or an estimated pose, point, measure.
 
 import { Color, Group, Plane, Vector3 } from "../../vendor/three.js";
-import { button, create, setText } from "../../ui/elements.js";
+import { create, setText } from "../../ui/elements.js";
+import { tool as button } from "../../ui/toolbar.js";
 import { say } from "../../ui/words.js";
+import { Flag, LocateFixed, MapPin, Ruler } from "../../vendor/icons.js";
 import { Lines, segments } from "./lines.js";
 import { Arrows } from "./shapes.js";
 
 /** @import { Ros } from "../../protocol.js" */
+/** @import { Icon } from "../../ui/toolbar.js" */
 /** @import { Stage } from "./stage.js" */
 /** @import { World } from "./world.js" */
 /** @typedef {InstanceType<typeof Vector3>} Point */
@@ -23,7 +26,7 @@ const MOMENT = 2500;
 const VARIANCE = { 0: 0.25, 7: 0.25, 35: (Math.PI / 12) ** 2 };
 
 /**
- * @typedef {{name: string, text: string, hint: string, type?: string, topic?: string, aims: boolean,
+ * @typedef {{name: string, text: string, icon: Icon, hint: string, type?: string, topic?: string, aims: boolean,
  *   message?(from: Point, angle: number, header: any): any}} Tool one that `aims` is dragged, for a direction or a distance
  */
 
@@ -32,6 +35,7 @@ const TOOLS = [
   {
     name: "goal",
     text: say("Goal"),
+    icon: Flag,
     hint: say("Drag from the goal in the direction to face"),
     type: POSE,
     topic: "/goal_pose",
@@ -41,6 +45,7 @@ const TOOLS = [
   {
     name: "estimate",
     text: say("Estimate"),
+    icon: LocateFixed,
     hint: say("Drag from where the robot is in the direction that it faces"),
     type: ESTIMATE,
     topic: "/initialpose",
@@ -54,13 +59,14 @@ const TOOLS = [
   {
     name: "point",
     text: say("Point"),
+    icon: MapPin,
     hint: say("Click a point to publish it"),
     type: POINT,
     topic: "/clicked_point",
     aims: false,
     message: ({ x, y, z }, _angle, header) => ({ header, point: { x, y, z } }),
   },
-  { name: "measure", text: say("Measure"), hint: say("Drag from one point to another"), aims: true },
+  { name: "measure", text: say("Measure"), icon: Ruler, hint: say("Drag from one point to another"), aims: true },
 ];
 
 export class Tools {
@@ -97,8 +103,8 @@ export class Tools {
     stage.scene.add(this.#sketch);
     // A message that no node of the page knows could not be published.
     for (const tool of TOOLS.filter(({ type }) => !type || ros.types[type])) {
-      const press = button(tool.text, "", () => this.#choose(this.#active === tool ? undefined : tool));
-      press.title = tool.topic ? `${tool.hint}: ${this.#topicOf(tool)}` : tool.hint;
+      const about = tool.topic ? `${tool.hint} (${this.#topicOf(tool)})` : tool.hint;
+      const press = button(tool.text, tool.icon, () => this.#choose(this.#active === tool ? undefined : tool), about);
       press.setAttribute("aria-pressed", "false");
       this.#pressed.set(tool, press);
     }

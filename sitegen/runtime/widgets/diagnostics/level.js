@@ -1,8 +1,7 @@
 // @ts-check
 // The levels of a diagnostic status: a colour, a shape and a word.
 
-import { shape } from "../../ui/drawing.js";
-import { create, setText } from "../../ui/elements.js";
+import { create, setText, shape } from "../../ui/elements.js";
 import { SHAPES } from "../../ui/grades.js";
 
 /** @typedef {"error" | "stale" | "warn" | "ok"} Level */

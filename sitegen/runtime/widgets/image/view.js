@@ -2,8 +2,8 @@
 // A canvas that visitors zoom and move by wheel, touch, keyboard or buttons.
 
 import { followPointers } from "../../ui/drawing.js";
-import { button, create } from "../../ui/elements.js";
-import { say } from "../../ui/words.js";
+import { create } from "../../ui/elements.js";
+import { zoomTools } from "../../ui/toolbar.js";
 
 const STEP = 1.3;
 // In screen pixels for a pixel of the image.
@@ -17,7 +17,7 @@ const SHARP = 2;
 export class ImageView {
   canvas = create("canvas", "");
   element = create("div", "ros-picture", this.canvas);
-  buttons;
+  tools = zoomTools((closer) => this.#zoom(closer ? STEP : 1 / STEP), () => this.#fit());
   #view = { x: 0, y: 0, scale: 1 };
   /** Whether the whole image is in view: it stays so when sizes change. */
   #fitted = true;
@@ -36,11 +36,6 @@ export class ImageView {
     followPointers(this.element, (x, y) => this.#move(x, y), (factor, x, y) => this.#zoom(factor, x, y));
     this.element.addEventListener("keydown", (event) => this.#press(event));
     this.#resized.observe(this.element);
-    const larger = button("+", "", () => this.#zoom(STEP));
-    larger.setAttribute("aria-label", say("Zoom in"));
-    const smaller = button("−", "", () => this.#zoom(1 / STEP));
-    smaller.setAttribute("aria-label", say("Zoom out"));
-    this.buttons = [larger, smaller, button(say("Fit"), "", () => this.#fit())];
   }
 
   /** Draw an image. @param {ImageData | ImageBitmap} image */

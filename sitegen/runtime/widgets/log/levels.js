@@ -1,8 +1,10 @@
 // @ts-check
 // The levels of the nodes' loggers, as rqt_logger_level sets them.
 
-import { arrange, button, create, setNote, setText } from "../../ui/elements.js";
+import { arrange, create, setNote, setText } from "../../ui/elements.js";
+import { tool } from "../../ui/toolbar.js";
 import { together, say } from "../../ui/words.js";
+import { SlidersHorizontal } from "../../vendor/icons.js";
 import { PAGE_NODE, isHidden } from "../../graphNames.js";
 import { LEVELS } from "./entries.js";
 
@@ -27,7 +29,7 @@ export class Levels {
   #loggers = new Set();
   #list = create("ul", "ros-level-list");
   #note = create("p", "ros-note");
-  press = button(say("Levels"), "", () => this.#toggle());
+  press = tool(say("Levels"), SlidersHorizontal, () => this.#toggle(), say("Which messages nodes log"));
   element = create("div", "ros-logger-levels", this.#list, this.#note);
   #seen = false;
 
@@ -39,7 +41,6 @@ export class Levels {
     this.element.id = `ros-logger-levels-${panels += 1}`;
     this.press.setAttribute("aria-expanded", "false");
     this.press.setAttribute("aria-controls", this.element.id);
-    this.press.title = say("Which messages nodes log");
   }
 
   /** Follow the graph while the panel is visible. @returns {() => void} end it */

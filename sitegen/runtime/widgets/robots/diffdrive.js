@@ -1,7 +1,7 @@
 // @ts-check
 // A robot with two driven wheels: it obeys Twist commands, or shows the odometry of another robot.
 
-import { shape } from "../../ui/drawing.js";
+import { shape } from "../../ui/elements.js";
 import { obey, TWIST } from "./parts/commands.js";
 import { createFloor } from "./parts/floor.js";
 import { describe, drive, plain } from "./parts/motion.js";

@@ -1,8 +1,7 @@
 // @ts-check
 // The window of turtlesim: turtles, the lines that they draw, and buttons to drive one of them.
 
-import { shape } from "../../ui/drawing.js";
-import { create as make, setNote } from "../../ui/elements.js";
+import { create as make, setNote, shape } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 import { plain } from "./parts/motion.js";
 import { createPad, Driver } from "./turtlesim/driving.js";

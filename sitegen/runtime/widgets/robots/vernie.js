@@ -1,8 +1,7 @@
 // @ts-check
 // Vernie, a LEGO BOOST robot with two tracks and a light: drawn from above, or connected over Bluetooth.
 
-import { shape } from "../../ui/drawing.js";
-import { toggle } from "../../ui/elements.js";
+import { shape, toggle } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 import { obey, TWIST } from "./parts/commands.js";
 import { createFloor } from "./parts/floor.js";

@@ -1,7 +1,8 @@
 // @ts-check
 // A drawing of the frames, each below its parent.
 
-import { Drawing, shape } from "../../ui/drawing.js";
+import { Drawing } from "../../ui/drawing.js";
+import { shape } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 
 /** @import { Transforms } from "./transforms.js" */
@@ -18,7 +19,7 @@ const ROW = HEIGHT + 36;
 export class FrameTree {
   #drawing = new Drawing();
   element = this.#drawing.element;
-  buttons = this.#drawing.buttons;
+  tools = this.#drawing.tools;
 
   close() {
     this.#drawing.close();

@@ -1,8 +1,7 @@
 // @ts-check
 // What shows a value: a number, a gauge, a light or a text.
 
-import { shape } from "../../ui/drawing.js";
-import { create, setText } from "../../ui/elements.js";
+import { create, setText, shape } from "../../ui/elements.js";
 import { numberText } from "../../ui/numbers.js";
 import { say } from "../../ui/words.js";
 

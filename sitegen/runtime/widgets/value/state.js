@@ -1,8 +1,7 @@
 // @ts-check
 // Whether a value is good or bad: a colour, a shape and a word.
 
-import { shape } from "../../ui/drawing.js";
-import { create, setText } from "../../ui/elements.js";
+import { create, setText, shape } from "../../ui/elements.js";
 import { SHAPES } from "../../ui/grades.js";
 import { say } from "../../ui/words.js";
 

@@ -1,7 +1,7 @@
 // @ts-check
 // A floor seen from above, with a robot and its trace. The view follows the robot.
 
-import { shape } from "../../../ui/drawing.js";
+import { shape } from "../../../ui/elements.js";
 
 /** @import { Pose } from "./motion.js" */
 

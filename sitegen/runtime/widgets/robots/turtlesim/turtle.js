@@ -1,7 +1,7 @@
 // @ts-check
 // A turtle: where it is, how it looks, and the line that it draws.
 
-import { shape } from "../../../ui/drawing.js";
+import { shape } from "../../../ui/elements.js";
 import { pixels } from "./paper.js";
 
 /** @import { Ros } from "../../../protocol.js" */

@@ -1,7 +1,7 @@
 // @ts-check
 // The light of Vernie, whose colour a topic sets by name.
 
-import { shape } from "../../../ui/drawing.js";
+import { shape } from "../../../ui/elements.js";
 
 /** @import { Ros } from "../../../protocol.js" */
 
