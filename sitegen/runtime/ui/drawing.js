@@ -36,7 +36,6 @@ export class Drawing {
     followPointers(this.svg, (x, y) => this.#move(x, y), (factor, x, y) => this.#zoom(factor, x, y));
     this.svg.addEventListener("keydown", (event) => this.#press(event));
     this.#resized.observe(this.element);
-
   }
 
   /** Set the size of the drawing. @param {number} width @param {number} height */

@@ -89,20 +89,23 @@ export class Toolbar {
     if (!fits([...this.#items, ...this.#kept])) {
       while (count > 0 && !fits([...this.#items.slice(0, count), this.#more, ...this.#kept])) count -= 1;
     }
-    const rest = this.#items.slice(count);
-    this.#more.hidden = rest.every(({ hidden }) => hidden);
-    if (count !== inRow.length) this.#split(this.#items.slice(0, count), rest);
+    const focused = document.activeElement;
+    if (count !== inRow.length) {
+      for (const item of this.#items.slice(0, count)) this.element.insertBefore(item, this.#more);
+      this.#menu.replaceChildren(...this.#items.slice(count));
+    }
+    this.#more.hidden = this.#items.slice(count).every(({ hidden }) => hidden);
+    if (this.#more.hidden) this.#menu.hidePopover();
+    this.#place();
+    this.#refocus(focused);
   }
 
-  /** @param {HTMLElement[]} row @param {HTMLElement[]} rest */
-  #split(row, rest) {
-    const focused = document.activeElement;
-    for (const item of row) this.element.insertBefore(item, this.#more);
-    this.#menu.replaceChildren(...rest);
-    // An element that moves loses the focus.
-    if (focused instanceof HTMLElement && this.element.contains(focused)) {
-      (this.#menu.contains(focused) ? this.#more : focused).focus();
-    }
+  /** Give the focus back to what has been moved, or to what is in its place. @param {Element | null} focused */
+  #refocus(focused) {
+    if (!(focused instanceof HTMLElement) || !this.element.contains(focused)) return;
+    if (focused.hidden) [...this.#items, ...this.#kept].find(({ hidden }) => !hidden)?.focus();
+    else if (this.#menu.contains(focused) && !this.#menu.matches(":popover-open")) this.#more.focus();
+    else if (document.activeElement !== focused) focused.focus();
   }
 
   /** Put the menu below its button, or above it where there is more room. */

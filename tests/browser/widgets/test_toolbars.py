@@ -107,6 +107,17 @@ def test_the_focus_stays_when_tools_move(stage: Tab) -> None:
     expect(panel.get_by_role("button", name="Full screen")).to_be_focused()
 
 
+def test_an_open_menu_goes_when_all_tools_fit(stage: Tab) -> None:
+    stage.set_viewport_size({"width": 260, "height": 844})
+    panel = show(stage, "plot")
+    more(panel).click()
+    menu = panel.locator(".ros-tool-menu")
+    expect(menu).to_be_visible()
+    stage.set_viewport_size(DESKTOP)
+    expect(menu).to_be_hidden()
+    expect(panel.get_by_role("button", name="Pause")).to_be_focused()
+
+
 def test_a_field_that_comes_finds_room(stage: Tab) -> None:
     """An image of depths has a range to choose, which others have not."""
     stage.set_viewport_size({"width": 330, "height": 844})
