@@ -112,6 +112,24 @@ def test_a_page_keeps_its_budget(budget: Budget, dist: Path, serve: Serve, tab: 
     assert tab.evaluate(TOP) == before
 
 
+@pytest.mark.parametrize("path", ["demo10/", "demo11/"])
+def test_a_view_takes_the_place_that_was_kept_for_it(
+    path: str, dist: Path, serve: Serve, tab: Page
+) -> None:
+    url = serve(dist)
+    view = tab.locator(".ros-3d").first
+    tab.route("**/*.js*", lambda route: route.abort())
+    tab.goto(url + path)
+    kept = view.bounding_box()
+    tab.unroute("**/*.js*")
+    tab.goto(url + path)
+    tab.wait_for_selector(".ros-3d summary")
+    shown = view.bounding_box()
+    assert kept
+    assert shown
+    assert abs(kept["height"] - shown["height"]) <= 1
+
+
 def test_programs_and_images_have_addresses_that_can_be_kept_for_good(
     dist: Path, serve: Serve, tab: Page
 ) -> None:

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from browser import Built, Serve
 from paths import ROOT
+from playwright.sync_api import Browser, Route, expect
 from playwright.sync_api import Page as Tab
-from playwright.sync_api import Route, expect
 from waiting import until
 
 from sitegen.commands.build import build
@@ -117,6 +117,35 @@ def test_what_is_typed_at_once_is_the_query(tab: Tab, site: Path, serve: Serve) 
     expect(tab.locator("dialog")).to_be_visible()
     late.pop().continue_()
     tab.wait_for_url("**/a/guide/#gro%C3%9Fe-fahrt")
+
+
+@pytest.mark.parametrize("part", ["search.js", "search.en.json"])
+def test_a_search_that_cannot_be_loaded_says_so(
+    part: str, browser: Browser, site: Path, serve: Serve
+) -> None:
+    tab = browser.new_page()
+    tab.route(f"**/{part}", lambda route: route.abort())
+    tab.goto(serve(site))
+    tab.keyboard.press("/")
+    expect(tab.get_by_role("status")).to_have_text("The search could not be loaded")
+    expect(tab.locator("dialog")).to_have_css("opacity", "1")
+    tab.close()
+
+
+def test_an_index_is_asked_for_again(browser: Browser, site: Path, serve: Serve) -> None:
+    tab = browser.new_page()
+    tab.route("**/search.en.json", lambda route: route.abort())
+    tab.goto(serve(site))
+    tab.keyboard.press("/")
+    expect(tab.get_by_role("status")).to_have_text("The search could not be loaded")
+    tab.unroute("**/search.en.json")
+    tab.keyboard.press("Escape")
+    expect(tab.locator("dialog")).to_be_hidden()
+    # A slash would be typed into the field if it still had the focus.
+    tab.keyboard.press("Control+k")
+    expect(tab.locator("dialog li")).to_have_count(2)
+    expect(tab.locator("dialog .count")).to_be_empty()
+    tab.close()
 
 
 def test_enter_takes_the_result_of_all_that_was_typed(tab_at_home: Tab) -> None:

@@ -70,9 +70,14 @@ function offerSearch() {
   const button = /** @type {HTMLElement | null} */ (document.querySelector(".search-button"));
   if (!dialog || !button) return;
   const input = /** @type {HTMLInputElement} */ (dialog.querySelector("input"));
-  /** @type {Promise<typeof import("./search.js")> | undefined} */
+  /** @type {Promise<void> | undefined} */
   let loading;
-  const load = () => (loading ??= loadSearch(dialog));
+  const load = () => (loading ??= loadSearch(dialog).catch(() => {
+    // Without a connection, for example. The next time may succeed; some browsers remember that a module failed.
+    loading = undefined;
+    const status = dialog.querySelector("[role=status]");
+    if (status) status.textContent = dialog.dataset.failed ?? "";
+  }));
   const open = () => {
     if (dialog.open) return;
     // At once, so that what is typed while the rest loads is part of the query.
@@ -85,8 +90,8 @@ function offerSearch() {
   dialog.addEventListener("keydown", async (event) => {
     if (event.key !== "Enter" || event.target !== input || event.isComposing) return;
     event.preventDefault();
-    const { followFirst } = await load();
-    followFirst(dialog);
+    await load();
+    if (dialog.open) dialog.querySelector("a")?.click();
   });
   document.addEventListener("keydown", (event) => {
     const slash = event.key === "/" && !takesKeys(event) && !event.ctrlKey && !event.metaKey && !event.altKey;
@@ -105,10 +110,9 @@ function offerSearch() {
  */
 async function loadSearch(dialog) {
   dialog.style.opacity = "0";
-  const [search] = await Promise.all([import("./search.js"), loadSheet("search.css")]);
-  dialog.style.opacity = "";
-  search.fillSearch(dialog);
-  return search;
+  const parts = Promise.all([import("./search.js"), loadSheet("search.css")]);
+  const [{ fillSearch }] = await parts.finally(() => (dialog.style.opacity = ""));
+  await fillSearch(dialog);
 }
 
 /** In a frame of another page, let links to other pages open beside it. */

@@ -5,26 +5,13 @@
 
 const SHOWN = 20;
 
-/** Fulfilled when the results of what is typed are shown. @type {Promise<void>} */
-let shown;
-
 /**
  * Load the index that the dialog names, and show what is found in it.
  *
  * @param {HTMLDialogElement} dialog
  */
-export function fillSearch(dialog) {
-  listen(dialog, load(dialog));
-}
-
-/**
- * Open the first result of what is typed now.
- *
- * @param {HTMLDialogElement} dialog
- */
-export async function followFirst(dialog) {
-  await shown;
-  if (dialog.open) dialog.querySelector("a")?.click();
+export async function fillSearch(dialog) {
+  listen(dialog, await load(dialog));
 }
 
 /**
@@ -39,28 +26,22 @@ async function load(dialog) {
 
 /**
  * @param {HTMLDialogElement} dialog
- * @param {Promise<Index>} loading
+ * @param {Index} index
  */
-function listen(dialog, loading) {
+function listen(dialog, index) {
   const input = /** @type {HTMLInputElement} */ (dialog.querySelector("input"));
   const list = /** @type {HTMLElement} */ (dialog.querySelector("ul"));
   const status = /** @type {HTMLElement} */ (dialog.querySelector("[role=status]"));
-  let latest = 0;
 
-  async function show() {
-    const turn = ++latest;
+  function show() {
     const query = input.value;
-    const index = await loading;
-    if (turn !== latest) return;
     const found = query.trim() ? index.search(query).slice(0, SHOWN) : index.pages();
     const words = index.words(query);
     list.replaceChildren(...found.map((each) => line(each, words, dialog.dataset.home ?? "")));
     status.textContent = query.trim() ? counted(found.length, dialog.dataset) : "";
   }
 
-  input.addEventListener("input", () => {
-    shown = show();
-  });
+  input.addEventListener("input", show);
   dialog.addEventListener("keydown", (event) => {
     const links = [...list.querySelectorAll("a")];
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
@@ -75,7 +56,7 @@ function listen(dialog, loading) {
   dialog.addEventListener("click", (event) => {
     if (event.target === dialog) dialog.close(); // beside it
   });
-  shown = show();
+  show();
 }
 
 /**

@@ -59,7 +59,7 @@ export class Toolbar {
   element;
 
   /** @param {HTMLElement[]} items @param {HTMLElement[]} kept those that stay in the row, at its end */
-  constructor(items, kept = []) {
+  constructor(items, kept) {
     this.#items = items;
     this.#kept = kept;
     this.#more.hidden = true;
