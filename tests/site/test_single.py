@@ -161,6 +161,9 @@ def test_a_terminal_of_a_file_records_and_plays(alone: Page, tmp_path: Path) -> 
     file = tmp_path / "alone.html"
     assert main(["build", str(site), "--single-file", "/", "--output", str(file)]) == 0
     alone.goto(file.as_uri())
+    # The bag above grows when it is loaded, and a terminal outside of the window does not draw.
+    expect(alone.locator(".ros-bag-row")).to_have_count(3)
+    alone.locator(".ros-terminal").evaluate("(terminal) => terminal.scrollIntoView()")
     terminal = Terminal(alone)
     assert terminal.run("ros2 bag info drive.mcap -t") == "/latched\n/places\n/words"
     line = (
