@@ -25,8 +25,8 @@ const BUNDLES = {
     export { tags } from "@lezer/highlight";`,
   icons: `
     export {
-      Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, LocateFixed, Map, MapPin, Maximize2, Pause, Play, Ruler, Scan,
-      SlidersHorizontal, ZoomIn, ZoomOut,
+      ArrowDown, ArrowUp, Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, LocateFixed, Map, MapPin, Maximize2, Pause,
+      Play, Plus, RotateCcw, RotateCw, Ruler, Scan, SlidersHorizontal, X, ZoomIn, ZoomOut,
     } from "lucide";`,
   idiomorph: 'export { Idiomorph } from "idiomorph";',
   three: `

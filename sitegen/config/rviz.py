@@ -15,6 +15,9 @@ from sitegen.config.displays import kinds
 from sitegen.launch.names import joined
 from sitegen.yamlnodes import LimitError, compose
 
+# What RViz writes when nobody has chosen a background: the theme's then is the better one.
+USUAL_BACKGROUND = "#303030"
+
 # For each class of RViz: the kind of our display, and which of its properties each option is.
 # A property "A/B" is the property B of A.
 CLASSES: Mapping[str, tuple[str, Mapping[str, str]]] = {
@@ -180,7 +183,8 @@ def read_configuration(file: Path, resolved: Callable[[str], str] = ABSOLUTE) ->
     options: dict[str, Any] = {"displays": shown}
     if isinstance(frame, str) and frame:
         options["frame"] = frame
-    if background := _color(_at(manager, "Global Options/Background Color")):
+    background = _color(_at(manager, "Global Options/Background Color"))
+    if background and background != USUAL_BACKGROUND:
         options["background"] = background
     if topics := dict(_tools(_list(manager.get("Tools")), resolved)):
         options["tools"] = topics

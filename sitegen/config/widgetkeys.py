@@ -113,6 +113,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "description: /arm/robot_description",
             default="/robot_description",
         ),
+        Key("zeros", "decimal by name", "positions at first", "zeros: {elbow: 1.2}"),
     ),
     "teleop": (
         Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
@@ -158,7 +159,12 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("displays", "displays", "what is shown; defaults to all topics", "displays: [tf]"),
         Key("rviz", "path", "configuration file of RViz", "rviz: rviz/view.rviz"),
         Key("top", "flag", "look straight down", "top: true", default=False),
-        Key("background", "colour", "colour of the background", 'background: "#303030"'),
+        Key(
+            "background",
+            "colour",
+            "colour of the background; defaults to the theme's",
+            'background: "#303030"',
+        ),
         Key(
             "tools",
             "name by name",

@@ -13,20 +13,23 @@ from sitegen.errors import Problems
 from sitegen.launch import Window
 from sitegen.model import Cell, Layout, Part, Widget
 
+# Parameters of joint_state_publisher that say what the sliders do anyway.
+FOLLOWED = ("robot_description", "use_sim_time")
 # The share of the width that a 3D view has beside other windows.
 LARGE = 3
 SMALL = 2
 
 
 def shown(windows: Sequence[Window], problems: Problems, notes: Problems) -> list[Part]:
-    """Return the widgets that take the places of windows, those in 3D beside the others."""
+    """Return the widgets that take the places of windows, those in 3D beside one of the others."""
     widgets = [_widget(one, problems, notes) for one in windows if one.kind in WIDGETS]
     large = tuple(widget for widget in widgets if widget.kind == "3d")
     small = tuple(widget for widget in widgets if widget.kind != "3d")
     if not large or not small:
         return [*large, *small]
-    cells = (Cell(large, size=LARGE), Cell(small, size=SMALL))
-    return [Layout("columns", cells, large[0].location)]
+    # One is about as high as a 3D view; more would leave the space below that empty.
+    cells = (Cell(large, size=LARGE), Cell(small[:1], size=SMALL))
+    return [Layout("columns", cells, large[0].location), *small[1:]]
 
 
 def _widget(window: Window, problems: Problems, notes: Problems) -> Widget:
@@ -38,7 +41,26 @@ def _widget(window: Window, problems: Problems, notes: Problems) -> Widget:
         options = {**defaults, "topic": window.resolved(topics[0])}
     elif window.kind == "plot" and (paths := _plain(window)):
         options = {**defaults, "series": [path for one in paths for path in _paths(one, window)]}
+    elif window.kind == "joints":
+        options = {**defaults, "zeros": _zeros(window, notes)}
     return Widget(window.kind, "", options, window.location)
+
+
+def _zeros(window: Window, notes: Problems) -> dict[str, float]:
+    """Return where the joints are at first, by the parameters of joint_state_publisher."""
+    zeros: dict[str, float] = {}
+    for name, text in window.parameters.items():
+        if name in FOLLOWED:
+            continue
+        start, _, joint = name.partition(".")
+        try:
+            if start != "zeros" or not joint:
+                raise ValueError
+            zeros[joint] = float(text)
+        except ValueError:
+            message = f"parameter '{name}' is ignored; the sliders know 'zeros.<joint>', a number"
+            notes.add(window.location, window.executable, message)
+    return zeros
 
 
 def _rviz(window: Window, problems: Problems, notes: Problems) -> dict[str, Any]:

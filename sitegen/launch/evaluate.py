@@ -219,8 +219,10 @@ class _Launch:
         executable = self._texts.needed(action, "exec", scope)
         if windows.known(package, executable) and package not in self._packages:
             self.events.handlers.skipped(action)
-            own = self._texts.words(action, "args", scope), self._texts.remaps(action, scope)
-            self.windows.append(Window(executable, *own, scope.namespace, action.location))
+            texts, space = self._texts, scope.namespace
+            words, remaps = texts.words(action, "args", scope), texts.remaps(action, scope)
+            rules = texts.rules(action, scope, space)
+            self.windows.append(Window(executable, words, remaps, rules, space, action.location))
             return
         if why := without.program(package, executable, self._packages):
             self.events.handlers.skipped(action)

@@ -30,11 +30,15 @@ WIDGETS = {
 
 @dataclass(frozen=True)
 class Window:
-    """A window that a launch file opens: its program, its arguments and its remapping rules."""
+    """A window that a launch file opens: its program, and what that is given.
+
+    `parameters` have their values as text, as in `-p name:=value`.
+    """
 
     executable: str
     arguments: Sequence[str]
     remap: Mapping[str, str]
+    parameters: Mapping[str, str]
     namespace: str
     location: Location
 

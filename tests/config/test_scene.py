@@ -105,14 +105,23 @@ def test_what_is_wrong_is_told_with_its_line(tmp_path: Path, content: str) -> No
     assert WRONG[content] in line
 
 
+def test_a_chosen_background_of_rviz_is_kept(tmp_path: Path) -> None:
+    file = tmp_path / "own.rviz"
+    file.write_text(
+        "Visualization Manager: {Global Options: {Background Color: 20; 24; 34}, Displays: []}"
+    )
+    assert read_configuration(file).options["background"] == "#141822"
+
+
 def test_a_file_of_rviz_becomes_a_view(tmp_path: Path) -> None:
     found = read_configuration(ROOT / "demos/demo11/src/rover/rviz/rover.rviz")
     assert found.unsupported == ()
     assert found.options["frame"] == "map"
-    assert found.options["background"] == "#141822"
+    # The one with which RViz begins, so the view has that of the theme.
+    assert "background" not in found.options
     assert found.options["tools"] == {"goal": "/goal_pose"}
     assert [one["kind"] for one in found.options["displays"]] == [
-        *("grid", "map", "robot", "laser_scan", "odometry"),
+        *("grid", "map", "robot", "laser_scan", "markers", "odometry"),
     ]
     scan = found.options["displays"][3]
     assert scan == {
@@ -125,9 +134,9 @@ def test_a_file_of_rviz_becomes_a_view(tmp_path: Path) -> None:
         "color_by": "color",
     }
     view = found.options["view"]
-    assert view["target"] == [3.6, 2.2, 0]
-    # Nine metres away, 0.85 rad above the floor.
-    assert view["eye"][2] == pytest.approx(6.762, abs=0.001)
+    assert view["target"] == [4, 2.2, 0]
+    # 9.5 m away, 0.85 rad above the floor.
+    assert view["eye"][2] == pytest.approx(7.137, abs=0.001)
 
 
 def test_groups_are_opened_and_what_has_no_counterpart_is_named_once(tmp_path: Path) -> None:
@@ -209,7 +218,7 @@ def test_topics_of_a_window_are_those_of_its_node(tmp_path: Path) -> None:
     file.write_text(json.dumps({"Visualization Manager": {"Displays": displays, "Tools": tools}}))
     rules = {"/map": "map", "/goal_pose": "goal_pose", "point": "/clicked"}
     problems, here = Problems(tmp_path), Location(tmp_path / "x.launch.py", 1)
-    window = Window("rviz2", ["-d", str(file)], rules, "/one", here)
+    window = Window("rviz2", ["-d", str(file)], rules, {}, "/one", here)
     [view] = windows.shown([window], problems, problems)
     assert isinstance(view, Widget)
     shown: Any = view.options

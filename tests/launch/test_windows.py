@@ -22,7 +22,13 @@ launch:
 - node: {pkg: rqt_robot_monitor, exec: rqt_robot_monitor}
 - node: {pkg: rqt_reconfigure, exec: rqt_reconfigure}
 - node: {pkg: rqt_robot_steering, exec: rqt_robot_steering}
-- node: {pkg: joint_state_publisher_gui, exec: joint_state_publisher_gui}
+- node:
+    pkg: joint_state_publisher_gui
+    exec: joint_state_publisher_gui
+    param:
+    - {name: zeros, param: [{name: elbow, value: 1.5}, {name: lift, value: 1}]}
+    - {name: use_sim_time, value: true}
+    - {name: rate, value: 30}
 - node: {pkg: rqt_bag, exec: rqt_bag}
 """
 VIEW = """
@@ -67,6 +73,7 @@ def test_each_window_has_its_widget(site: Site) -> None:
         "/imu.orientation.x",
     ]
     assert found["image"]["topic"] == "/robot/camera/image"
+    assert found["joints"]["zeros"] == {"elbow": 1.5, "lift": 1}
 
 
 def test_the_view_stands_beside_the_others(site: Site) -> None:
@@ -77,6 +84,8 @@ def test_the_view_stands_beside_the_others(site: Site) -> None:
 def test_what_has_no_counterpart_is_named(site: Site) -> None:
     assert any("my_plugins/Strange: not supported in the 3D view" in note for note in site.notes)
     assert any("'rqt_bag' is skipped" in note for note in site.notes)
+    [ignored] = [note for note in site.notes if "is ignored" in note]
+    assert "joint_state_publisher_gui: parameter 'rate' is ignored" in ignored
 
 
 def test_a_page_with_widgets_keeps_its_own(tmp_path: Path, site: Site) -> None:
@@ -93,4 +102,4 @@ def test_a_window_may_have_no_arguments(tmp_path: Path, site: Site) -> None:
 
 def test_the_demos_are_what_they_say() -> None:
     rover = widgets(config.load(ROOT / "demos/demo11/site.yaml"))
-    assert list(rover)[:2] == ["3d", "teleop"]
+    assert list(rover)[:4] == ["3d", "teleop", "plot", "log"]

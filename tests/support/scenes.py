@@ -68,13 +68,19 @@ def expect_colors(panel: Locator, colors: Mapping[tuple[float, float], str]) -> 
     until(lambda: found() == colors, told=found)
 
 
-def at(image: Image.Image, x: float, y: float) -> str:
-    """Return the colour at a point of the floor, in metres from the middle."""
+def pixel(image: Image.Image, x: float, y: float) -> tuple[int, int, int]:
+    """Return red, green and blue (0 to 255) at a point of the floor, in metres from the middle."""
     scale = image.height / (2 * REACH)
     place = (round(image.width / 2 + x * scale), round(image.height / 2 - y * scale))
     found = image.getpixel(place)
     assert isinstance(found, tuple)
     red, green, blue = found[:3]
+    return red, green, blue
+
+
+def at(image: Image.Image, x: float, y: float) -> str:
+    """Return the colour at a point of the floor, in metres from the middle."""
+    red, green, blue = pixel(image, x, y)
     if max(red, green, blue) < 40:
         return "black"
     names = {

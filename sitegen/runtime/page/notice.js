@@ -15,7 +15,7 @@ export function notify(sentence, action) {
     shown.firstElementChild?.append(` ${sentence}`);
     return;
   }
-  const close = button("×", "", () => notice.remove());
+  const close = button("", "ros-close", () => notice.remove());
   close.setAttribute("aria-label", say("Close"));
   const notice = create("div", "ros-word", create("span", "", sentence));
   if (action) {

@@ -4,7 +4,9 @@
 import { download } from "./download.js";
 import { button, create, setText } from "./elements.js";
 import { fullScreenButton } from "./fullScreen.js";
+import { tool } from "./toolbar.js";
 import { say } from "./words.js";
+import { X } from "../vendor/icons.js";
 
 // How long a button says what it did (ms).
 const SAID = 2000;
@@ -48,8 +50,7 @@ export class LineTools {
     save.title = say("Save these lines as a file");
     this.#raw.title = say("Show lines as the program wrote them");
     this.#raw.setAttribute("aria-pressed", "false");
-    const ends = button("×", "ros-close", close);
-    ends.setAttribute("aria-label", say("Close"));
+    const ends = tool(say("Close"), X, close);
     this.element = create("div", "ros-line-tools", this.#fold, this.#find, this.#count, this.#copy, save, this.#raw,
       fullScreenButton(shown.log), ends);
     this.element.setAttribute("role", "group");

@@ -41,7 +41,7 @@ class Lines {
     // The button disappears, so move the keyboard focus to the log.
     this.#log.focus({ preventScroll: true });
   });
-  #more = button("⋯", "ros-line-more", () => (this.#tools ? this.#closeTools() : this.#openTools().then((tools) => tools?.focus())));
+  #more = button("", "ros-line-more", () => (this.#tools ? this.#closeTools() : this.#openTools().then((tools) => tools?.focus())));
   /** @type {LineTools | undefined} */
   #tools;
   elements = [this.#log, this.#hint, this.#newest, this.#more];

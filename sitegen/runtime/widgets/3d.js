@@ -1,6 +1,7 @@
 // @ts-check
 // The robot and its world in 3D: frames, models, sensors and markers, as RViz shows them.
 
+import { watchColours } from "../ui/colours.js";
 import { download } from "../ui/download.js";
 import { create, setNote } from "../ui/elements.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
@@ -72,9 +73,11 @@ function show(element, ros, options, stage) {
   };
   stage.background = options.background ?? "";
   if (options.top) stage.top = true;
-  if (options.view) stage.view = options.view;
+  if (options.view) stage.frame(options.view);
   press();
   element.replaceChildren(stage.element, list.element);
+  world.recolour();
+  const unwatch = watchColours(() => world.recolour());
 
   world.changed = () => {
     frames.look();
@@ -91,6 +94,7 @@ function show(element, ros, options, stage) {
   const unlook = whileSeen(element, () => world.begin());
   return () => {
     unlook();
+    unwatch();
     tools.close();
     world.close();
     stage.close();

@@ -68,7 +68,7 @@ function optionsOf(element, ros, node, signal) {
     if (!signal.aborted) hold.replaceChildren(made.element);
     return made;
   });
-  const press = button("⋯", "ros-options-button", async () => {
+  const press = button("", "ros-options-button", async () => {
     hold.hidden = !hold.hidden;
     press.ariaExpanded = String(!hold.hidden);
     await load();

@@ -42,7 +42,7 @@ export function mount(element, ros, { node: name, text: original, number, output
     const outcome = await kernel.run(text, output);
     output.end(outcome);
     state.dataset.state = outcome.status;
-    setText(state, outcome.status === "ok" ? "[✓]" : "[!]");
+    setText(state, outcome.status === "ok" ? "[ok]" : "[!]");
     return outcome;
   };
   const state = create("span", "ros-count", "[ ]");

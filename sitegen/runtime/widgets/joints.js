@@ -14,6 +14,10 @@ const STRING = "std_msgs/msg/String";
 // Milliseconds between two messages while nothing moves: nodes that start later hear of the positions, too.
 const PERIOD = 100;
 const DIGITS = 3;
+// The largest speed on the way of a motion, as a multiple of its mean.
+const PEAK = 1.5;
+// Nobody wants to watch longer (s).
+const LONGEST = 4;
 
 let lastId = 0;
 
@@ -21,11 +25,12 @@ let lastId = 0;
  * Show a slider for each joint of a description.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{topic?: string, description?: string}} options the topics of the positions and of the description
+ * @param {{topic?: string, description?: string, zeros?: Record<string, number> | null}} options the topics of the
+ *   positions and of the description, and where joints are at first, by name
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { topic = "/joint_states", description = "/robot_description" }) {
-  const joints = new Joints(ros, topic, description);
+export function mount(element, ros, { topic = "/joint_states", description = "/robot_description", zeros }) {
+  const joints = new Joints(ros, topic, description, zeros ?? {});
   element.replaceChildren(...joints.elements);
   ros.keep(element, { positions: "object" }, () => joints.kept(), ({ positions }) => joints.restore(positions ?? {}));
   // Other nodes wait for the positions, so they are published wherever the visitor looks.
@@ -41,6 +46,7 @@ class Joints {
   #clock;
   #topic;
   #source;
+  #zeros;
   /** @type {Joint[]} */
   #joints = [];
   #text = "";
@@ -55,14 +61,17 @@ class Joints {
   /** @type {Publisher | undefined} */
   #publisher;
   #frame = 0;
+  /** The next step of a motion. */
+  #step = 0;
   elements;
 
-  /** @param {Ros} ros @param {string} topic @param {string} source */
-  constructor(ros, topic, source) {
+  /** @param {Ros} ros @param {string} topic @param {string} source @param {Record<string, number>} zeros */
+  constructor(ros, topic, source, zeros) {
     this.#ros = ros;
     this.#clock = new RosClock(ros);
     this.#topic = topic;
     this.#source = source;
+    this.#zeros = zeros;
     const center = button(say("Center"), "", () => this.#move(({ start }) => start));
     const random = button(say("Random"), "", () =>
       this.#move(({ lower, upper }) => lower + Math.random() * (upper - lower)));
@@ -88,6 +97,7 @@ class Joints {
       clearInterval(timer);
       unfollow();
       cancelAnimationFrame(this.#frame);
+      cancelAnimationFrame(this.#step);
       this.#frame = 0;
       unsubscribe();
       this.#publisher?.close();
@@ -121,7 +131,7 @@ class Joints {
     if (text === this.#text) return;
     this.#text = text;
     try {
-      this.#joints = readJoints(text);
+      this.#joints = readJoints(text, this.#zeros);
     } catch (error) {
       this.#joints = [];
       setNote(this.#note, error instanceof Error ? error.message : String(error), true);
@@ -150,8 +160,12 @@ class Joints {
     const typed = create("input", "");
     Object.assign(typed, { type: "number", min: String(lower), max: String(upper), step: "any" });
     typed.setAttribute("aria-label", say("{} in {}", name, unit));
-    slider.addEventListener("input", () => this.#set(joint, Number(slider.value)));
-    typed.addEventListener("change", () => this.#set(joint, typed.value === "" ? NaN : Number(typed.value)));
+    const put = (/** @type {number} */ position) => {
+      cancelAnimationFrame(this.#step);
+      this.#set(joint, position);
+    };
+    slider.addEventListener("input", () => put(Number(slider.value)));
+    typed.addEventListener("change", () => put(typed.value === "" ? NaN : Number(typed.value)));
     this.#show.set(name, (position) => {
       slider.value = String(position);
       typed.value = position.toFixed(DIGITS);
@@ -159,9 +173,23 @@ class Joints {
     return create("div", "ros-joint", label, slider, typed, create("span", "ros-quiet", unit));
   }
 
-  /** @param {(joint: Joint) => number} position */
+  /** Move all joints, as fast as they can; they arrive at the same time. @param {(joint: Joint) => number} position */
   #move(position) {
-    for (const joint of this.#joints) if (!joint.mimic) this.#set(joint, position(joint));
+    const ways = this.#joints.filter(({ mimic }) => !mimic).map((joint) => {
+      return { joint, from: this.#positions.get(joint.name) ?? joint.start, to: position(joint) };
+    });
+    const seconds = Math.max(0, ...ways.map(({ joint, from, to }) => (PEAK * Math.abs(to - from)) / joint.speed));
+    const duration = matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : Math.min(seconds, LONGEST);
+    const begin = performance.now();
+    const step = (/** @type {number} */ now) => {
+      const part = duration ? Math.min(1, Math.max(0, now - begin) / 1000 / duration) : 1;
+      // Speeds up and slows down.
+      const done = part * part * (3 - 2 * part);
+      for (const { joint, from, to } of ways) this.#set(joint, part < 1 ? from + (to - from) * done : to);
+      if (part < 1) this.#step = requestAnimationFrame(step);
+    };
+    cancelAnimationFrame(this.#step);
+    step(begin);
   }
 
   /** @param {Joint} joint @param {number} position */

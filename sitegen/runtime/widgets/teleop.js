@@ -81,9 +81,7 @@ class Teleop {
     this.#keys = new Keys(base, () => this.#send());
     base.addEventListener("pointerdown", () => base.focus({ preventScroll: true }));
     const heading = create("div", "ros-node", create("span", "ros-title", say("Drive")), create("span", "ros-type", topic));
-    const hint = create("p", "ros-teleop-help", deadman
-      ? say("Drag the stick. Or click it and hold Shift with the arrow keys or W, A, S, D; a gamepad needs a shoulder button.")
-      : say("Drag the stick. Or click it and hold the arrow keys or W, A, S, D. A gamepad works, too."));
+    const hint = create("p", "ros-teleop-help", help(deadman));
     const side = create("div", "ros-teleop-side", this.#linear.element, this.#angular.element, this.#readout, hint, this.#note);
     this.elements = [create("div", "ros-bar", heading), create("div", "ros-teleop-body", base, side)];
     this.#tell(NOTHING);
@@ -200,4 +198,17 @@ function speed(text, unit, given) {
       return true;
     },
   };
+}
+
+/** How to drive. @param {boolean} deadman */
+function help(deadman) {
+  // Phones have no keys.
+  if (matchMedia("(hover: none) and (pointer: coarse)").matches) {
+    return deadman
+      ? say("Drag the stick to drive. A gamepad works, too, while a shoulder button is held.")
+      : say("Drag the stick to drive. A gamepad works, too.");
+  }
+  return deadman
+    ? say("Drag the stick. Or click it and hold Shift with the arrow keys or W, A, S, D; a gamepad needs a shoulder button.")
+    : say("Drag the stick. Or click it and hold the arrow keys or W, A, S, D. A gamepad works, too.");
 }

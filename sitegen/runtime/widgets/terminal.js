@@ -4,7 +4,9 @@
 import { button, create, enable, toggle } from "../ui/elements.js";
 import { watchColours } from "../ui/colours.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
+import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
+import { Plus, X } from "../vendor/icons.js";
 import { Bags } from "../terminal/bags.js";
 import { History } from "../terminal/line/history.js";
 import { Session } from "../terminal/session.js";
@@ -53,11 +55,11 @@ class Terminals {
   #bags;
   #history = new History();
   #tabs = create("div", "ros-tabs");
-  #add = button("+", "ros-icon", () => {
+  #add = tool(say("New terminal"), Plus, () => {
     this.add();
     this.#shown?.session.focus();
   });
-  #close = button("×", "ros-icon", () => this.#remove());
+  #close = tool(say("Close terminal"), X, () => this.#remove());
   #unwatch;
   #observer = new ResizeObserver(() => this.#shown?.session.fit());
 
@@ -68,8 +70,6 @@ class Terminals {
     this.#ros = ros;
     this.#tabs.setAttribute("role", "tablist");
     this.#tabs.setAttribute("aria-label", say("Terminals"));
-    name(this.#add, say("New terminal"));
-    name(this.#close, say("Close terminal"));
     const loud = toggle(say("Screen reader"), (on) => {
       this.#loud = on;
       for (const { session } of this.#open) session.readAloud(on);
@@ -161,12 +161,6 @@ class Terminals {
     enable([[this.#add, this.#open.length < MOST], [this.#close, true]]);
     opened.session.fit();
   }
-}
-
-/** @param {HTMLButtonElement} button @param {string} text for screen readers, and as a hint */
-function name(button, text) {
-  button.setAttribute("aria-label", text);
-  button.title = text;
 }
 
 /** The colours of the theme, for xterm. @param {HTMLElement} element */

@@ -142,16 +142,17 @@ def demo09(visitor: Visitor) -> None:
 def demo10(visitor: Visitor) -> None:
     page = visitor.page
     line = page.get_by_role("region", name="trace", exact=True).locator(".ros-lines > :last-child")
-    expect(line).to_contain_text("tool at 0.00 0.00 1.10")
+    expect(line).to_contain_text("tool at 0.24 0.00 0.88")
     slider = page.get_by_label("elbow", exact=True)
     slider.scroll_into_view_if_needed()
     slider.fill("1.5")
-    expect(line).not_to_contain_text("1.10")
+    expect(line).not_to_contain_text("0.88")
 
 
 def demo11(visitor: Visitor) -> None:
     page = visitor.page
-    expect(page.get_by_text("Drive me: I listen to /cmd_vel")).to_be_attached()
+    # In the console and in the log.
+    expect(page.get_by_text("Drive me: I listen to /cmd_vel").first).to_be_attached()
     stick = page.locator(".ros-stick")
     stick.scroll_into_view_if_needed()
     box = stick.bounding_box()
@@ -160,7 +161,7 @@ def demo11(visitor: Visitor) -> None:
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"])
     # The rover goes straight ahead, until a wall stops it.
-    expect(page.get_by_text("Bump! A wall")).to_be_attached()
+    expect(page.get_by_text("Bump! A wall").first).to_be_attached()
     page.mouse.up()
 
 

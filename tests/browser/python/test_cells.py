@@ -86,7 +86,7 @@ def test_a_cell_is_edited_interrupted_and_reset(guide: Tab) -> None:
 
 def test_a_restart_forgets_the_variables(guide: Tab) -> None:
     run(guide, 1)
-    expect_state(guide, 1, "[✓]")
+    expect_state(guide, 1, "[ok]")
     guide.get_by_role("button", name="Restart").click()
     run(guide, 2)
     expect(output(guide, 2).last).to_contain_text("NameError: name 'node' is not defined")

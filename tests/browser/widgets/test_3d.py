@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, Literal
 
 import pytest
 from playwright.sync_api import Locator, expect
 from playwright.sync_api import Page as Tab
-from scenes import at, emit, expect_colors, pixels, view
+from scenes import at, emit, expect_colors, pixel, pixels, view
 from stage import add, hide_tab, show, subscribed
+from waiting import until
 
 # By display and its options: the message, and which colours are where.
 SCENES: list[tuple[dict[str, Any], str, str, list[tuple[float, float, str]]]] = [
@@ -562,3 +563,23 @@ def test_a_browser_without_webgl_is_told_so(stage: Tab) -> None:
 def test_a_view_begins_from_above_if_asked(stage: Tab) -> None:
     panel = show(stage, "3d", {"top": True, "displays": [{"kind": "grid"}]})
     expect(panel.get_by_role("button", name="Top")).to_have_attribute("aria-pressed", "true")
+
+
+@pytest.mark.parametrize(("scheme", "dark"), [("light", True), ("dark", False)])
+def test_white_is_ink_on_the_ground_of_the_theme(
+    stage: Tab, scheme: Literal["light", "dark"], dark: bool
+) -> None:
+    """White is what RViz begins with, and it would not be seen on a light ground."""
+    stage.emulate_media(color_scheme="dark" if scheme == "light" else "light")
+    panel = view(stage, {"kind": "point_cloud", "topic": "/t", "size": 0.1}, background=None)
+    add(stage, "publisher", "/scanner", "/t", "sensor_msgs/msg/PointCloud2")
+    emit(stage, "/t", "cloud(square(1, 0))")
+    # What is drawn follows the page, and so does the ground.
+    stage.emulate_media(color_scheme=scheme)
+
+    def contrast() -> int:
+        image = pixels(panel)
+        point, ground = (sum(pixel(image, x, 0)) for x in (1, -1))
+        return ground - point if dark else point - ground
+
+    until(lambda: contrast() > 300, told=contrast)

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 from playwright.sync_api import Page as Tab
 from stage import show, subscribed
+from waiting import until
 
 pytestmark = pytest.mark.firefox
 
@@ -23,9 +24,9 @@ ARM = """<robot name="arm">
 </robot>"""
 
 
-def joints(stage: Tab, description: str = ARM) -> Locator:
+def joints(stage: Tab, description: str = ARM, **options: Any) -> Locator:
     stage.evaluate("ros.types['sensor_msgs/msg/JointState'] = ros.fields('')")
-    panel = show(stage, "joints")
+    panel = show(stage, "joints", options)
     stage.evaluate("(data) => ros.emit('/robot_description', { data })", description)
     return panel
 
@@ -60,6 +61,7 @@ def test_a_slider_moves_its_joint_and_those_that_mimic_it(stage: Tab) -> None:
     # No further than its limit.
     assert last(stage) == {"waist": 0, "lift": 0.5, "follower": 0, "elbow": 1.5}
     assert stage.evaluate("ros.kept().positions") == {"lift": 0.5, "elbow": 1.5}
+    stage.emulate_media(reduced_motion="reduce")
     panel.get_by_role("button", name="Center").click()
     assert last(stage) == start
     panel.get_by_role("button", name="Random").click()
@@ -67,6 +69,46 @@ def test_a_slider_moves_its_joint_and_those_that_mimic_it(stage: Tab) -> None:
     assert moved != start
     assert 0.1 <= moved["lift"] <= 0.5
     assert -1 <= moved["elbow"] <= 2
+
+
+def test_joints_start_at_their_zeros(stage: Tab) -> None:
+    panel = joints(stage, zeros={"elbow": 1.5, "lift": 7, "unknown": 3})
+    start = {"waist": 0, "lift": 0.5, "follower": 0, "elbow": 1.5}
+    assert last(stage) == start
+    panel.get_by_label("elbow", exact=True).fill("0")
+    stage.emulate_media(reduced_motion="reduce")
+    panel.get_by_role("button", name="Center").click()
+    assert last(stage) == start
+
+
+def test_joints_move_on_their_way_at_the_speed_of_the_slowest(stage: Tab) -> None:
+    stage.emulate_media(reduced_motion="no-preference")
+    slow = ARM.replace('<limit lower="-1"', '<limit velocity="3" lower="-1"')
+    panel = joints(stage, slow, zeros={"elbow": 2})
+    panel.get_by_label("elbow", exact=True).fill("-1")
+    count = stage.evaluate("ros.published.length")
+    began = stage.evaluate("performance.now()")
+    panel.get_by_role("button", name="Center").click()
+    until(lambda: last(stage)["elbow"] == 2)
+    # 3 rad at 3 rad/s at most, which is the speed in the middle of the way.
+    assert stage.evaluate("performance.now()") - began >= 1500
+    way = stage.evaluate(
+        "(count) => ros.published.slice(count).map(({ message }) => message.position[3])", count
+    )
+    assert way == sorted(way)
+    assert len(set(way)) > 5
+
+
+def test_a_slider_ends_the_motion(stage: Tab) -> None:
+    stage.emulate_media(reduced_motion="no-preference")
+    panel = joints(stage)
+    panel.get_by_label("waist", exact=True).fill("3")
+    panel.get_by_role("button", name="Center").click()
+    panel.get_by_label("elbow", exact=True).fill("1")
+    stopped = last(stage)
+    assert stopped["waist"] > 0
+    stage.evaluate("frames(20)")
+    assert last(stage) == stopped
 
 
 def test_positions_come_back_with_a_link(stage: Tab) -> None:

@@ -18,12 +18,13 @@ const HUES = 0.85;
  * @param {Record<string, any>} options `size` in metres, `color_by`, `color`, `alpha`, `decay` in seconds, and `min` and
  *   `max` of the values to colour by; both 0: those of the message
  */
-export function pointsOf({ root, floor, redraw }, options) {
+export function pointsOf({ root, floor, redraw, tint }, options) {
   /** @type {{cloud: Cloud, until: number}[]} */
   const kept = [];
   /** @type {Cloud | undefined} */
   let current;
 
+  const look = () => ({ size: options.size, color: tint(options.color), opacity: options.alpha });
   const forget = (/** @type {number} */ count) => {
     for (const { cloud } of kept.splice(0, count)) cloud.close();
   };
@@ -44,7 +45,7 @@ export function pointsOf({ root, floor, redraw }, options) {
         current = createPoints(positions, colors);
         root.add(current.points);
       }
-      current.style(look(options));
+      current.style(look());
       redraw();
     },
     update(/** @type {number} */ now) {
@@ -53,7 +54,7 @@ export function pointsOf({ root, floor, redraw }, options) {
       if (kept.length) redraw();
     },
     set() {
-      for (const cloud of [...kept.map(({ cloud }) => cloud), ...(current ? [current] : [])]) cloud.style(look(options));
+      for (const cloud of [...kept.map(({ cloud }) => cloud), ...(current ? [current] : [])]) cloud.style(look());
     },
     clear() {
       forget(kept.length);
@@ -70,11 +71,6 @@ export function pointsOf({ root, floor, redraw }, options) {
 /** @param {Cloud} cloud */
 function countOf({ points }) {
   return points.geometry.getAttribute("position").count;
-}
-
-/** @param {Record<string, any>} options */
-function look({ size, color, alpha }) {
-  return { size, color: new Color(color), opacity: alpha };
 }
 
 /**

@@ -2,9 +2,11 @@
 // A text that faces the camera.
 
 import { CanvasTexture, Color, Sprite, SpriteMaterial, SRGBColorSpace } from "../../vendor/three.js";
+import { isLight } from "./stage.js";
 
 const PIXELS = 48;
 const FONT = `${PIXELS * 0.75}px system-ui, sans-serif`;
+const RIM = 4;
 // Longer texts are cut: nodes may send anything.
 const LONGEST = 200;
 const MOST_LINES = 20;
@@ -26,7 +28,15 @@ export function createLabel(text, height, { color = new Color(0xffffff), opacity
   context.textBaseline = "middle";
   context.textAlign = "center";
   context.fillStyle = `#${color.getHexString()}`;
-  lines.forEach((line, index) => context.fillText(line, canvas.width / 2, (index + 0.5) * PIXELS));
+  // Around the letters, so that they are read on any ground.
+  context.strokeStyle = isLight(color) ? "rgb(0 0 0 / 0.7)" : "rgb(255 255 255 / 0.7)";
+  context.lineWidth = RIM;
+  context.lineJoin = "round";
+  lines.forEach((line, index) => {
+    const place = /** @type {const} */ ([line, canvas.width / 2, (index + 0.5) * PIXELS]);
+    context.strokeText(...place);
+    context.fillText(...place);
+  });
   const map = new CanvasTexture(canvas);
   map.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({

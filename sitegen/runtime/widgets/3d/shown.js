@@ -29,10 +29,10 @@ import { seconds } from "../tf/transforms.js";
  * @typedef {{
  *   root: InstanceType<typeof Group>, floor: InstanceType<typeof Group>, world: World, ros: Ros,
  *   say(text: string): void, place(object: any, frame: string, time?: number): boolean, redraw(): void,
- *   resource(url: string): string,
+ *   resource(url: string): string, tint(color: string): InstanceType<typeof import("../../vendor/three.js").Color>,
  * }} Context what a display is given: the group to draw into, that for what stays in the fixed frame, its world; `say`
  *   shows a problem, `place` moves an object to the pose of a frame and returns whether that is known, `resource` is the
- *   address of a package:// file
+ *   address of a package:// file, `tint` a colour as it is drawn on the ground of the view
  */
 
 // Messages that wait for their transforms.
@@ -83,6 +83,7 @@ export class Shown {
       place: (object, frame, time) => this.#place(object, frame, time),
       redraw: () => world.redraw(),
       resource: world.resource,
+      tint: (color) => world.stage.tint(color),
     }, this.options);
     this.#display.set?.(this.options);
   }

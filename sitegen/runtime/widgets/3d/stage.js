@@ -15,10 +15,14 @@ const ANGLE = 45;
 // Most content does not fill the sphere around it, so a part of that may be out of view.
 const FILLED = 0.8;
 const START = new Vector3(-4, -4, 4);
+// Width by height of what RViz shows, in the window that it opens.
+const USUAL = 4 / 3;
 // Radians, parts of the distance, and zoom for each press of a key.
 const TURN = Math.PI / 24;
 const SHIFT = 0.08;
 const ZOOM = 1.2;
+const BLACK = 0x000000;
+const WHITE = 0xffffff;
 /** @type {Record<string, [number, number]>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -36,8 +40,12 @@ export class Stage {
   hint = () => {};
   /** Called when the browser can draw no longer, or again. @type {(lost: boolean) => void} */
   lost = () => {};
+  /** The colour of what has none of its own: dark on a light background, and white on a dark one. */
+  ink = new Color(WHITE);
   /** Whether the visitor or an option decides what is in view. */
   chosen = false;
+  /** What the author has framed, until the visitor moves the camera. @type {View | undefined} */
+  #framed;
   #renderer;
   #perspective = new PerspectiveCamera(ANGLE, 1, 0.01, 1000);
   #top = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
@@ -69,7 +77,9 @@ export class Stage {
     const above = new DirectionalLight(0xffffff, 1.8);
     above.position.set(0.3, 0.2, 1);
     this.#top.add(above);
-    this.scene.add(this.content, this.#perspective, this.#top, new HemisphereLight(0xffffff, 0x707888, 1.1));
+    const sky = new HemisphereLight(0xffffff, 0x707888, 1.1);
+    sky.position.set(0, 0, 1);
+    this.scene.add(this.content, this.#perspective, this.#top, sky);
     this.#orbit = this.#control(this.#perspective);
     this.#pan = this.#control(this.#top);
     this.#pan.enableRotate = false;
@@ -109,6 +119,7 @@ export class Stage {
     controls.addEventListener("change", () => this.redraw());
     controls.addEventListener("start", () => {
       this.chosen = true;
+      this.#framed = undefined;
     });
     controls.addEventListener("end", () => this.moved());
     return controls;
@@ -159,6 +170,7 @@ export class Stage {
 
   set view({ top, eye, target, zoom }) {
     this.chosen = true;
+    this.#framed = undefined;
     this.top = top;
     const [x = 0, y = 0, z = 0] = eye;
     const [a = 0, b = 0, c = 0] = target;
@@ -170,10 +182,30 @@ export class Stage {
     this.redraw();
   }
 
+  /** Show what the author has framed, also where the panel is narrower than a window of RViz. @param {View} view */
+  frame(view) {
+    this.view = view;
+    this.#framed = view;
+  }
+
   /** @param {string} color of the background, like "#303030"; the theme's if empty */
   set background(color) {
     this.scene.background = color ? new Color(color) : null;
     this.redraw();
+  }
+
+  /** Read the colours of the page, which has become light or dark. */
+  recolour() {
+    const { background } = this.scene;
+    if (background instanceof Color) this.ink.setHex(isLight(background) ? BLACK : WHITE);
+    else this.ink.setStyle(getComputedStyle(this.element).color);
+    this.redraw();
+  }
+
+  /** Return a colour as it is drawn: white, with which RViz begins, is ink. @param {string} color like "#ff0000" */
+  tint(color) {
+    const given = new Color(color);
+    return given.getHex() === WHITE ? this.ink.clone() : given;
   }
 
   /** Draw a frame soon. */
@@ -197,6 +229,7 @@ export class Stage {
 
   /** Move the camera so that all content is in view. */
   fit() {
+    this.#framed = undefined;
     const box = new Box3().setFromObject(this.content);
     if (box.isEmpty() || ![...box.min.toArray(), ...box.max.toArray()].every(Number.isFinite)) return;
     const middle = box.getCenter(new Vector3());
@@ -271,7 +304,17 @@ export class Stage {
     Object.assign(this.#top, { left: -x, right: x, top: y, bottom: -y });
     this.#top.updateProjectionMatrix();
     if (!this.chosen) this.fit();
+    else if (this.#framed) this.#widen(this.#framed);
     this.draw();
+  }
+
+  /** Go back until a view has the width that it has in RViz. @param {View} view */
+  #widen(view) {
+    if (this.#isTop) return;
+    const { target } = this.#orbit;
+    const factor = Math.max(1, USUAL / this.#perspective.aspect);
+    this.#perspective.position.fromArray(view.eye).sub(target).multiplyScalar(factor).add(target);
+    this.#orbit.update();
   }
 
   /** @param {KeyboardEvent} event */
@@ -286,6 +329,7 @@ export class Stage {
     else return;
     event.preventDefault();
     this.chosen = true;
+    this.#framed = undefined;
     this.moved();
   }
 
@@ -323,6 +367,12 @@ export class Stage {
     this.#controls.update();
     this.redraw();
   }
+}
+
+/** Whether black is read better on a colour than white. @param {InstanceType<typeof Color>} color */
+export function isLight({ r, g, b }) {
+  // The luminance of WCAG, of which 0.18 has the same contrast to both.
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18;
 }
 
 /** Return a colour of ROS, whose parts are from 0 to 1. @param {{r: number, g: number, b: number}} color */

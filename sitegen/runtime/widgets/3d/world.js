@@ -134,6 +134,12 @@ export class World {
     );
   }
 
+  /** Draw everything in the colours of the page, which have changed. */
+  recolour() {
+    this.#stage.recolour();
+    for (const shown of this.displays) shown.set({});
+  }
+
   /** Choose the fixed frame. @param {string} frame */
   choose(frame) {
     this.#chosen = true;

@@ -1,9 +1,11 @@
 // @ts-check
 // The legend of a plot: each curve with its colour, its value, and buttons to hide or remove it.
 
-import { arrange, button, create, setText } from "../../ui/elements.js";
+import { arrange, create, setText } from "../../ui/elements.js";
 import { numberText } from "../../ui/numbers.js";
+import { tool } from "../../ui/toolbar.js";
 import { say } from "../../ui/words.js";
+import { X } from "../../vendor/icons.js";
 import { COLOURS } from "./chart.js";
 
 /** @import { Curve, Series } from "./curve.js" */
@@ -82,8 +84,8 @@ export class Legend {
 
   /** @param {Series} series */
   #createRemove(series) {
-    const remove = button("×", "ros-remove-series", () => this.#remove(series));
-    remove.setAttribute("aria-label", say("Remove {}", series.text));
+    const remove = tool(say("Remove {}", series.text), X, () => this.#remove(series));
+    remove.classList.add("ros-remove-series");
     return remove;
   }
 }

@@ -22,6 +22,7 @@ def generate_launch_description():
             Node(
                 package="joint_state_publisher_gui",
                 executable="joint_state_publisher_gui",
+                parameters=[{"zeros.shoulder_lift": -0.3, "zeros.elbow": 1.1, "zeros.wrist": 0.6}],
             ),
             Node(package="arm", executable="trace"),
             Node(package="rviz2", executable="rviz2", arguments=["-d", view]),

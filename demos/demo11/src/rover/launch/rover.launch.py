@@ -1,4 +1,4 @@
-"""A rover in a room, with RViz and a joystick."""
+"""A rover in a room, with RViz, a joystick, a plot of its speed and its log."""
 
 from launch import LaunchDescription
 from launch.substitutions import Command, PathJoinSubstitution
@@ -22,5 +22,9 @@ def generate_launch_description():
             Node(package="rover", executable="simulator", output="screen"),
             Node(package="rviz2", executable="rviz2", arguments=["-d", view]),
             Node(package="rqt_robot_steering", executable="rqt_robot_steering"),
+            Node(
+                package="rqt_plot", executable="rqt_plot", arguments=["/odom/twist/twist/linear/x"]
+            ),
+            Node(package="rqt_console", executable="rqt_console"),
         ]
     )

@@ -1,5 +1,5 @@
 // A rover that drives through a room: it follows /cmd_vel, and publishes its odometry, what its laser scanner sees, and
-// the map of the room.
+// the map of the room, and its walls as markers.
 
 #include <array>
 #include <chrono>
@@ -16,6 +16,7 @@
 #include "sensor_msgs/msg/laser_scan.hpp"
 #include "tf2_ros/static_transform_broadcaster.h"
 #include "tf2_ros/transform_broadcaster.h"
+#include "visualization_msgs/msg/marker.hpp"
 
 using namespace std::chrono_literals;
 
@@ -35,7 +36,7 @@ const std::array<std::string, 20> ROOM = {
   "#......##......#...............#",
   "#..............#...............#",
   "#..............#...............#",
-  "########..######...............#",
+  "######....######...............#",
   "#..............#...............#",
   "#..............######....#######",
   "#..............................#",
@@ -46,6 +47,7 @@ const std::array<std::string, 20> ROOM = {
   "#............#.................#",
   "################################",
 };
+constexpr double HEIGHT = 0.4;  // of the walls, in metres
 constexpr double RADIUS = 0.3;  // of the rover, in metres
 constexpr double STEP = 0.05;  // seconds
 constexpr int BEAMS = 180;
@@ -73,12 +75,14 @@ public:
     odometry_ = create_publisher<nav_msgs::msg::Odometry>("odom", 10);
     scan_ = create_publisher<sensor_msgs::msg::LaserScan>("scan", rclcpp::SensorDataQoS());
     map_ = create_publisher<nav_msgs::msg::OccupancyGrid>("map", rclcpp::QoS(1).transient_local());
+    walls_ = create_publisher<visualization_msgs::msg::Marker>("walls", rclcpp::QoS(1).transient_local());
     commands_ = create_subscription<geometry_msgs::msg::Twist>(
       "cmd_vel", 10, [this](const geometry_msgs::msg::Twist & command) {
         command_ = command;
         heard_ = now();
       });
     publish_map();
+    publish_walls();
     geometry_msgs::msg::TransformStamped start;
     start.header.stamp = now();
     start.header.frame_id = "map";
@@ -195,6 +199,35 @@ private:
     map_->publish(map);
   }
 
+  void publish_walls()
+  {
+    visualization_msgs::msg::Marker walls;
+    walls.header.stamp = now();
+    walls.header.frame_id = "map";
+    walls.ns = "walls";
+    walls.type = visualization_msgs::msg::Marker::CUBE_LIST;
+    walls.pose.orientation.w = 1;
+    walls.scale.x = CELL;
+    walls.scale.y = CELL;
+    walls.scale.z = HEIGHT;
+    walls.color.r = 0.55;
+    walls.color.g = 0.61;
+    walls.color.b = 0.73;
+    walls.color.a = 1;
+    for (size_t row = 0; row < ROOM.size(); ++row) {
+      for (size_t column = 0; column < ROOM[row].size(); ++column) {
+        if (ROOM[row][column] == '#') {
+          geometry_msgs::msg::Point middle;
+          middle.x = (column + 0.5) * CELL;
+          middle.y = (ROOM.size() - row - 0.5) * CELL;
+          middle.z = HEIGHT / 2;
+          walls.points.push_back(middle);
+        }
+      }
+    }
+    walls_->publish(walls);
+  }
+
   double x_ = 2.0, y_ = 1.0, yaw_ = 0.0;
   double x0_, y0_;
   bool blocked_ = false;
@@ -206,6 +239,7 @@ private:
   rclcpp::Publisher<nav_msgs::msg::Odometry>::SharedPtr odometry_;
   rclcpp::Publisher<sensor_msgs::msg::LaserScan>::SharedPtr scan_;
   rclcpp::Publisher<nav_msgs::msg::OccupancyGrid>::SharedPtr map_;
+  rclcpp::Publisher<visualization_msgs::msg::Marker>::SharedPtr walls_;
   rclcpp::Subscription<geometry_msgs::msg::Twist>::SharedPtr commands_;
   rclcpp::TimerBase::SharedPtr timer_;
 };

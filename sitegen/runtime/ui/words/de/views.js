@@ -156,6 +156,9 @@ export const views = {
     "Den Knüppel ziehen. Oder ihn anklicken und die Pfeiltasten oder W, A, S, D halten. Ein Gamepad geht auch.",
   "Drag the stick. Or click it and hold Shift with the arrow keys or W, A, S, D; a gamepad needs a shoulder button.":
     "Den Knüppel ziehen. Oder ihn anklicken und Umschalt mit den Pfeiltasten oder W, A, S, D halten; ein Gamepad braucht eine Schultertaste.",
+  "Drag the stick to drive. A gamepad works, too.": "Zum Fahren den Knüppel ziehen. Ein Gamepad geht auch.",
+  "Drag the stick to drive. A gamepad works, too, while a shoulder button is held.":
+    "Zum Fahren den Knüppel ziehen. Ein Gamepad geht auch, solange eine Schultertaste gehalten wird.",
   "Parameters": "Parameter",
   "No node with parameters runs now.": "Gerade läuft kein Node mit Parametern.",
   "Load": "Laden",

@@ -1,7 +1,7 @@
 // @ts-check
 // What a range sensor sees: a cone along x, as long as the distance.
 
-import { Color, ConeGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "../../../vendor/three.js";
+import { ConeGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
 import { dispose } from "../shapes.js";
 
@@ -13,7 +13,7 @@ export const kind = {
   types: ["sensor_msgs/msg/Range"],
   defaults: { topic: "/range", color: "#ffffff", alpha: 0.5 },
 
-  create({ root }) {
+  create({ root, tint }) {
     const material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthWrite: false });
     const cone = new Mesh(new ConeGeometry(1, 1, 32, 1, true), material);
     // The tip of the geometry is at y = 0.5; that of the display at the sensor.
@@ -30,7 +30,7 @@ export const kind = {
         if (cone.visible) cone.scale.set(length, radius, radius);
       },
       set({ color, alpha }) {
-        material.color = new Color(color);
+        material.color = tint(color);
         material.opacity = alpha;
       },
       clear() {

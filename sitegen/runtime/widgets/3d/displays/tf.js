@@ -110,11 +110,12 @@ class Frames {
   /** @param {[string, Place][]} places */
   #name(places) {
     const { scale } = this.#options;
-    const named = JSON.stringify([places.map(([frame]) => frame), scale]);
+    const { ink } = this.#context.world.stage;
+    const named = JSON.stringify([places.map(([frame]) => frame), scale, ink]);
     if (named !== this.#named) {
       this.#named = named;
       dispose(this.#names);
-      for (const [frame] of places) this.#names.add(createLabel(frame, NAME, { fixed: true }));
+      for (const [frame] of places) this.#names.add(createLabel(frame, NAME, { color: ink, fixed: true }));
     }
     places.forEach(([, { position }], index) => {
       this.#names.children[index]?.position.copy(position).add(new Vector3(0, 0, 0.06 * scale));

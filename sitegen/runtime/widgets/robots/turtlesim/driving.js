@@ -1,8 +1,10 @@
 // @ts-check
 // Drive a turtle with the arrow keys or with buttons.
 
-import { button, create } from "../../../ui/elements.js";
+import { create } from "../../../ui/elements.js";
+import { tool } from "../../../ui/toolbar.js";
 import { say } from "../../../ui/words.js";
+import { ArrowDown, ArrowUp, RotateCcw, RotateCw } from "../../../vendor/icons.js";
 
 /** @import { Publisher, Ros } from "../../../protocol.js" */
 
@@ -51,10 +53,10 @@ export class Driver {
  */
 export function createPad(drawing, driver) {
   const ways = [
-    { key: "ArrowLeft", sign: "↶", name: say("Turn left"), linear: 0, angular: SPEED },
-    { key: "ArrowUp", sign: "↑", name: say("Forward"), linear: SPEED, angular: 0 },
-    { key: "ArrowDown", sign: "↓", name: say("Backward"), linear: -SPEED, angular: 0 },
-    { key: "ArrowRight", sign: "↷", name: say("Turn right"), linear: 0, angular: -SPEED },
+    { key: "ArrowLeft", icon: RotateCcw, name: say("Turn left"), linear: 0, angular: SPEED },
+    { key: "ArrowUp", icon: ArrowUp, name: say("Forward"), linear: SPEED, angular: 0 },
+    { key: "ArrowDown", icon: ArrowDown, name: say("Backward"), linear: -SPEED, angular: 0 },
+    { key: "ArrowRight", icon: RotateCw, name: say("Turn right"), linear: 0, angular: -SPEED },
   ];
   drawing.addEventListener("keydown", (event) => {
     const { key, ctrlKey, metaKey, altKey } = /** @type {KeyboardEvent} */ (event);
@@ -63,12 +65,8 @@ export function createPad(drawing, driver) {
     event.preventDefault();
     driver.drive(way.linear, way.angular);
   });
-  const pad = create("div", "ros-pad", ...ways.map(({ sign, name, linear, angular }) => {
-    const one = button(sign, "", () => driver.drive(linear, angular));
-    one.setAttribute("aria-label", name);
-    one.title = name;
-    return one;
-  }));
+  const pad = create("div", "ros-pad", ...ways.map(({ icon, name, linear, angular }) =>
+    tool(name, icon, () => driver.drive(linear, angular))));
   pad.setAttribute("role", "group");
   pad.setAttribute("aria-label", say("Drive"));
   return pad;
