@@ -79,6 +79,7 @@ def test_each_window_has_its_widget(site: Site) -> None:
 def test_the_view_stands_beside_the_others(site: Site) -> None:
     [layout] = [part for part in site.pages[0].content if isinstance(part, Layout)]
     assert [cell.size for cell in layout.cells] == [3, 2]
+    assert [len(cell.content) for cell in layout.cells] == [1, 1]
 
 
 def test_what_has_no_counterpart_is_named(site: Site) -> None:

@@ -104,7 +104,7 @@ function show(element, ros, options, stage) {
 
 /** What the visitor has chosen. @param {Stage} stage @param {FrameChooser} frames @param {DisplayList} list @returns {Shared} */
 function state(stage, frames, list) {
-  return { view: stage.chosen ? stage.view : undefined, frame: frames.chosen, displays: list.changed() };
+  return { view: stage.chosen && !stage.framed ? stage.view : undefined, frame: frames.chosen, displays: list.changed() };
 }
 
 /** @param {any} view @returns {view is View} */

@@ -153,6 +153,8 @@ def demo11(visitor: Visitor) -> None:
     page = visitor.page
     # In the console and in the log.
     expect(page.get_by_text("Drive me: I listen to /cmd_vel").first).to_be_attached()
+    # A phone has no keys.
+    expect(page.get_by_text("Drag the stick to drive. A gamepad works, too.")).to_be_attached()
     stick = page.locator(".ros-stick")
     stick.scroll_into_view_if_needed()
     box = stick.bounding_box()

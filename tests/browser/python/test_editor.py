@@ -228,3 +228,14 @@ def test_a_slash_is_typed_and_opens_no_search(tab: Page, serve: Serve, built: Bu
     editor.replace("STEP = 1", "STEP = 10 / 2")
     expect(editor.code).to_contain_text("STEP = 10 / 2")
     expect(tab.locator("dialog.search")).to_be_hidden()
+
+
+def test_the_console_stands_beside_the_editor_where_there_is_room(editor: Editor) -> None:
+    for width, beside in ((1280, True), (390, False)):
+        editor.page.set_viewport_size({"width": width, "height": 844})
+        source = editor.page.locator(".ros-editor").bounding_box()
+        lines = editor.page.locator(".ros-panel:has(> .ros-editor) .ros-lines").bounding_box()
+        assert source
+        assert lines
+        assert (lines["x"] >= source["x"] + source["width"]) == beside
+        assert (lines["y"] < source["y"] + source["height"]) == beside

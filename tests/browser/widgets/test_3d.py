@@ -583,3 +583,23 @@ def test_white_is_ink_on_the_ground_of_the_theme(
         return ground - point if dark else point - ground
 
     until(lambda: contrast() > 300, told=contrast)
+
+
+def test_a_narrow_panel_shows_what_was_framed(stage: Tab) -> None:
+    """A box at the edge of the view in the proportions of RViz's window."""
+    stage.set_viewport_size({"width": 300, "height": 900})
+    framed = {"top": False, "eye": [-5, 0, 0.1], "target": [0, 0, 0], "zoom": 1}
+    panel = view(stage, {"kind": "markers", "topic": "/t"}, view=framed)
+    add(stage, "publisher", "/robot", "/t", "visualization_msgs/msg/Marker")
+    emit(stage, "/t", "marker({ pose: pose(0, -2.3), scale: { x: 0.3, y: 0.6, z: 0.6 } })")
+
+    def red() -> int:
+        data = pixels(panel).tobytes()
+        points = zip(data[::3], data[1::3], data[2::3], strict=True)
+        return sum(r > 100 and g < 60 and b < 60 for r, g, b in points)
+
+    until(red)
+    # It is the author's, and not a part of links, until the visitor moves it.
+    assert not stage.evaluate("ros.kept().view")
+    panel.locator("canvas").press("ArrowLeft")
+    assert stage.evaluate("ros.kept().view")

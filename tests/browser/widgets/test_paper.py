@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 import pytest
 from playwright.sync_api import Page as Tab
 from stage import show
@@ -20,6 +22,7 @@ LIGHTNESS = """(element) => {
   while (lightness(getComputedStyle(at).backgroundColor) === undefined) at = at.parentElement;
   return [getComputedStyle(at).backgroundColor, getComputedStyle(element).color].map(lightness);
 }"""
+SCHEMES: tuple[Literal["light", "dark"], ...] = ("light", "dark")
 PAPER = (
     *("3d", "actions", "bag", "diagnostics", "graph", "image", "joints", "lifecycle"),
     *("nodes", "parameters", "plot", "publish", "services", "teleop", "tf", "topics", "value"),
@@ -29,8 +32,9 @@ PAPER = (
 @pytest.mark.parametrize("kind", PAPER)
 def test_panels_are_light_in_light_mode_and_dark_in_dark_mode(stage: Tab, kind: str) -> None:
     panel = show(stage, kind, {"value": {"path": "/a.b"}}.get(kind))
-    for scheme, paper in (("light", 1), ("dark", 0)):
-        stage.emulate_media(color_scheme="light" if scheme == "light" else "dark")
+    for scheme in SCHEMES:
+        stage.emulate_media(color_scheme=scheme)
+        paper = int(scheme == "light")
         ground, ink = panel.evaluate(LIGHTNESS)
         assert abs(ground - paper) < 0.2, (kind, scheme)
         assert abs(ink - paper) > 0.7, (kind, scheme)
@@ -38,8 +42,8 @@ def test_panels_are_light_in_light_mode_and_dark_in_dark_mode(stage: Tab, kind: 
 
 def test_the_log_is_dark_like_a_terminal(stage: Tab) -> None:
     panel = show(stage, "log")
-    for scheme in ("light", "dark"):
-        stage.emulate_media(color_scheme="light" if scheme == "light" else "dark")
+    for scheme in SCHEMES:
+        stage.emulate_media(color_scheme=scheme)
         ground, ink = panel.evaluate(LIGHTNESS)
         assert ground < 0.2
         assert ink > 0.7

@@ -182,6 +182,11 @@ export class Stage {
     this.redraw();
   }
 
+  /** Whether the view is still what the author has framed. */
+  get framed() {
+    return Boolean(this.#framed);
+  }
+
   /** Show what the author has framed, also where the panel is narrower than a window of RViz. @param {View} view */
   frame(view) {
     this.view = view;
@@ -194,12 +199,13 @@ export class Stage {
     this.redraw();
   }
 
-  /** Read the colours of the page, which has become light or dark. */
+  /** Read the colours of the page, which may have become light or dark, and return whether the ink is another one. */
   recolour() {
+    const former = this.ink.getHex();
     const { background } = this.scene;
     if (background instanceof Color) this.ink.setHex(isLight(background) ? BLACK : WHITE);
     else this.ink.setStyle(getComputedStyle(this.element).color);
-    this.redraw();
+    return this.ink.getHex() !== former;
   }
 
   /** Return a colour as it is drawn: white, with which RViz begins, is ink. @param {string} color like "#ff0000" */

@@ -134,9 +134,9 @@ export class World {
     );
   }
 
-  /** Draw everything in the colours of the page, which have changed. */
+  /** Draw everything in the colours of the page, which may have changed. */
   recolour() {
-    this.#stage.recolour();
+    if (!this.#stage.recolour()) return;
     for (const shown of this.displays) shown.set({});
   }
 

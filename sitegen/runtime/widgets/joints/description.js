@@ -22,10 +22,11 @@ const SPEEDS = { rad: 1.5, m: 0.2 };
  * @param {string} text @param {Record<string, number>} zeros where joints start, by name
  * @returns {Joint[]}
  */
-export function readJoints(text, zeros = {}) {
+export function readJoints(text, zeros) {
   const { documentElement: robot } = new DOMParser().parseFromString(text, "application/xml");
   if (robot.nodeName !== "robot") throw new Error(say("not a robot description: its root is not <robot>"));
-  const joints = [...robot.children].filter(({ nodeName }) => nodeName === "joint").map((each) => readJoint(each, zeros)).filter((one) => !!one);
+  const elements = [...robot.children].filter(({ nodeName }) => nodeName === "joint");
+  const joints = elements.map((each) => readJoint(each, zeros)).filter((one) => !!one);
   if (joints.length > MOST) throw new Error(say("the description has more than {} joints", MOST));
   const names = new Set(joints.map(({ name }) => name));
   // A mimic of a joint that does not move stands still, as one without limits would.
