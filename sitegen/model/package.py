@@ -50,6 +50,7 @@ class Package:
     executables: tuple[str, ...] | None
     interfaces: tuple[str, ...]
     version: str = ""
+    description: str = ""
     sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     setup: Setup | None = None
     plugins: tuple[str, ...] = ()

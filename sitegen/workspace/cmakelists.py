@@ -38,7 +38,8 @@ AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_
 class Listing:
     """The result so far; `executables` is None if only CMake can tell their names.
 
-    `sources` maps executables to source files, relative to the CMakeLists.txt of the package.
+    `sources` maps executables to source files, relative to the CMakeLists.txt of the package, and
+    `components` to the classes of the nodes that they run.
     `installs` maps paths below the prefix to what is installed there unchanged. `finds` has the
     packages that are not optional, `requires` those without which CMake fails; `plugins` has the
     packages for which plugins are described.
@@ -49,6 +50,7 @@ class Listing:
     executables: list[str] | None = field(default_factory=list)
     interfaces: list[str] = field(default_factory=list)
     sources: dict[str, list[str]] = field(default_factory=dict)
+    components: dict[str, str] = field(default_factory=dict)
     installs: list[Install] = field(default_factory=list)
     finds: list[str] = field(default_factory=list)
     requires: list[str] = field(default_factory=list)
@@ -68,7 +70,7 @@ class Listing:
         elif name in SETS_PROPERTIES and "OUTPUT_NAME" in words[:-1]:
             self._rename(words)
         elif name == "rclcpp_components_register_node" and "EXECUTABLE" in words[:-1]:
-            self._add_executable(words[words.index("EXECUTABLE") + 1])
+            self._add_component(words)
         elif name in INCLUDES and words:
             self._add_include(name, words)
         elif name == "rosidl_generate_interfaces":
@@ -215,6 +217,14 @@ class Listing:
             else:
                 self.executables[self.executables.index(target)] = name
                 self.sources[name] = self.sources.pop(target, [])
+
+    def _add_component(self, words: list[str]) -> None:
+        executable = words[words.index("EXECUTABLE") + 1]
+        self._add_executable(executable)
+        if "PLUGIN" in words[:-1]:
+            names = self.script.values([executable])
+            plugins = self.script.values([words[words.index("PLUGIN") + 1].removeprefix("::")])
+            self.components |= dict(zip(names, plugins, strict=False))
 
     def _add_sources(self, words: list[str]) -> None:
         for name, *files in filter(None, [self.script.values(words)]):

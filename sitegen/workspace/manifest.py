@@ -27,12 +27,13 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION":
 
 @dataclass(frozen=True)
 class Manifest:
-    """A package.xml without tags whose conditions are false; `build_type` may be empty."""
+    """A package.xml without tags whose conditions are false; texts may be empty."""
 
     name: str
     version: str
     depends: tuple[str, ...]
     build_type: str
+    description: str = ""
 
 
 class _Tree(ElementTree.TreeBuilder):
@@ -61,12 +62,14 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
         problems.add(location_of(file, "name"), "name", message)
         return None
     depends = (tag.text for tag in _true(xml, file, problems) if tag.tag in DEPENDS)
+    tag = xml.find("description")
     types = (tag.text for tag in _true(xml.findall("export/build_type"), file, problems))
     return Manifest(
         name=name,
         version=(xml.findtext("version") or "").strip(),
         depends=tuple(text.strip() for text in depends if text and text.strip()),
         build_type=next((text.strip() for text in types if text), ""),
+        description=" ".join("".join(tag.itertext()).split()) if tag is not None else "",
     )
 
 

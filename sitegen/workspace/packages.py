@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 from sitegen import shipped
 from sitegen.errors import Location, Problems, relative
 from sitegen.model import Fault, Package, Setup
-from sitegen.workspace import cmakelists, folders, setupfiles
+from sitegen.workspace import cmakelists, components, folders, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
 # The interface packages that come with sitegen.
@@ -75,7 +75,8 @@ def _package(path: Path, problems: Problems) -> Package | None:
     depends = [*manifest.depends]
     depends += (each for each in listing.finds if each in _shipped_names() and each != name)
     build_type = manifest.build_type or ("ament_cmake" if cmake.is_file() else "catkin")
-    executables, sources = listing.executables, listing.sources
+    executables = listing.executables
+    sources = listing.sources | components.sources(path, listing.components)
     if build_type == PYTHON:
         setup: Setup | None = _setup(path, problems.root)
         executables, sources = [], {}
@@ -92,6 +93,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         executables=None if executables is None else tuple(executables),
         interfaces=tuple(dict.fromkeys(listing.interfaces)),
         version=manifest.version,
+        description=manifest.description,
         sources={name: tuple(files) for name, files in sources.items()},
         setup=setup,
         plugins=tuple(dict.fromkeys(listing.plugins)),

@@ -159,6 +159,38 @@ def test_types_that_do_not_match(tmp_path: Path) -> None:
     ]
 
 
+ACTIONS = """\
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient, ActionServer
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node("counter")
+    ActionServer(node, Fibonacci, "count", print)
+    ActionClient(node, Fibonacci, action_name="{name}")
+"""
+ASK = 'rclcpp_action::create_client<Count>(node->get_node_base_interface(), "count");'
+COUNT = "using Count = example_interfaces::action::Fibonacci;"
+
+
+def test_actions_have_two_sides_of_one_type(tmp_path: Path) -> None:
+    cpp = CPP.replace('node->create_client<Adder>("add");', ASK).replace("using", f"{COUNT}\nusing")
+    assert warnings(write(tmp_path, cpp=cpp, server=ACTIONS.format(name="count"))) == []
+    found = warnings(write(tmp_path, cpp=cpp, server=ACTIONS.format(name="cuont")))
+    assert found == [
+        "src/py/py/server.py:10: action: 'server' sends goals to '/cuont' on page /, which has no"
+        " server; did you mean '/count'?"
+    ]
+    other = cpp.replace("action::Fibonacci", "action::Other")
+    assert warnings(write(tmp_path, cpp=other, server=ACTIONS.format(name="count"))) == [
+        "src/cpp/talker.cpp:13: action: '/count' is example_interfaces/action/Other for 'talker',"
+        " but example_interfaces/action/Fibonacci for 'server' (src/py/py/server.py:9); "
+        "use the same type for both"
+    ]
+
+
 @pytest.mark.parametrize(
     ("of", "named"),
     [

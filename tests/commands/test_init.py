@@ -205,4 +205,5 @@ def test_packages_that_cannot_run_are_left_out(
     )
     assert main(["init", str(workspace)]) == 0
     assert "skipped: src/cpp_chatter" in capsys.readouterr().out
-    assert [page.path for page in config.load(workspace / "site.yaml").pages] == ["", "cpp_pubsub/"]
+    [page] = config.load(workspace / "site.yaml").pages
+    assert (page.path, list(page.nodes)) == ("", ["talker", "listener"])

@@ -8,13 +8,22 @@ from dataclasses import replace
 from pathlib import Path
 
 from sitegen.commands.wiring.cpptext import Text, literal
-from sitegen.commands.wiring.endpoint import Endpoint, Program
+from sitegen.commands.wiring.endpoint import (
+    ACTION,
+    ACTION_CLIENT,
+    LIFECYCLE,
+    OPTIONS,
+    PARAMETERS,
+    TRANSFORMS,
+    Endpoint,
+    Program,
+)
 from sitegen.errors import Location
 from sitegen.model import Package
 
 _CREATE = re.compile(
     r"(?P<scope>\brclcpp(?:_action)?\s*::\s*)?"
-    r"\bcreate_(?P<generic>generic_)?(?P<kind>publisher|subscription|service|client)\b"
+    r"\bcreate_(?P<generic>generic_)?(?P<kind>publisher|subscription|service|client|server)\b"
 )
 # How nodes are created: `: Node("talker")`, `Node::make_shared("talker")`,
 # `make_shared<Node>("talker")`.
@@ -26,7 +35,18 @@ _CONDITION = re.compile(r"^[ \t]*#[ \t]*(if|ifdef|ifndef|elif|else)\b", re.MULTI
 _RENAMES = re.compile(
     r"\bcreate_sub_node\b|\.\s*arguments\s*\(|\buse_global_arguments\b|--ros-args"
 )
-_INTERFACE = re.compile(r"(\w+)::(msg|srv)::(\w+)")
+_INTERFACE = re.compile(r"(\w+)::(msg|srv|action)::(\w+)")
+_ACTIONS = {"server": ACTION, "client": ACTION_CLIENT}
+_USES = {
+    PARAMETERS: re.compile(r"\bdeclare_parameters?\b"),
+    LIFECYCLE: re.compile(r"\bLifecycleNode\b"),
+    TRANSFORMS: re.compile(r"\b(Static)?TransformBroadcaster\b"),
+    OPTIONS: re.compile(r"\bgetopt(_long)?\b|\bremove_ros_arguments\b|\binit_and_remove_ros"),
+}
+_ARGUMENT = re.compile(
+    r"(?P<number>\b(ato[ifl]l?|sto(i|l|ll|f|d|u?ll?)|strto\w+)\s*\(\s*)?"
+    r"\bargv\s*\[\s*(?P<position>[1-9]\d?)\s*\]"
+)
 _ALIAS = re.compile(
     r"\busing\s+(?P<new>\w+)\s*=\s*(?P<old>[\w:]+)\s*;"
     r"|\btypedef\s+(?P<old2>[\w:]+)\s+(?P<new2>\w+)\s*;"
@@ -45,17 +65,20 @@ def read(package: Package, executable: str) -> Program:
     """Return what the sources of `executable`, with its headers and libraries, tell."""
     program = Program()
     names = package.sources.get(executable, ())
-    others = [name for one, used in package.sources.items() if one != executable for name in used]
+    shared = [name for one, used in package.sources.items() if one != executable for name in used]
     program.open = not names
     seen: set[Path] = set()
     for name in names:
         # Of sources that several programs share, one program may use only a part.
-        _take(package.path / name, package, program, seen, sure=name not in others)
+        _take(package.path / name, package, program, seen, sure=name not in shared)
     told = {package.path / name for used in package.sources.values() for name in used}
+    # These may be in a library that the program is linked to.
+    others = Program()
     for file in sorted(package.path.rglob("*")):
-        # It may be in a library that the program is linked to.
         if file.suffix in _SOURCES and file not in told and not _is_test(file, package):
-            _take(file, package, program, seen, sure=False)
+            _take(file, package, others, seen, sure=False)
+    others.endpoints = [replace(endpoint, foreign=True) for endpoint in others.endpoints]
+    program.take(replace(others, uses=set(), arguments={}))
     return program
 
 
@@ -90,18 +113,26 @@ def _take(file: Path, package: Package, program: Program, seen: set[Path], *, su
 
 def _program(text: Text, file: Path) -> Program:
     program = Program(renames=bool(_RENAMES.search(text.code)))
+    program.uses = {use for use, pattern in _USES.items() if pattern.search(text.bare)}
+    for found in _ARGUMENT.finditer(text.bare):
+        program.take(Program(arguments={int(found["position"]): bool(found["number"])}))
     aliases = _aliases(text)
     for found in _CREATE.finditer(text.bare):
         scope = (found["scope"] or "").replace("::", "").strip()
-        if scope == "rclcpp_action":
-            # The topics of an action are hidden and are not checked.
+        if (found["kind"] == "server") > (scope == "rclcpp_action"):
+            # A function of another library.
             continue
         types, end = text.template(found.end())
         arguments = text.arguments(end) or []
-        # The first argument of the function is the node.
-        arguments = arguments[1:] if scope else arguments
-        name = literal(arguments[0]) if arguments else None
-        if name is None:
+        if scope == "rclcpp_action":
+            # The name comes after the node, or after its interfaces.
+            kind = _ACTIONS.get(found["kind"], "")
+            name = next(filter(None, map(literal, arguments)), None)
+        else:
+            # The first argument of the function is the node.
+            arguments = arguments[1:] if scope else arguments
+            kind, name = found["kind"], literal(arguments[0]) if arguments else None
+        if name is None or not kind:
             program.open = True
             continue
         if found["generic"]:
@@ -109,7 +140,7 @@ def _program(text: Text, file: Path) -> Program:
         else:
             type = _type(types[0], aliases) if types else ""
         location = Location(file, text.line(found.start("kind")))
-        program.endpoints.append(Endpoint(found["kind"], name, type, location))
+        program.endpoints.append(Endpoint(kind, name, type, location))
     for name, namespace in _nodes(text):
         program.names.add(name)
         program.namespaces.add(namespace)

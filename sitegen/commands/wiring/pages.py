@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from sitegen.commands.wiring import cpp, python, widgets
+from sitegen.commands.wiring import programs, widgets
 from sitegen.commands.wiring.endpoint import (
+    ACTION,
+    ACTION_CLIENT,
     CLIENT,
+    OPPOSITE,
     PUBLISHER,
     SERVICE,
     SUBSCRIPTION,
@@ -16,7 +19,7 @@ from sitegen.commands.wiring.endpoint import (
 )
 from sitegen.commands.wiring.names import resolved
 from sitegen.errors import Problems, nearest
-from sitegen.model import Node, Page, Prebuilt, Python, Ros2wasm, Site, Widget
+from sitegen.model import Node, Page, Prebuilt, Ros2wasm, Site, Widget
 
 # Every node and the tools of ROS have these endpoints.
 _TOPICS = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
@@ -24,7 +27,8 @@ _SERVICES = {
     *("describe_parameters", "get_parameter_types", "get_parameters", "get_type_description"),
     *("list_parameters", "set_parameters", "set_parameters_atomically"),
 }
-_OTHER = {SUBSCRIPTION: PUBLISHER, PUBLISHER: SUBSCRIPTION, CLIENT: SERVICE}
+# An action without a client is for visitors, who have a panel for it, as is a service.
+_CHECKED = (SUBSCRIPTION, PUBLISHER, CLIENT, ACTION_CLIENT)
 
 
 class _Side(NamedTuple):
@@ -40,25 +44,25 @@ def warnings(site: Site) -> list[str]:
     There is no warning about what only running the programs would tell.
     """
     problems = Problems(site.root)
-    programs: dict[tuple[str, str], Program] = {}
+    known: dict[tuple[str, str], Program] = {}
     for page in site.pages:
         # A translation has the nodes of its original.
         if page.original in (None, page.path):
-            _look_at(page, site, programs, problems)
+            _look_at(page, site, known, problems)
     return problems.lines
 
 
 def _look_at(
-    page: Page, site: Site, programs: dict[tuple[str, str], Program], problems: Problems
+    page: Page, site: Site, known: dict[tuple[str, str], Program], problems: Problems
 ) -> None:
     own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
     for name, node in page.nodes.items():
         key = (node.package, node.executable)
-        if key not in programs:
-            programs[key] = _program(site, node)
-        program = resolved(programs[key], node)
+        if key not in known:
+            known[key] = _program(site, node)
+        program = resolved(known[key], node)
         some_unknown = some_unknown or program.open
         sides += (_Side(f"'{name}'", endpoint) for endpoint in program.endpoints)
         heard = heard or any(each.kind == SUBSCRIPTION for each in program.endpoints)
@@ -74,17 +78,15 @@ def _program(site: Site, node: Node) -> Program:
     package = site.packages.get(node.package)
     if isinstance(node.kind, Prebuilt | Ros2wasm) or package is None:
         return Program(open=True)
-    if isinstance(node.kind, Python):
-        return python.read(node.kind.setup, node.executable)
-    return cpp.read(package, node.executable)
+    return programs.read(package, node.executable)
 
 
 def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems: Problems) -> None:
     endpoint = side.endpoint
-    wanted = _OTHER.get(endpoint.kind)
-    opposite = (each.endpoint for each in sides if each.endpoint.kind == wanted)
+    opposite = (each.endpoint for each in sides if each.endpoint.kind == OPPOSITE[endpoint.kind])
     others = {name for each in opposite for name in each.names}
-    if wanted is None or {*endpoint.names, widgets.ANY} & others or _is_common(endpoint.name):
+    known = {*endpoint.names, widgets.ANY} & others
+    if endpoint.kind not in _CHECKED or known or is_common(endpoint.name):
         return
     does, missing, way = {
         SUBSCRIPTION: (
@@ -98,16 +100,17 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
             "a node that subscribes to it or a topics widget",
         ),
         CLIENT: ("calls", "which has no server", "a node that provides it"),
+        ACTION_CLIENT: ("sends goals to", "which has no server", "a node that provides it"),
     }[endpoint.kind]
-    known = sorted(name for name in others if not _is_common(name))
-    close = nearest(endpoint.name, known)
+    close = nearest(endpoint.name, sorted(name for name in others if not is_common(name)))
     advice = close if close.startswith("did") else f"add {way}, or remap the name"
     where = f"on page /{page.path}, {missing}"
-    key = "service" if endpoint.kind == CLIENT else "topic"
+    key = {CLIENT: "service", ACTION_CLIENT: "action"}.get(endpoint.kind, "topic")
     problems.add(endpoint.location, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
 
 
-def _is_common(name: str) -> bool:
+def is_common(name: str) -> bool:
+    """Return whether every node or the tools of ROS have endpoints of this name."""
     hidden = any(part.startswith("_") for part in name.split("/"))
     return hidden or name in _TOPICS or name.rpartition("/")[2] in _SERVICES
 
@@ -116,7 +119,7 @@ def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
     sure = [side for side in sides if side.endpoint.sure and side.endpoint.type]
     for one, other in _pairs(sure):
         if one.endpoint.type != other.endpoint.type:
-            key = "service" if one.endpoint.kind == SERVICE else "topic"
+            key = {SERVICE: "service", ACTION: "action"}.get(one.endpoint.kind, "topic")
             name, there = other.endpoint.name, problems.where(one.endpoint.location)
             message = (
                 f"'{name}' is {other.endpoint.type} for {other.who}, "
@@ -128,7 +131,6 @@ def _check_types(sides: Iterable[_Side], problems: Problems) -> None:
 def _pairs(sides: list[_Side]) -> Iterator[tuple[_Side, _Side]]:
     """Yield each publisher or server, with the subscribers or clients of the same name."""
     for one in sides:
-        if one.endpoint.kind in (PUBLISHER, SERVICE):
-            asks = CLIENT if one.endpoint.kind == SERVICE else SUBSCRIPTION
-            wanted = (asks, one.endpoint.name)
+        if one.endpoint.kind in (PUBLISHER, SERVICE, ACTION):
+            wanted = (OPPOSITE[one.endpoint.kind], one.endpoint.name)
             yield from ((one, o) for o in sides if (o.endpoint.kind, o.endpoint.name) == wanted)

@@ -10,12 +10,29 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from sitegen.commands.wiring.endpoint import KINDS, Endpoint, Program
+from sitegen.commands.wiring.endpoint import (
+    ACTION,
+    ACTION_CLIENT,
+    KINDS,
+    LIFECYCLE,
+    OPTIONS,
+    PARAMETERS,
+    TRANSFORMS,
+    Endpoint,
+    Program,
+)
 from sitegen.errors import Location
 from sitegen.model import Setup
 
 _CREATE = {f"create_{kind}": kind for kind in KINDS}
-_INTERFACE = re.compile(r"(\w+)\.(msg|srv)\.(\w+)")
+_ACTIONS = {"ActionServer": ACTION, "ActionClient": ACTION_CLIENT}
+_INTERFACE = re.compile(r"(\w+)\.(msg|srv|action)\.(\w+)")
+# Names whose mention tells what a program uses.
+_USES = {
+    **{"declare_parameter": PARAMETERS, "declare_parameters": PARAMETERS},
+    **{"LifecycleNode": LIFECYCLE, "ArgumentParser": OPTIONS},
+    **{"TransformBroadcaster": TRANSFORMS, "StaticTransformBroadcaster": TRANSFORMS},
+}
 # Modules that create no endpoints; other modules may.
 _HARMLESS = {"ament_index_python", "numpy", "rclpy", "typing_extensions", "yaml"}
 _HARMLESS |= sys.stdlib_module_names - {"importlib"}
@@ -144,6 +161,10 @@ def _mentioned(statements: Iterable[ast.stmt]) -> set[str]:
 def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool) -> None:
     calls = [node for node in ast.walk(statement) if isinstance(node, ast.Call)]
     called = {id(call.func) for call in calls}
+    if sure:
+        program.uses |= {_USES[name] for name in _USES.keys() & _mentioned([statement])}
+        for position, is_number in _arguments(statement, module):
+            program.take(Program(arguments={position: is_number}))
     for node in ast.walk(statement):
         name = getattr(node, "attr", None) or getattr(node, "id", None)
         named = isinstance(node, ast.FunctionDef) and node.name in _CREATE
@@ -154,6 +175,8 @@ def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool)
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
         if name in _CREATE:
             _create(call, _CREATE[name], module, program, sure=sure)
+        elif (action := _name(call.func).rpartition(".")[2]) in _ACTIONS:
+            _create_action(call, _ACTIONS[action], module, program, sure=sure)
         elif name == "init" and _has_list(call):
             program.renames = True
     for call, keywords in _nodes(statement, calls):
@@ -178,7 +201,39 @@ def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sur
         program.open = True
         return
     location = Location(module.file, call.lineno)
-    program.endpoints.append(Endpoint(kind, name, _type(type, module), location, sure))
+    program.endpoints.append(Endpoint(kind, name, _type(type, module), location, sure, not sure))
+
+
+def _create_action(
+    call: ast.Call, kind: str, module: _Module, program: Program, *, sure: bool
+) -> None:
+    keywords = {keyword.arg: keyword.value for keyword in call.keywords}
+    given = dict(zip(("node", "action_type", "action_name"), call.args, strict=False))
+    name = _text(given.get("action_name") or keywords.get("action_name"), module)
+    if name is None:
+        program.open = True
+        return
+    type = _type(given.get("action_type") or keywords.get("action_type"), module)
+    location = Location(module.file, call.lineno)
+    program.endpoints.append(Endpoint(kind, name, type, location, sure, not sure))
+
+
+def _arguments(statement: ast.stmt, module: _Module) -> Iterator[tuple[int, bool]]:
+    """Yield the positions of `sys.argv` that are read, and whether each becomes a number."""
+    numbers = {
+        id(call.args[0])
+        for call in ast.walk(statement)
+        if isinstance(call, ast.Call) and _name(call.func) in ("int", "float") and call.args
+    }
+    for node in ast.walk(statement):
+        if not isinstance(node, ast.Subscript) or not isinstance(node.slice, ast.Constant):
+            continue
+        position, of = node.slice.value, _name(node.value)
+        first, mark, rest = of.partition(".")
+        if f"{module.imports.get(first, first)}{mark}{rest}" != "sys.argv":
+            continue
+        if isinstance(position, int) and position > 0:
+            yield position, id(node) in numbers
 
 
 def _nodes(
@@ -194,6 +249,11 @@ def _nodes(
             is_node and function in ("super().__init__", "Node.__init__")
         ):
             yield call, {keyword.arg or "": keyword.value for keyword in call.keywords}
+
+
+def _name(function: ast.expr) -> str:
+    """Return a name or a dotted name as it is written, else nothing."""
+    return ast.unparse(function) if isinstance(function, ast.Name | ast.Attribute) else ""
 
 
 def _has_list(call: ast.Call) -> bool:

@@ -1,0 +1,56 @@
+"""The programs of pages, with what their sources tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from sitegen.commands.wiring import programs
+from sitegen.commands.wiring.endpoint import OPPOSITE, Endpoint, Program
+from sitegen.commands.wiring.names import resolved
+from sitegen.commands.wiring.pages import is_common
+from sitegen.model import Node, Package
+
+
+@dataclass(frozen=True)
+class Member:
+    """A program as a node of a page: `name` is that of the node, `told` has full names.
+
+    `source` is the language of its source file, "" if the file is not in the workspace.
+    """
+
+    name: str
+    package: str
+    executable: str
+    told: Program
+    source: str = ""
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """What identifies the program."""
+        return self.package, self.executable
+
+    def endpoints(self, *kinds: str) -> Iterator[Endpoint]:
+        """Yield the program's own endpoints of these kinds, without those that every node has."""
+        for endpoint in self.told.endpoints:
+            if endpoint.kind in kinds and not endpoint.foreign and not is_common(endpoint.name):
+                yield endpoint
+
+    def answers(self, endpoint: Endpoint) -> bool:
+        """Return whether an endpoint of this program communicates with `endpoint`."""
+        return any(
+            each.names & endpoint.names and len({each.type, endpoint.type} - {""}) < 2
+            for each in self.endpoints(OPPOSITE[endpoint.kind])
+        )
+
+
+def member(node: Node, packages: Mapping[str, Package], own: Mapping[str, Package]) -> Member:
+    """Return the program of a node of `packages`; `own` are those of the workspace."""
+    package = packages.get(node.package)
+    told = programs.read(package, node.executable) if package else Program(open=True)
+    if not told.namespaces:
+        # How its node is created is unknown; most are in the root namespace.
+        told = replace(told, namespaces={""})
+    sources = package.sources.get(node.executable) if package and node.package in own else ()
+    language = "" if not sources else "Python" if sources[0].endswith(".py") else "C++"
+    return Member(node.name, node.package, node.executable, resolved(told, node), language)

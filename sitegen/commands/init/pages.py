@@ -1,0 +1,151 @@
+"""Decide on the pages of a site: one for partners, and one for each launch file."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from sitegen.commands.init.members import Member
+from sitegen.commands.init.panels import Item, panels, views
+from sitegen.commands.init.partners import together
+from sitegen.commands.init.runs import Launched, Runs
+from sitegen.commands.init.turtle import TURTLESIM
+from sitegen.config.paths import segment
+from sitegen.model import Package
+
+ENDING = re.compile(r"[._]?launch\.(py|xml|yaml)$")
+# What tools write into a package.xml, for the author to replace.
+PLACEHOLDER = re.compile(r"\W*(todo\b.*|(the )?[\w-]+ package|package description)\W*", re.I)
+SENTENCE = re.compile(r"(?<=[^.\s]{2}[.!?])\s+(?=[A-Z])")
+# A longer sentence is no title.
+TITLE = 60
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the site: its programs, or the launch file that starts them.
+
+    `views` are the widgets at its top, `panels` those at its end. A launch file without them has
+    the widgets that sitegen chooses. `also` are launch files that start the same nodes.
+    """
+
+    path: str
+    title: str
+    text: str
+    members: Sequence[Member]
+    views: Sequence[Item]
+    panels: Sequence[Item]
+    launch: Path | None = None
+    also: tuple[Path, ...] = ()
+
+    @property
+    def programs(self) -> list[str]:
+        """The executables that it runs."""
+        return [member.executable for member in self.members]
+
+
+def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
+    """Return the pages of a site; if there is only one, it is the home page."""
+    found: list[Page] = []
+    folders = {name: package.path for name, package in packages.items()}
+    groups = together(runs.programs, folders)
+    groups = [group for group in groups if not _shown(group, runs.launches)]
+    owners = Counter(group[-1].package for group in groups)
+    for group in groups:
+        owner, members = group[-1].package, list(_named(group))
+        title, text = _introduction(packages[owner])
+        if owners[owner] > 1:
+            own = [member for member in members if member.package == owner]
+            path = f"{segment(owner)}/{segment(own[0].name)}/"
+            found.append(_page(path, _listed(own), "", members, packages))
+            continue
+        found.append(_page(f"{segment(owner)}/", title, text, members, packages))
+    for launches in _alike(runs.launches):
+        page = _launch_page(launches[0], [page.path for page in found], packages)
+        also = tuple(each.package.path / each.file for each in launches[1:])
+        found.append(replace(page, also=also))
+    if len(found) == 1:
+        return [replace(found[0], path="")]
+    titles = Counter(page.title for page in found)
+    return [_told_apart(page) if titles[page.title] > 1 else page for page in found]
+
+
+def _told_apart(page: Page) -> Page:
+    """Return a page with its folder in the title."""
+    return replace(page, title=f"{page.title} ({page.path.partition('/')[0]})")
+
+
+def _page(
+    path: str,
+    title: str,
+    text: str,
+    members: Sequence[Member],
+    packages: Mapping[str, Package],
+    launch: Path | None = None,
+) -> Page:
+    top, end = list(views(members)), list(panels(members, packages))
+    return Page(path, title, text, members, top, end, launch)
+
+
+def _launch_page(launch: Launched, taken: Collection[str], packages: Mapping[str, Package]) -> Page:
+    parts = (launch.package.name, *_stem(launch).split("/"))
+    path = "/".join(segment(part) for part in parts) + "/"
+    kind = Path(launch.file).suffix.removeprefix(".")
+    path = path if path not in taken else f"{path.removesuffix('/')}-{kind}/"
+    file = launch.package.path / launch.file
+    title = parts[-1].replace("_", " ").capitalize()
+    has_window = any(member.package == TURTLESIM for member in launch.members)
+    if launch.static and not launch.windows and not has_window:
+        return _page(path, title, "", launch.members, packages, file)
+    return Page(path, title, "", launch.members, (), (), file)
+
+
+def _alike(launches: Iterable[Launched]) -> list[list[Launched]]:
+    """Return launch files with one name that start the same nodes, in several formats, together."""
+    found: dict[tuple[object, ...], list[Launched]] = {}
+    for launch in launches:
+        nodes = tuple((member.name, *member.key) for member in launch.members)
+        found.setdefault((launch.package.name, _stem(launch), nodes), []).append(launch)
+    return list(found.values())
+
+
+def _stem(launch: Launched) -> str:
+    return ENDING.sub("", launch.file.removeprefix("launch/")) or "launch"
+
+
+def _introduction(package: Package) -> tuple[str, str]:
+    """Return the title of a page and its text, by the description of the package."""
+    told = package.description
+    if not told or PLACEHOLDER.fullmatch(told):
+        return package.name, ""
+    first, *rest = SENTENCE.split(told, maxsplit=1)
+    if len(first) > TITLE:
+        return package.name, told
+    return first.removesuffix("."), "".join(rest)
+
+
+def _named(group: Sequence[Member]) -> Iterator[Member]:
+    """Yield programs with names of their own."""
+    taken: set[str] = set()
+    for member in group:
+        name = member.name if member.name not in taken else f"{member.package}_{member.name}"
+        taken.add(name)
+        yield replace(member, name=re.sub(r"\W", "_", name))
+
+
+def _shown(group: Sequence[Member], launches: Iterable[Launched]) -> bool:
+    """Return whether a launch file starts the programs of a page, and opens windows for them."""
+    own = {member.key for member in group}
+    return any(
+        launch.windows and own <= {member.key for member in launch.members} for launch in launches
+    )
+
+
+def _listed(members: Sequence[Member]) -> str:
+    """Return the names of programs as a title."""
+    names = [member.name for member in members]
+    title = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    return title if len(title) <= TITLE else f"{names[0]} and {len(names) - 1} more"

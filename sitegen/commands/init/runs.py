@@ -1,0 +1,127 @@
+"""Find the parts of a workspace that can run on pages, and why the others cannot."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.commands.init.members import Member, member
+from sitegen.config.nodes import Declared, check_package
+from sitegen.errors import Location, Problems, relative
+from sitegen.launch import Window, launched
+from sitegen.model import Handler, Node, Package
+from sitegen.nodes.python import archives, dependencies
+from sitegen.workspace.unsupported import unsupported_libraries
+
+# Both naming conventions of ROS: robot.launch.py and robot_launch.py.
+LAUNCH = ("launch/**/*launch.py", "launch/**/*launch.xml", "launch/**/*launch.yaml")
+
+
+@dataclass(frozen=True)
+class Launched:
+    """A launch file of a package: `file`, its path in the package, and what it starts.
+
+    `windows` says whether it opens some that are widgets on a page; it is `static` if it does
+    nothing while its nodes run.
+    """
+
+    package: Package
+    file: str
+    members: Sequence[Member]
+    windows: bool
+    static: bool
+
+
+@dataclass(frozen=True)
+class Runs:
+    """The parts of a workspace that can run on pages.
+
+    `faults` has a line for each part that cannot run, with the reason.
+    """
+
+    programs: Sequence[Member]
+    launches: Sequence[Launched]
+    faults: Sequence[str]
+
+
+def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
+    """Return the programs and the launch files below `root` that can run on pages."""
+    programs: list[Member] = []
+    launches: list[Launched] = []
+    faults: list[str] = []
+    missing = {name: unsupported_libraries(package) for name, package in packages.items()}
+    there = {**workspace.shipped_packages(), **packages}
+    for name, package in packages.items():
+        location = Location(package.path / "package.xml", 1)
+        nodes = [
+            Node(title, name, executable, location)
+            for title, executable in _names(package.executables or ()).items()
+        ]
+        wrong = _faults(root, nodes, packages, missing)
+        programs += [member(node, there, packages) for node in nodes if node.name not in wrong]
+        faults += dict.fromkeys(wrong.values())
+        for file in files(package, LAUNCH):
+            problems = Problems(root)
+            path = package.path / file
+            windows: list[Window] = []
+            handlers: list[Handler] = []
+            started = launched(path, {}, there, problems, opened=windows, handlers=handlers)
+            lines = [*problems.lines, *_faults(root, started, packages, missing).values()]
+            if not started and not lines:
+                what = "opens windows, but starts" if windows else "starts"
+                lines = [f"{what} no node that can run in the browser"]
+            if lines:
+                where = relative(path, root)
+                faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
+            else:
+                members = [member(node, there, packages) for node in started]
+                launches.append(Launched(package, file, members, bool(windows), not handlers))
+    return Runs(programs, launches, faults)
+
+
+def files(package: Package, patterns: Iterable[str]) -> list[str]:
+    """Return the files of a package that match one of `patterns`, relative to its folder."""
+    found = (file for pattern in patterns for file in package.path.glob(pattern))
+    return sorted(file.relative_to(package.path).as_posix() for file in found)
+
+
+def _faults(
+    root: Path,
+    nodes: Sequence[Node],
+    packages: Mapping[str, Package],
+    missing: Mapping[str, Mapping[str, str]],
+) -> dict[str, str]:
+    """Return the reason why a node cannot run on a page, by the names of such nodes."""
+    faults = {}
+    there = workspace.with_shipped(packages, (node.package for node in nodes))
+    for node in nodes:
+        problems = Problems(root)
+        check_package(Declared(node, None), there, problems)
+        setup = there[node.package].setup if node.package in there else None
+        what = missing.get(node.package, {}).get(node.executable)
+        if what:
+            folder = relative(packages[node.package].path, root)
+            message = f"'{node.executable}' needs '{what}', which is not available in the browser"
+            faults[node.name] = f"{folder}: {message}"
+            continue
+        if not problems.lines and setup and node.executable in setup.scripts:
+            for module, (location, _) in archives.missing_modules(node, there).items():
+                problems.add(location, f"import {module}", dependencies.unavailable(module))
+        if problems.lines:
+            faults[node.name] = problems.lines[0]
+    return faults
+
+
+def _names(executables: Iterable[str]) -> dict[str, str]:
+    """Return the executables of a package by valid names of nodes."""
+    names: dict[str, str] = {}
+    for executable in executables:
+        name = re.sub(r"\W", "_", executable.removesuffix(".py"), flags=re.ASCII)
+        name = f"node_{name}" if not name or name[0].isdigit() else name
+        while name in names:
+            name += "_"
+        names[name] = executable
+    return names
