@@ -321,6 +321,18 @@ def test_a_widget_may_be_wrong_too(tmp_path: Path) -> None:
     assert "but std_msgs/msg/Int32 for this widget (site.yaml:14)" in found[4]
 
 
+@pytest.mark.parametrize(
+    "beyond",
+    ["script: own.js", "connect: {addresses: [self]}"],
+)
+def test_what_is_beyond_the_page_may_be_the_other_side(beyond: str, tmp_path: Path) -> None:
+    listener = PYTHON.replace('"chatter"', '"chater"')
+    site = SITE.replace("    title: Home", f"    title: Home\n    {beyond}")
+    folder = write(tmp_path, site=site, listener=listener)
+    (folder / "own.js").write_text('import { ros } from "sitegen";\n')
+    assert warnings(folder) == []
+
+
 @pytest.mark.parametrize("widget", ["3d:", "joints:", "teleop:", "parameters:", "tf:"])
 def test_a_panel_silences_nothing(widget: str, tmp_path: Path) -> None:
     listener = PYTHON.replace('"chatter"', '"chater"')

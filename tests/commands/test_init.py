@@ -25,7 +25,7 @@ def workspace(tmp_path: Path) -> Path:
 
 def test_a_workspace_becomes_a_site(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["init", str(workspace)]) == 0
-    assert "/cpp_pubsub/  talker, listener" in capsys.readouterr().out
+    assert "/cpp_pubsub/  talker and listener" in capsys.readouterr().out
     site = config.load(workspace / "site.yaml")
     assert [page.path for page in site.pages] == ["", "cpp_chatter/", "cpp_pubsub/"]
     pubsub = site.pages[2]

@@ -109,6 +109,11 @@ def panels(page: Page) -> dict[str, Mapping[str, object]]:
             {"topic": "/cmd_vel", "stamped": True, "linear": "0.5", "angular": "1.0"},
         ),
         (
+            subscription("sensor_msgs/msg/CompressedImage", "view"),
+            "camera",
+            {"topic": "/view", "compressed": True, "width": 320, "rate": 10, "frame": "camera"},
+        ),
+        (
             subscription("std_msgs/msg/String", "words"),
             "publish",
             {"topic": "/words", "type": "std_msgs/msg/String"},
@@ -137,12 +142,14 @@ def test_a_robot_that_is_only_commanded_is_drawn(tmp_path: Path) -> None:
 def test_a_node_stands_beside_its_source(tmp_path: Path) -> None:
     page = written(tmp_path, cpp("robot", {"talker": publisher("std_msgs/msg/String", "chatter")}))
     parts = [
-        (type(each).__name__, each.target, getattr(each, "kind", "")) for each in page[""].content
+        (each.target, each.kind if isinstance(each, Widget) else "source")
+        for each in page[""].leaves
+        if isinstance(each, Widget | Source)
     ]
     assert parts[:3] == [
-        ("Source", "talker", ""),
-        ("Widget", "talker", "buttons"),
-        ("Widget", "talker", "console"),
+        ("talker", "source"),
+        ("talker", "buttons"),
+        ("talker", "console"),
     ]
 
 
@@ -264,7 +271,8 @@ def test_a_launch_file_without_windows_has_panels(tmp_path: Path) -> None:
     assert set(pages) == {"", "robot/", "robot/all/"}
     page = pages["robot/all/"]
     assert panels(page)["services"] == {"show": ["/fox/reset"]}
-    assert [each.options["autostart"] for each in page.leaves if _starts(each)] == [True]
+    shown = [each for each in page.leaves if isinstance(each, Widget)]
+    assert [each.options["autostart"] for each in shown if each.kind == "buttons"] == [True]
     assert "# src/robot/launch/all.launch.yaml starts the same nodes." in (
         tmp_path / "site.yaml"
     ).read_text(encoding="utf-8")
@@ -275,10 +283,7 @@ def test_a_launch_file_with_windows_replaces_the_page_of_its_nodes(tmp_path: Pat
     pages = written(tmp_path)
     assert set(pages) == {""}
     assert "3d" in panels(pages[""])
-
-
-def _starts(part: object) -> bool:
-    return isinstance(part, Widget) and part.kind == "buttons"
+    assert pages[""].title == "A rover with a laser scanner, simulated in a room"
 
 
 def test_a_component_has_its_source(tmp_path: Path) -> None:

@@ -63,7 +63,7 @@ def _write_site(folder: Path, report: Report) -> None:
     file.write_text(text, encoding="utf-8")
     for page in shown:
         launch = ", ".join(relative(each, root) for each in filter(None, (page.launch, *page.also)))
-        report.say(f"  /{page.path}  {launch or ', '.join(page.programs)}")
+        report.say(f"  /{page.path}  {launch or page.programs}")
     for name, package in packages.items():
         if package.executables is None:
             report.say(f"  {name}: its executables are known only to CMake; add the ones you want")

@@ -42,9 +42,9 @@ class Page:
     also: tuple[Path, ...] = ()
 
     @property
-    def programs(self) -> list[str]:
-        """The executables that it runs."""
-        return [member.executable for member in self.members]
+    def programs(self) -> str:
+        """The executables that it runs, in words."""
+        return _listed([member.executable for member in self.members])
 
 
 def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
@@ -60,11 +60,16 @@ def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
         if owners[owner] > 1:
             own = [member for member in members if member.package == owner]
             path = f"{segment(owner)}/{segment(own[0].name)}/"
-            found.append(_page(path, _listed(own), "", members, packages))
+            found.append(_page(path, _listed([each.name for each in own]), "", members, packages))
             continue
         found.append(_page(f"{segment(owner)}/", title, text, members, packages))
-    for launches in _alike(runs.launches):
+    launched = _alike(runs.launches)
+    owners.update(launches[0].package.name for launches in launched)
+    for launches in launched:
+        package = launches[0].package
         page = _launch_page(launches[0], [page.path for page in found], packages)
+        if owners[package.name] == 1 and (title := _introduction(package)[0]) != package.name:
+            page = replace(page, title=title)
         also = tuple(each.package.path / each.file for each in launches[1:])
         found.append(replace(page, also=also))
     if len(found) == 1:
@@ -144,8 +149,7 @@ def _shown(group: Sequence[Member], launches: Iterable[Launched]) -> bool:
     )
 
 
-def _listed(members: Sequence[Member]) -> str:
-    """Return the names of programs as a title."""
-    names = [member.name for member in members]
+def _listed(names: Sequence[str]) -> str:
+    """Return the names of programs in words, short enough for a title."""
     title = " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
     return title if len(title) <= TITLE else f"{names[0]} and {len(names) - 1} more"

@@ -24,7 +24,9 @@ from sitegen.model import Package
 Item = tuple[str, object]
 
 _TWIST, _STAMPED = "geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"
-_IMAGES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
+_IMAGE, _COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
+# For these, a visitor has more than a form.
+_DRIVEN = (_TWIST, _STAMPED, _IMAGE, _COMPRESSED)
 # What managed nodes publish by themselves.
 _TRANSITION = "lifecycle_msgs/msg/TransitionEvent"
 _DIAGNOSTICS = "diagnostic_msgs/msg/DiagnosticArray"
@@ -57,12 +59,14 @@ def views(page: Sequence[Member]) -> Iterator[Item]:
             yield "joints", None
         if type in (_TWIST, _STAMPED):
             yield "teleop", {"topic": topic, **({"stamped": True} if type == _STAMPED else {})}
+        if type in (_IMAGE, _COMPRESSED):
+            yield "camera", {"topic": topic, **({"compressed": True} if type != _IMAGE else {})}
 
 
 def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[Item]:
     """Yield what is exchanged and what can be asked, for the end of a page."""
     published = _topics(page, PUBLISHER)
-    images = [topic for topic, type in published.items() if type in _IMAGES]
+    images = [topic for topic, type in published.items() if type in (_IMAGE, _COMPRESSED)]
     yield from (("image", topic) for topic in images[:PANELS])
     curves = [
         f"{topic}.{field}" for topic, type in published.items() for field in numbers(type, packages)
@@ -82,7 +86,7 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
     unasked = {
         topic: type
         for topic, type in _waiting(page, SUBSCRIPTION).items()
-        if type not in (_TWIST, _STAMPED, *_IMAGES, _TRANSITION) and topic != _JOINTS
+        if type not in (*_DRIVEN, _TRANSITION) and topic != _JOINTS
     }
     if len(unasked) == 1:
         [(topic, type)] = unasked.items()

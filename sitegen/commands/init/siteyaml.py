@@ -59,7 +59,11 @@ def _home(pages: Sequence[Page], title: str) -> Iterator[str]:
     yield f"    title: {_name(title)}"
     yield "    content:"
     yield "      - markdown: |"
-    yield from (f"          - [{_plain(page.title)}]({page.path})" for page in pages)
+    yield '          <div class="cards" markdown="1">'
+    yield ""
+    for page in pages:
+        yield f"          - [{_plain(page.title)}]({page.path}) {page.programs}"
+    yield from ("", "          </div>")
 
 
 def _page(page: Page, root: Path, pages: Sequence[Page]) -> Iterator[str]:

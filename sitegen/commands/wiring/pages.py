@@ -56,6 +56,8 @@ def _look_at(
     page: Page, site: Site, known: dict[tuple[str, str], Program], problems: Problems
 ) -> None:
     own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
+    # The author's script, and what is beyond a gateway, may be the other side of anything.
+    some_unknown = some_unknown or bool(page.script or page.connect)
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
     for name, node in page.nodes.items():
