@@ -201,6 +201,24 @@ def test_a_client_has_its_nearest_server_and_numbers(tmp_path: Path) -> None:
     assert nodes["client"].needs == ("near",)
 
 
+def test_what_gives_commands_has_a_robot_and_visitors_drive_it_too(tmp_path: Path) -> None:
+    robot = cpp("robot", {"drive": subscription("geometry_msgs/msg/Twist", "cmd_vel")})
+    pages = written(
+        tmp_path, robot, cpp("steps", {"dance": publisher("geometry_msgs/msg/Twist", "cmd_vel")})
+    )
+    assert list(pages[""].nodes) == ["drive", "dance"]
+    other = tmp_path / "alone"
+    assert panels(written(other, robot)[""])["teleop"]["topic"] == "/cmd_vel"
+
+
+def test_a_source_that_is_made_by_the_build_is_not_shown(tmp_path: Path) -> None:
+    files = cpp("robot", {"drive": "", "made": ""})
+    del files[CPP.format("robot", "made")]
+    page = written(tmp_path, files)[""]
+    assert list(page.nodes) == ["drive", "made"]
+    assert [each.target for each in page.leaves if isinstance(each, Source)] == ["drive"]
+
+
 def test_other_arguments_are_for_the_author(tmp_path: Path) -> None:
     text = (
         "import sys\nimport argparse\n\n\ndef main():\n    print(sys.argv[2], int(sys.argv[1]))\n"
@@ -276,6 +294,22 @@ def test_a_launch_file_without_windows_has_panels(tmp_path: Path) -> None:
     assert "# src/robot/launch/all.launch.yaml starts the same nodes." in (
         tmp_path / "site.yaml"
     ).read_text(encoding="utf-8")
+
+
+def test_a_described_robot_is_shown_and_moved(tmp_path: Path) -> None:
+    launch = """<launch><node pkg="robot_state_publisher" exec="robot_state_publisher">
+<param name="robot_description" value="$(command 'cat $(find-pkg-share fox)/fox.urdf')" type="str"/>
+</node></launch>"""
+    files = {
+        "src/fox/package.xml": MANIFEST.format("fox", "A fox with four legs.", "ament_cmake"),
+        "src/fox/CMakeLists.txt": "project(fox)\n"
+        "install(FILES fox.urdf DESTINATION share/${PROJECT_NAME})\n",
+        "src/fox/fox.urdf": '<robot name="fox"><link name="base"/></robot>',
+        "src/fox/launch/fox.launch.xml": launch,
+    }
+    page = written(tmp_path, files)[""]
+    assert page.title == "A fox with four legs"
+    assert {"3d", "joints", "parameters"} <= panels(page).keys()
 
 
 def test_a_launch_file_with_windows_replaces_the_page_of_its_nodes(tmp_path: Path) -> None:

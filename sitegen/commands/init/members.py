@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from sitegen.commands.wiring import programs
 from sitegen.commands.wiring.endpoint import OPPOSITE, Endpoint, Program
@@ -51,6 +52,13 @@ def member(node: Node, packages: Mapping[str, Package], own: Mapping[str, Packag
     if not told.namespaces:
         # How its node is created is unknown; most are in the root namespace.
         told = replace(told, namespaces={""})
-    sources = package.sources.get(node.executable) if package and node.package in own else ()
-    language = "" if not sources else "Python" if sources[0].endswith(".py") else "C++"
+    language = _language(own[node.package], node.executable) if node.package in own else ""
     return Member(node.name, node.package, node.executable, resolved(told, node), language)
+
+
+def _language(package: Package, executable: str) -> str:
+    """Return the language of the source file of a program, "" if it cannot be shown."""
+    name = next(iter(package.sources.get(executable, ())), "")
+    if not name or not any(file.is_file() for file in package.path.rglob(Path(name).name)):
+        return ""
+    return "Python" if package.setup and executable in package.setup.scripts else "C++"

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from sitegen.commands.init.fields import numbers
 from sitegen.commands.init.members import Member
-from sitegen.commands.init.partners import waiting
+from sitegen.commands.init.partners import COMMANDS, waiting
 from sitegen.commands.init.turtle import TURTLESIM
 from sitegen.commands.wiring.endpoint import (
     ACTION,
@@ -23,7 +23,7 @@ from sitegen.model import Package
 # A widget of site.yaml: its kind, and its options or its only option.
 Item = tuple[str, object]
 
-_TWIST, _STAMPED = "geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped"
+_TWIST, _STAMPED = COMMANDS
 _IMAGE, _COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
 # For these, a visitor has more than a form.
 _DRIVEN = (_TWIST, _STAMPED, _IMAGE, _COMPRESSED)
@@ -73,16 +73,15 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
     ]
     if curves:
         yield "plot", curves[:CURVES]
-    if any(type == _DIAGNOSTICS for type in _topics(page, PUBLISHER, common=True).values()):
-        yield "diagnostics", None
     for kind, widget in ((SERVICE, "services"), (ACTION, "actions")):
         names = list(_topics(page, kind))
         if names:
             yield widget, {"show": names} if len(names) <= NAMES else None
     if _uses(page, PARAMETERS):
         yield "parameters", None
-    if _uses(page, LIFECYCLE):
-        yield "lifecycle", None
+    known = [{each.kind for each in member.endpoints(*OPPOSITE)} for member in page]
+    if not all(kinds and not kinds & {PUBLISHER, SUBSCRIPTION} for kinds in known):
+        yield "topics", _echo(page, published)
     unasked = {
         topic: type
         for topic, type in _waiting(page, SUBSCRIPTION).items()
@@ -93,9 +92,10 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
         yield "publish", {"topic": topic, **({"type": type} if type else {})}
     elif unasked:
         yield "publish", None
-    known = [{each.kind for each in member.endpoints(*OPPOSITE)} for member in page]
-    if not all(kinds and not kinds & {PUBLISHER, SUBSCRIPTION} for kinds in known):
-        yield "topics", _echo(page, published)
+    if any(type == _DIAGNOSTICS for type in _topics(page, PUBLISHER, common=True).values()):
+        yield "diagnostics", None
+    if _uses(page, LIFECYCLE):
+        yield "lifecycle", None
     if len(page) > 1 and any(known):
         yield "graph", None
 

@@ -21,8 +21,10 @@ from sitegen.commands.wiring.endpoint import (
 MANY = 6
 # A page has at most this many programs of other packages.
 GUESTS = 3
-# A program with one of these waits for another program.
+# A program with one of these waits for another program. Commands are the exception: visitors give
+# them, and who gives them waits for a robot.
 WAITS = (SUBSCRIPTION, CLIENT, ACTION_CLIENT)
+COMMANDS = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
 
 
 def together(programs: Sequence[Member], folders: Mapping[str, Path]) -> list[list[Member]]:
@@ -77,16 +79,16 @@ def _communicating(programs: Sequence[Member]) -> Iterator[list[Member]]:
 def _guests(page: Sequence[Member], programs: Sequence[Member]) -> list[Member]:
     """Return the programs of other packages for which those of a page wait.
 
-    Of several in question, it is the first of `programs`. Publishers wait for a turtle only.
+    Of several in question, it is the first of `programs`.
     """
     guests: list[Member] = []
-    turtle = turtlesim()
+    hosts = (*programs, turtlesim())
     while len(guests) < GUESTS:
-        asked = waiting([*guests, *page], *WAITS)
-        found = (each for one in asked for each in (*programs, turtle) if each.answers(one))
-        guest = next(found, None)
-        if guest is None and any(map(turtle.answers, waiting([*guests, *page], PUBLISHER))):
-            guest = turtle
+        asked = [
+            *(each for each in waiting([*guests, *page], *WAITS) if each.type not in COMMANDS),
+            *(each for each in waiting([*guests, *page], PUBLISHER) if each.type in COMMANDS),
+        ]
+        guest = next((each for one in asked for each in hosts if each.answers(one)), None)
         if guest is None:
             break
         guests.insert(0, guest)

@@ -24,8 +24,7 @@ ROBOTS = ("urdf/**/*.urdf", "urdf/**/*.xacro")
 LISTED = 12
 # More panels than this are in tabs, of which there are at most eight.
 BESIDE, TABS = 2, 8
-# These are about the same: each topic.
-_MARKS = re.compile(r"[\\`*<\[]|^[#>+-]")
+_MARKS = re.compile(r"[\\`*<\[\]]|^[#>+-]")
 
 
 def text(
@@ -140,7 +139,7 @@ def _tabs(items: Iterable[Item]) -> dict[str, list[str]]:
     tabs: dict[str, list[str]] = {}
     for item in items:
         tabs.setdefault(item[0].capitalize(), []).append(_item(item))
-    return dict(list(tabs.items())[-TABS:])
+    return dict(list(tabs.items())[:TABS])
 
 
 def _item(item: Item) -> str:
