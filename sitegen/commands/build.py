@@ -11,7 +11,7 @@ from sitegen.cache.folder import cache_folder
 from sitegen.commands.summary import summary
 from sitegen.model import Site
 from sitegen.options import PUBLISH, Options
-from sitegen.report import Report, count, shown
+from sitegen.report import Report, count, shown, size
 
 
 def build(
@@ -39,9 +39,11 @@ def build(
     for line in sums[verbose]:
         report.say(line)
     programs = {program.name for program in made.programs.values()}
+    # Pages share files.
+    total = sum({artifact.path: artifact.size for artifact in made.artifacts}.values())
     pages, nodes = count(len(made.site.pages), "page"), count(len(programs), "node")
     report.say(
-        f"built {pages}, {nodes} in {time.monotonic() - begun:.1f} s"
+        f"built {pages}, {nodes}, {size(total)} in {time.monotonic() - begun:.1f} s"
         f" → {shown(output)} (python -m http.server --directory {shown(output)})",
         "good",
     )

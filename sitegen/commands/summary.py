@@ -26,7 +26,7 @@ def summary(
     """
     # Nodes that use one ROS2WASM script with different types are different programs.
     nodes = list({one.name: one for one in programs.values()}.values())
-    meshes = {one.path: _size(one) for one in artifacts if one.path.startswith(MESHES)}
+    meshes = {one.path: one.size for one in artifacts if one.path.startswith(MESHES)}
     brief = [*_notes(site.notes), *_pages(site.pages), *_nodes(nodes), *_meshes(meshes)]
     everything = [*_notes(site.notes, True), *_pages(site.pages, True), *_nodes(nodes, True)]
     everything += _meshes(meshes, True)
@@ -115,8 +115,3 @@ def _meshes(sizes: Mapping[str, int], everything: bool = False) -> Iterator[str]
         return
     yield total
     yield from (f"    {name.removeprefix(MESHES)}: {size(one)}" for name, one in ordered)
-
-
-def _size(artifact: Artifact) -> int:
-    source = artifact.source
-    return len(source) if isinstance(source, bytes) else source.stat().st_size

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sitegen.config.again import read_again
     from sitegen.config.jsonschema import json_schema
-    from sitegen.config.site import load
+    from sitegen.config.site import check_exists, load
 
-__all__ = ["json_schema", "load", "read_again"]
+__all__ = ["check_exists", "json_schema", "load", "read_again"]
 
 
 def __getattr__(name: str) -> Any:
     """Import what is asked for: the gateway checks its file with modules that need little."""
-    if name == "load":
-        from sitegen.config.site import load
+    if name in ("load", "check_exists"):
+        from sitegen.config import site
 
-        return load
+        return getattr(site, name)
     if name == "json_schema":
         from sitegen.config.jsonschema import json_schema
 

@@ -39,10 +39,7 @@ def load(file: Path) -> Site:
     root = file.parent.resolve()
     file = root / file.name
     problems = Problems(root)
-    if not file.exists():
-        raise SiteError(
-            [f"{file.name}: no such file in this folder; give the folder that contains it"]
-        )
+    check_exists(file)
     text = read(file, problems)
     empty = "the file is empty; start with 'site: {title: My robot}'"
     top = None if text is None else parse(text, Location(file, 1), problems, empty=empty)
@@ -51,6 +48,20 @@ def load(file: Path) -> Site:
     site = _site(check(top, FILE, problems), problems)
     problems.raise_if_any()
     return site
+
+
+def check_exists(file: Path) -> None:
+    """Refuse a folder without a site.yaml.
+
+    Raises: SiteError if `file` does not exist.
+    """
+    if not file.exists():
+        raise SiteError(
+            [
+                f"{file.name}: no such file in this folder; give the folder that contains it, or "
+                "write one: 'sitegen init' for a workspace, 'sitegen new my_robot' to begin with"
+            ]
+        )
 
 
 def _site(file: Section, problems: Problems) -> Site:

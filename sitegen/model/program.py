@@ -17,6 +17,12 @@ class Artifact:
     path: str
     source: Path | bytes
 
+    @property
+    def size(self) -> int:
+        """Its number of bytes."""
+        source = self.source
+        return len(source) if isinstance(source, bytes) else source.stat().st_size
+
 
 # The names of engines in messages.
 BROWSERS = {"jspi": "current browsers", "asyncify": "all browsers"}

@@ -22,6 +22,7 @@ from paths import ROOT
 from playwright.sync_api import Page
 from served import TEXT, Serving, edited_site
 
+from sitegen.__main__ import main
 from sitegen.commands.serve.media import media_type
 from sitegen.commands.serve.server import _Handler
 
@@ -48,6 +49,15 @@ def test_nobody_else_can_open_an_editor_or_read_the_site(
     request = urllib.request.Request(served.url, headers={"Host": "example.org"})
     with pytest.raises(urllib.error.HTTPError, match="421"):
         urllib.request.urlopen(request)
+
+
+def test_a_folder_without_a_site_is_not_served(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["serve", str(tmp_path)]) == 1
+    said = capsys.readouterr()
+    assert "'sitegen init' for a workspace, 'sitegen new my_robot' to begin with" in said.err
+    assert "http" not in said.out
 
 
 def test_no_module_is_sent_twice_and_none_that_has_not_changed(

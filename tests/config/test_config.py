@@ -79,7 +79,8 @@ def test_nesting_has_an_end(tmp_path: Path) -> None:
 
 def test_a_folder_without_site_yaml_is_said(tmp_path: Path) -> None:
     assert problems(tmp_path / "site.yaml") == [
-        "site.yaml: no such file in this folder; give the folder that contains it"
+        "site.yaml: no such file in this folder; give the folder that contains it, or write one: "
+        "'sitegen init' for a workspace, 'sitegen new my_robot' to begin with"
     ]
 
 

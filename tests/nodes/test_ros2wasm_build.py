@@ -92,7 +92,7 @@ def test_a_site_has_what_its_scripts_need_and_no_more(
     assert (
         "  nodes/talker.js: ROS2WASM, 0 kB\n  nodes/adder.js: ROS2WASM, 0 kB\n" in said.getvalue()
     )
-    assert "built 1 page, 2 nodes in" in said.getvalue()
+    assert "built 1 page, 2 nodes, " in said.getvalue()
     assert capsys.readouterr().out == ""
 
 

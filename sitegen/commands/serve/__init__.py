@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from sitegen import config
 from sitegen.commands.serve.live import LiveSite
 from sitegen.commands.serve.server import Server
 from sitegen.commands.serve.watcher import changes
@@ -16,7 +17,10 @@ def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> No
     """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it.
 
     With `debug`, its C++ nodes report source lines.
+
+    Raises: SiteError if the folder has no site.yaml.
     """
+    config.check_exists(folder / "site.yaml")
     live = LiveSite(folder, report, debug=debug)
     live.rebuild()
     with Server(live, port) as server:
