@@ -189,8 +189,8 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("unit", "text", "unit behind the number", 'unit: "%"'),
         Key("scale", "decimal", "the number is multiplied by this", "scale: 100"),
         Key("decimals", "decimal", "number of decimals", "decimals: 2"),
-        Key("min", "decimal", "begin of a gauge", "min: -10", default=0),
-        Key("max", "decimal", "end of a gauge", "max: 250.5", default=100),
+        Key("min", "decimal", "lower end of a gauge", "min: -10", default=0),
+        Key("max", "decimal", "upper end of a gauge", "max: 250.5", default=100),
         Key(
             "thresholds",
             "thresholds",
