@@ -28,7 +28,7 @@ def test_its_pages_run(tmp_path: Path, serve: Serve, tab: Page) -> None:
     expect(client.panel.locator("code").first).to_contain_text("int main")
     client.start()
     # It says what it waits for, and offers to start it.
-    client.panel.get_by_role("button", name="Start server").click()
+    client.panel.get_by_role("button", name="Start server first").click()
     client.wait_for("Sum: 3")
 
     tab.goto(f"{url}py_artist/")

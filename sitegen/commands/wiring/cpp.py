@@ -119,7 +119,7 @@ def _program(text: Text, file: Path) -> Program:
     aliases = _aliases(text)
     for found in _CREATE.finditer(text.bare):
         scope = (found["scope"] or "").replace("::", "").strip()
-        if (found["kind"] == "server") > (scope == "rclcpp_action"):
+        if found["kind"] == "server" and scope != "rclcpp_action":
             # A function of another library.
             continue
         types, end = text.template(found.end())

@@ -13,10 +13,14 @@ from pathlib import Path
 from sitegen.commands.wiring.endpoint import (
     ACTION,
     ACTION_CLIENT,
+    CLIENT,
     KINDS,
     LIFECYCLE,
     OPTIONS,
     PARAMETERS,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIPTION,
     TRANSFORMS,
     Endpoint,
     Program,
@@ -26,6 +30,12 @@ from sitegen.model import Setup
 
 _CREATE = {f"create_{kind}": kind for kind in KINDS}
 _ACTIONS = {"ActionServer": ACTION, "ActionClient": ACTION_CLIENT}
+# The keyword arguments that give the type and the name of an endpoint.
+_KEYWORDS = {
+    **dict.fromkeys((PUBLISHER, SUBSCRIPTION), ("msg_type", "topic")),
+    **dict.fromkeys((SERVICE, CLIENT), ("srv_type", "srv_name")),
+    **dict.fromkeys((ACTION, ACTION_CLIENT), ("action_type", "action_name")),
+}
 _INTERFACE = re.compile(r"(\w+)\.(msg|srv|action)\.(\w+)")
 # Names whose mention tells what a program uses.
 _USES = {
@@ -173,10 +183,9 @@ def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool)
             program.open = True
     for call in calls:
         name = call.func.attr if isinstance(call.func, ast.Attribute) else ""
-        if name in _CREATE:
-            _create(call, _CREATE[name], module, program, sure=sure)
-        elif (action := _name(call.func).rpartition(".")[2]) in _ACTIONS:
-            _create_action(call, _ACTIONS[action], module, program, sure=sure)
+        action = _ACTIONS.get(_name(call.func).rpartition(".")[2])
+        if kind := _CREATE.get(name) or action:
+            _create(call, kind, module, program, sure=sure)
         elif name == "init" and _has_list(call):
             program.renames = True
     for call, keywords in _nodes(statement, calls):
@@ -191,31 +200,17 @@ def _read(statement: ast.stmt, module: _Module, program: Program, *, sure: bool)
 
 def _create(call: ast.Call, kind: str, module: _Module, program: Program, *, sure: bool) -> None:
     keywords = {keyword.arg: keyword.value for keyword in call.keywords}
-    of_type, of_name = (
-        ("srv_type", "srv_name") if kind in ("service", "client") else ("msg_type", "topic")
-    )
-    type = call.args[0] if call.args else keywords.get(of_type)
-    given = call.args[1] if len(call.args) > 1 else keywords.get(of_name)
-    name = _text(given, module)
+    of_type, of_name = _KEYWORDS[kind]
+    # The first argument of an action is its node.
+    given = call.args[1:] if kind in _ACTIONS.values() else call.args
+    type = given[0] if given else keywords.get(of_type)
+    name = _text(given[1] if len(given) > 1 else keywords.get(of_name), module)
     if name is None:
         program.open = True
         return
     location = Location(module.file, call.lineno)
-    program.endpoints.append(Endpoint(kind, name, _type(type, module), location, sure, not sure))
-
-
-def _create_action(
-    call: ast.Call, kind: str, module: _Module, program: Program, *, sure: bool
-) -> None:
-    keywords = {keyword.arg: keyword.value for keyword in call.keywords}
-    given = dict(zip(("node", "action_type", "action_name"), call.args, strict=False))
-    name = _text(given.get("action_name") or keywords.get("action_name"), module)
-    if name is None:
-        program.open = True
-        return
-    type = _type(given.get("action_type") or keywords.get("action_type"), module)
-    location = Location(module.file, call.lineno)
-    program.endpoints.append(Endpoint(kind, name, type, location, sure, not sure))
+    endpoint = Endpoint(kind, name, _type(type, module), location, sure=sure, foreign=not sure)
+    program.endpoints.append(endpoint)
 
 
 def _arguments(statement: ast.stmt, module: _Module) -> Iterator[tuple[int, bool]]:
