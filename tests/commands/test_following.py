@@ -216,6 +216,27 @@ def test_a_problem_can_be_closed_and_opened_in_the_editor(
     expect(problems).to_be_hidden()
 
 
+def test_an_error_of_the_compiler_can_be_opened_where_it_is(
+    tab: Page,
+    tmp_path: Path,
+    serving: Callable[[Path], Serving],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    opened = tmp_path / "opened"
+    monkeypatch.setenv("SITEGEN_EDITOR", f"sh -c 'echo {{file}} {{line}} > {opened}'")
+    served = serving(edited_site(tmp_path))
+    tab.goto(served.url)
+    source = "src/cpp_pubsub/src/talker.cpp"
+    served.write(source, "int first = 1;\nint second = fist;\nint main() {return third;}\n")
+    problems = tab.get_by_role("alert")
+    expect(problems).to_contain_text("could not compile: use of undeclared identifier 'fist'")
+    places = problems.get_by_role("button", name=source)
+    expect(places).to_have_text([f"{source}:{place}" for place in ("2:14", "2:14", "1:5", "3:20")])
+    places.last.click()
+    until(opened.is_file)
+    assert opened.read_text() == f"{served.folder / source} 3\n"
+
+
 def test_a_browser_without_jspi_gets_programs_of_its_own(
     browser: Browser, tmp_path: Path, serving: Callable[[Path], Serving]
 ) -> None:

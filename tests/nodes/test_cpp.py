@@ -292,7 +292,8 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
 
     source, link, need, cmake, name, vision = workspace.problems()
     assert source.splitlines() == [
-        "src/wrong_source/src/main.cpp: em++ failed (package 'wrong_source')",
+        "src/wrong_source/src/main.cpp:3:7: could not compile: cannot initialize a variable of type"
+        " 'int' with an lvalue of type 'const char[5]' (package 'wrong_source')",
         "src/wrong_source/src/main.cpp:3:7: error: cannot initialize a variable of type 'int' with"
         " an lvalue of type 'const char[5]'",
         '  int number = "text";',
@@ -301,7 +302,8 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
     ]
     first, *rest = link.splitlines()
     assert first == (
-        "src/wrong_link/CMakeLists.txt: em++ could not link 'wrong' (package 'wrong_link')"
+        "src/wrong_link/CMakeLists.txt: could not link 'wrong': undefined symbol: missing_part()"
+        " (package 'wrong_link')"
     )
     assert [re.sub(r"^wasm-ld\S*: ", "", line) for line in rest] == [
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"

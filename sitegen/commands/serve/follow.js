@@ -9,6 +9,8 @@ import { entryOf, rosMain, served, updateNodes, updateText } from "./update.js";
 // A build that takes longer than this (ms) is announced.
 const SOON = 400;
 const KEPT = "sitegen:kept";
+// A file, a line and perhaps a column.
+const PLACE = /^[^:\n]+:\d+(:\d+)?(?=:)/gm;
 // A link whose nodes start without asking the visitor. As in sharing.js.
 const OWN = "sitegen:own";
 
@@ -147,24 +149,29 @@ function show(lines) {
   box.hidden = false;
 }
 
-/** A problem, with a button that opens its line in the author's editor. @param {string} line */
-function problem(line) {
+/** A problem, in which each place at the start of a line can be opened in the author's editor. @param {string} text */
+function problem(text) {
   const item = document.createElement("li");
-  const place = /^(?<file>[^:]+):(?<line>\d+)(?=:)/.exec(line);
-  if (!place?.groups) {
-    item.textContent = line;
-    return item;
+  let end = 0;
+  for (const found of text.matchAll(PLACE)) {
+    item.append(text.slice(end, found.index), place(found[0]));
+    end = found.index + found[0].length;
   }
+  item.append(text.slice(end));
+  return item;
+}
+
+/** @param {string} text a file, its line and, from a compiler, the column */
+function place(text) {
   const open = document.createElement("button");
   open.type = "button";
   open.className = "place";
   open.title = "Open in the editor";
-  open.textContent = `${place.groups.file}:${place.groups.line}`;
+  open.textContent = text;
   open.addEventListener("click", async () => {
-    const answer = await fetch("/_sitegen/open", { method: "POST", body: open.textContent });
+    const answer = await fetch("/_sitegen/open", { method: "POST", body: text });
     if (!answer.ok) open.title = await answer.text();
     open.dataset.done = String(answer.ok);
   });
-  item.append(open, line.slice(place[0].length));
-  return item;
+  return open;
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
+import re
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -21,6 +22,7 @@ from sitegen.options import Options
 from sitegen.report import Report, count
 from sitegen.site.pages import search
 
+PLACE = re.compile(r"(?P<file>[^:\n]+):(?P<line>[0-9]{1,9})(:[0-9]+)?")
 # The interval of messages on an idle connection (s), which detect that it is broken.
 BEAT = 15
 
@@ -92,13 +94,19 @@ class LiveSite:
         return self._files.get(path)
 
     def place(self, text: str) -> tuple[Path, int] | None:
-        """Return the file and the line of the problem whose message begins with `text`, if any."""
+        """Return the file and the line that a problem names by `text`: `file:line` or with column.
+
+        Of what compilers quote, only places in files of the site count.
+        """
         with self._changed:
-            kind, lines = self._news[-1] if self._news else ("", ())
-        file, _, line = text.rpartition(":")
-        shown = kind == "wrong" and any(each.startswith(f"{text}:") for each in lines)
-        path = (self._folder / file).resolve()
-        return (path, int(line)) if shown and line.isdecimal() and path.is_file() else None
+            kind, problems = self._news[-1] if self._news else ("", ())
+        named = PLACE.fullmatch(text)
+        lines = (line for problem in problems for line in problem.splitlines())
+        if kind != "wrong" or not named or not any(one.startswith(f"{text}:") for one in lines):
+            return None
+        root = self._folder.resolve()
+        path = (root / named["file"]).resolve()
+        return (path, int(named["line"])) if path.is_relative_to(root) and path.is_file() else None
 
     def news(self, engine: str) -> Iterator[str]:
         """Yield server-sent events from now on; first the current error, if there is one.

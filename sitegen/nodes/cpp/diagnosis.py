@@ -31,6 +31,9 @@ MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not 
 HOLLOW = {"opencv2": "OpenCV"}
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 
+ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
+UNDEFINED = re.compile(r"^wasm-ld: error: .*?(undefined symbol: .+)$", re.M)
+
 
 @dataclass(frozen=True)
 class Diagnosis:
@@ -104,11 +107,23 @@ class Diagnosis:
                 what += f" without {names}, which is not available in the browser"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
         source = FAILED_SOURCE.search(output)
-        file = self._cmake
         if source:
-            file = self._show(self.package.path / (source[1] or "") / source[2])
-        what = "em++ failed" if source else f"em++ could not link '{executable}'"
-        return [f"{file}: {what} (package '{self.package.name}')\n{self._quote(output)}"]
+            file = self.package.path / (source[1] or "") / source[2]
+            what = f"{self._error(output, file)} (package '{self.package.name}')"
+        else:
+            undefined = UNDEFINED.search(output)
+            why = f": {undefined[1]}" if undefined else ""
+            what = f"{self._cmake}: could not link '{executable}'{why}"
+            what += f" (package '{self.package.name}')"
+        return [f"{what}\n{self._quote(output)}"]
+
+    def _error(self, output: str, file: Path) -> str:
+        """Return the first error in a file of the site, with its place, for the source `file`."""
+        for found in ERROR.finditer(output):
+            place = self._show(Path(found["file"]))
+            if not Path(place).is_absolute():
+                return f"{place}:{found['place']}: could not compile: {found['what']}"
+        return f"{self._show(file)}: could not compile"
 
     def _needs(self, missing: str, why: str) -> str:
         return f"{self._cmake}: '{self.package.name}' needs '{missing}', {why}"
