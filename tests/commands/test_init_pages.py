@@ -206,9 +206,8 @@ def test_what_gives_commands_has_a_robot_and_visitors_drive_it_too(tmp_path: Pat
     pages = written(
         tmp_path, robot, cpp("steps", {"dance": publisher("geometry_msgs/msg/Twist", "cmd_vel")})
     )
-    assert list(pages[""].nodes) == ["drive", "dance"]
-    other = tmp_path / "alone"
-    assert panels(written(other, robot)[""])["teleop"]["topic"] == "/cmd_vel"
+    assert list(pages["steps/"].nodes) == ["drive", "dance"]
+    assert panels(pages["robot/"])["teleop"]["topic"] == "/cmd_vel"
 
 
 def test_a_source_that_is_made_by_the_build_is_not_shown(tmp_path: Path) -> None:

@@ -103,8 +103,10 @@ def _shared(folders: Mapping[str, Path], one: str, other: str) -> int:
 def _elsewhere(place: int, pages: Sequence[Sequence[Member]]) -> bool:
     """Return whether another page has all programs of the page at `place`.
 
-    Of pages with the same programs, the first is kept.
+    Of pages with the same programs, the first is kept; so is one whose robot visitors drive.
     """
+    if any(each.type in COMMANDS for each in waiting(pages[place], SUBSCRIPTION)):
+        return False
     own = {each.key for each in pages[place]}
     for other, page in enumerate(pages):
         keys = {each.key for each in page}

@@ -111,18 +111,11 @@ def _nodes(members: Sequence[Member], *, explains: bool) -> Iterator[str]:
 def _content(page: Page, *, explains: bool) -> Iterator[str]:
     if page.text:
         yield f"      - markdown: {_text(_plain(page.text))}"
-    for item in page.views:
-        yield f"      - {_item(item)}".rstrip()
     if explains and not page.launch:
         yield "      # A node without buttons starts when the page opens."
         if any(member.source == "Python" for member in page.members):
             yield "      # `editor` in place of `source` and `buttons` lets visitors change Python."
-    for member in page.members:
-        if member.source:
-            yield f"      - source: {member.name}"
-        start = f"{{node: {member.name}, autostart: true}}" if page.launch else member.name
-        yield f"      - buttons: {start}"
-        yield f"      - console: {member.name}"
+    yield from _stage(page) if page.views else _consoles(page)
     if len(page.panels) <= BESIDE:
         yield from (f"      - {_item(item)}".rstrip() for item in page.panels)
         return
@@ -130,8 +123,30 @@ def _content(page: Page, *, explains: bool) -> Iterator[str]:
         yield "      # Panels show what all nodes exchange; `log`, `nodes` and `tf` are others."
     yield "      - tabs:"
     for title, items in _tabs(page.panels).items():
-        shown = f"[{', '.join(f'{{{each}}}' for each in items)}]" if len(items) > 1 else None
-        yield f"          {title}: {shown or f'{{{items[0]}}}'}"
+        yield f"          {title}: {_items(items)}"
+
+
+def _consoles(page: Page) -> Iterator[str]:
+    """Yield each node with its source and its console."""
+    for member in page.members:
+        if member.source:
+            yield f"      - source: {member.name}"
+        start = f"{{node: {member.name}, autostart: true}}" if page.launch else member.name
+        yield f"      - buttons: {start}"
+        yield f"      - console: {member.name}"
+
+
+def _stage(page: Page) -> Iterator[str]:
+    """Yield the robot with the buttons and the consoles of its nodes, and then the sources."""
+    yield "      - stage:"
+    yield f"          nodes: [{', '.join(member.name for member in page.members)}]"
+    if page.launch:
+        yield "          autostart: true"
+    yield "          consoles: beside"
+    yield f"          show: {_items([_item(item) for item in page.views])}"
+    for member in page.members:
+        if member.source:
+            yield f"      - source: {member.name}"
 
 
 def _tabs(items: Iterable[Item]) -> dict[str, list[str]]:
@@ -140,6 +155,12 @@ def _tabs(items: Iterable[Item]) -> dict[str, list[str]]:
     for item in items:
         tabs.setdefault(item[0].capitalize(), []).append(_item(item))
     return dict(list(tabs.items())[:TABS])
+
+
+def _items(items: Sequence[str]) -> str:
+    """Return items in one line."""
+    shown = [f"{{{item}}}" for item in items]
+    return shown[0] if len(shown) == 1 else f"[{', '.join(shown)}]"
 
 
 def _item(item: Item) -> str:
