@@ -290,7 +290,10 @@ class PageReader:
         values = section.get("launch_arguments")
         entries = values.entries(self.problems) if values else {}
         arguments = {name: entry.text for name, entry in entries.items()}
-        packages = {**workspace.shipped_packages(), **self.packages()}
+        packages = {
+            **workspace.shipped_packages(),
+            **workspace.with_replaced(self.packages()),
+        }
         found = launched(file, arguments, packages, self.problems, self.notes, opened, handlers)
         for node in found:
             if node.name in taken:

@@ -83,6 +83,7 @@ def _site(file: Section, problems: Problems) -> Site:
         # A package that is not found may be behind such a link.
         workspace.report_outside(folder, problems if problems.found else reader.notes)
         note_setups((node for node, _ in reader.declared), packages, reader.notes)
+        _note_replaced(scanned(), packages, reader.notes)
     pages = tuple(_with_kinds(page, packages) for page in pages)
     nav = file.get("nav")
     return Site(
@@ -220,6 +221,16 @@ def _packages(
     for each in declared:
         check_package(each, packages, problems)
     return packages
+
+
+def _note_replaced(
+    scanned: Mapping[str, Package], packages: Mapping[str, Package], notes: Problems
+) -> None:
+    """Note the packages of the workspace in whose place pages run those of sitegen."""
+    for name in workspace.replaced(scanned):
+        if name in packages:
+            message = f"'{name}' needs Qt, so pages run the {name} that comes with sitegen"
+            notes.add(Location(scanned[name].path / "package.xml", 1), "package", message)
 
 
 def _with_kinds(page: Page, packages: Mapping[str, Package]) -> Page:

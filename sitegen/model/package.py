@@ -40,7 +40,8 @@ class Package:
 
     `executables` is None if only CMake can tell their names; `sources` maps executables to their
     source files, where these are known. `plugins` names the packages that it provides plugins for,
-    and `linked` the packages whose plugins are linked into its programs.
+    and `linked` the packages whose plugins are linked into its programs. A `windowed` package needs
+    Qt, which pages do not have.
     """
 
     name: str
@@ -55,3 +56,4 @@ class Package:
     setup: Setup | None = None
     plugins: tuple[str, ...] = ()
     linked: tuple[str, ...] = ()
+    windowed: bool = False

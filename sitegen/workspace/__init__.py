@@ -7,8 +7,10 @@ from sitegen.workspace.shipped import (
     CELLS,
     NOTEBOOK,
     SITEGEN,
+    replaced,
     shipped_packages,
     sitegen_package,
+    with_replaced,
     with_shipped,
 )
 
@@ -18,11 +20,13 @@ __all__ = [
     "PYTHON",
     "SITEGEN",
     "interfaces",
+    "replaced",
     "report_outside",
     "scan",
     "shipped_packages",
     "sitegen_package",
     "with_dependencies",
     "with_plugins",
+    "with_replaced",
     "with_shipped",
 ]

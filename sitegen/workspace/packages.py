@@ -17,7 +17,7 @@ from sitegen.workspace.manifest import location_of, read_manifest
 # The interface packages that come with sitegen.
 SHARES = [shipped.ROS / "share", shipped.INTERFACES]
 KINDS = ("msg", "srv")
-PYTHON = "ament_python"
+PYTHON, CATKIN = "ament_python", "catkin"
 SHEBANG = re.compile(rb"#!.*\bpython")
 
 
@@ -74,7 +74,8 @@ def _package(path: Path, problems: Problems) -> Package | None:
     listing = cmakelists.read(cmake, name)
     depends = [*manifest.depends]
     depends += (each for each in listing.finds if each in _shipped_names() and each != name)
-    build_type = manifest.build_type or ("ament_cmake" if cmake.is_file() else "catkin")
+    ros1 = CATKIN in depends or not cmake.is_file()
+    build_type = manifest.build_type or (CATKIN if ros1 else "ament_cmake")
     executables = listing.executables
     sources = listing.sources | components.sources(path, listing.components)
     if build_type == PYTHON:
@@ -97,6 +98,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         sources={name: tuple(files) for name, files in sources.items()},
         setup=setup,
         plugins=tuple(dict.fromkeys(listing.plugins)),
+        windowed=any(each.lower().startswith("qt") for each in listing.finds),
     )
 
 

@@ -40,10 +40,33 @@ def shipped_packages() -> Mapping[str, Package]:
     return scan(shipped.PACKAGES)
 
 
+def replaced(packages: Mapping[str, Package]) -> list[str]:
+    """Return the names of packages that need Qt, and that sitegen has for pages."""
+    return [name for name, one in packages.items() if one.windowed and name in shipped_packages()]
+
+
+def with_replaced(packages: Mapping[str, Package]) -> dict[str, Package]:
+    """Return `packages`, with the executables of sitegen where it replaces one.
+
+    Such a package keeps its folder, which has its launch files.
+    """
+    changed = {
+        name: replace(packages[name], executables=shipped_packages()[name].executables, sources={})
+        for name in replaced(packages)
+    }
+    return {**packages, **changed}
+
+
 def with_shipped(packages: Mapping[str, Package], names: Iterable[str] = ()) -> dict[str, Package]:
-    """Return `packages` and the shipped packages that they or `names` depend on."""
+    """Return `packages` and the shipped packages that they or `names` depend on.
+
+    Those that sitegen replaces are among the latter.
+    """
     found: dict[str, Package] = {}
+    instead = set(replaced(packages))
     for name, one in packages.items():
+        if name in instead:
+            continue
         undeclared = (each for each in _imported(one) if each in shipped_packages())
         found[name] = replace(one, depends=tuple(dict.fromkeys([*one.depends, *undeclared])))
     waiting = [*names, *(name for one in found.values() for name in one.depends)]
@@ -52,7 +75,8 @@ def with_shipped(packages: Mapping[str, Package], names: Iterable[str] = ()) -> 
         if name in shipped_packages() and name not in found:
             found[name] = shipped_packages()[name]
             waiting += found[name].depends
-    if TURTLESIM in found and TURTLESIM not in packages and TURTLESIM_MSGS in found:
+    own = TURTLESIM in packages and TURTLESIM not in instead
+    if TURTLESIM in found and not own and TURTLESIM_MSGS in found:
         # Programs that use turtlesim_msgs expect a turtlesim that uses them, too.
         turtlesim = found[TURTLESIM]
         found[TURTLESIM] = replace(turtlesim, depends=(*turtlesim.depends, TURTLESIM_MSGS))

@@ -321,6 +321,14 @@ def test_a_widget_may_be_wrong_too(tmp_path: Path) -> None:
     assert "but std_msgs/msg/Int32 for this widget (site.yaml:14)" in found[4]
 
 
+def test_an_alias_of_another_header_is_no_type(tmp_path: Path) -> None:
+    cpp = CPP.replace("std_msgs::msg::String", "texts::msg::String")
+    cpp = cpp.replace("<memory>", '"texts.hpp"')
+    folder = write(tmp_path, cpp=cpp)
+    (folder / "src/cpp/texts.hpp").write_text("namespace texts = std_msgs;\n")
+    assert warnings(folder) == []
+
+
 @pytest.mark.parametrize(
     "beyond",
     ["script: own.js", "connect: {addresses: [self]}"],

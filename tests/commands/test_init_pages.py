@@ -239,6 +239,43 @@ def test_what_was_written_for_a_turtle_has_one(tmp_path: Path) -> None:
     assert panels(page)["topics"] == {"echo": "/turtle1/pose"}
 
 
+def test_a_workspace_with_the_turtlesim_of_ros_runs_that_of_sitegen(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shutil.copytree(ROOT / "demos/demo09/src", tmp_path / "src")
+    launch = '<launch><node pkg="turtlesim" exec="turtlesim_node"/></launch>'
+    upstream = {
+        **cpp("turtlesim", {"turtlesim_node": "", "turtle_teleop_key": ""}),
+        "src/turtlesim/launch/one.launch.xml": launch,
+    }
+    listing = upstream["src/turtlesim/CMakeLists.txt"]
+    upstream["src/turtlesim/CMakeLists.txt"] = f"{listing}find_package(Qt5 REQUIRED)\n"
+    for name, text in upstream.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    assert main(["init", str(tmp_path)]) == 0
+    said = "turtlesim: needs Qt, so pages run the turtlesim that comes with sitegen"
+    assert said in capsys.readouterr().out
+    site = config.load(tmp_path / "site.yaml")
+    assert site.notes == (
+        "src/turtlesim/package.xml:1: package: 'turtlesim' needs Qt, so pages run the turtlesim "
+        "that comes with sitegen",
+    )
+    pages = {page.path: list(page.nodes) for page in site.pages}
+    assert pages["py_artist/"] == ["turtlesim_node", "star"]
+    assert pages["turtlesim/one/"] == ["turtlesim_node"]
+    assert site.packages["turtlesim"].path != tmp_path / "src/turtlesim"
+
+
+def test_packages_of_ros_1_are_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    old = cpp("old", {"talker": ""})
+    manifest = "<package><name>old</name><buildtool_depend>catkin</buildtool_depend></package>"
+    pages = written(tmp_path, {**old, "src/old/package.xml": manifest}, cpp("new", {"a": ""}))
+    assert list(pages[""].nodes) == ["a"]
+    said = "skipped: src/old/package.xml:1: node: package 'old' is for ROS 1 (catkin)"
+    assert said in capsys.readouterr().out
+
+
 def test_large_packages_have_a_page_for_those_that_communicate(tmp_path: Path) -> None:
     alone = {f"alone{number}": "" for number in range(5)}
     talker = publisher("std_msgs/msg/String", "chatter")

@@ -50,7 +50,7 @@ def _write_site(folder: Path, report: Report) -> None:
     schema.check_free(folder)
     root = folder.resolve()
     problems = Problems(root)
-    packages = workspace.scan(root, problems=problems)
+    packages = workspace.with_replaced(workspace.scan(root, problems=problems))
     problems.raise_if_any()
     links = Problems(root)
     workspace.report_outside(root, links)
@@ -64,6 +64,8 @@ def _write_site(folder: Path, report: Report) -> None:
     for page in shown:
         launch = ", ".join(relative(each, root) for each in filter(None, (page.launch, *page.also)))
         report.say(f"  /{page.path}  {launch or page.programs}")
+    for name in workspace.replaced(packages):
+        report.say(f"  {name}: needs Qt, so pages run the {name} that comes with sitegen")
     for name, package in packages.items():
         if package.executables is None:
             report.say(f"  {name}: its executables are known only to CMake; add the ones you want")

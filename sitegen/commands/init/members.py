@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from sitegen.commands.init.turtle import KEY, turtlesim
 from sitegen.commands.wiring import programs
 from sitegen.commands.wiring.endpoint import OPPOSITE, Endpoint, Program
 from sitegen.commands.wiring.names import resolved
@@ -49,6 +50,8 @@ def member(node: Node, packages: Mapping[str, Package], own: Mapping[str, Packag
     """Return the program of a node of `packages`; `own` are those of the workspace."""
     package = packages.get(node.package)
     told = programs.read(package, node.executable) if package else Program(open=True)
+    if (node.package, node.executable) == KEY:
+        told = turtlesim()
     if not told.namespaces:
         # How its node is created is unknown; most are in the root namespace.
         told = replace(told, namespaces={""})

@@ -12,7 +12,7 @@ from sitegen.commands.init.members import Member
 from sitegen.commands.init.panels import Item, panels, views
 from sitegen.commands.init.partners import together
 from sitegen.commands.init.runs import Launched, Runs
-from sitegen.commands.init.turtle import TURTLESIM
+from sitegen.commands.init.turtle import KEY
 from sitegen.config.paths import segment
 from sitegen.model import Package
 
@@ -43,8 +43,10 @@ class Page:
 
     @property
     def programs(self) -> str:
-        """The executables that it runs, in words."""
-        return _listed([member.executable for member in self.members])
+        """The executables that it runs, in words; those of other packages come last."""
+        own = self.members[-1].package
+        ordered = sorted(self.members, key=lambda member: member.package != own)
+        return _listed([member.executable for member in ordered])
 
 
 def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
@@ -102,7 +104,7 @@ def _launch_page(launch: Launched, taken: Collection[str], packages: Mapping[str
     path = path if path not in taken else f"{path.removesuffix('/')}-{kind}/"
     file = launch.package.path / launch.file
     title = parts[-1].replace("_", " ").capitalize()
-    has_window = any(member.package == TURTLESIM for member in launch.members)
+    has_window = any(member.key == KEY for member in launch.members)
     if launch.static and not launch.windows and not has_window:
         return _page(path, title, "", launch.members, packages, file)
     return Page(path, title, "", launch.members, (), (), file)

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from sitegen.commands.init.fields import numbers
 from sitegen.commands.init.members import Member
 from sitegen.commands.init.partners import COMMANDS, waiting
-from sitegen.commands.init.turtle import TURTLESIM
+from sitegen.commands.init.turtle import KEY, TURTLE, TURTLESIM
 from sitegen.commands.wiring.endpoint import (
     ACTION,
     LIFECYCLE,
@@ -46,7 +46,7 @@ PANELS, CURVES, NAMES = 2, 6, 5
 def views(page: Sequence[Member]) -> Iterator[Item]:
     """Yield what shows and drives the robot, for the top of a page."""
     published = _topics(page, PUBLISHER)
-    if any(member.key == (TURTLESIM, "turtlesim_node") for member in page):
+    if _has_turtles(page):
         yield "robot", {"kind": TURTLESIM}
     placed = _PLACED & set(published.values()) or _DESCRIPTION in published
     if placed or _uses(page, TRANSFORMS):
@@ -106,8 +106,8 @@ def _uses(page: Sequence[Member], use: str) -> bool:
 
 def _echo(page: Sequence[Member], published: Mapping[str, str]) -> dict[str, str] | None:
     """Return the topic whose messages are shown first."""
-    if any(member.package == TURTLESIM for member in page):
-        return {"echo": "/turtle1/pose"}
+    if _has_turtles(page):
+        return {"echo": f"{TURTLE}1/pose"}
     echo = next(iter(published), "")
     return {"echo": echo} if echo else None
 
@@ -115,9 +115,12 @@ def _echo(page: Sequence[Member], published: Mapping[str, str]) -> dict[str, str
 def _waiting(page: Sequence[Member], kind: str) -> dict[str, str]:
     """Return the topics with endpoints of a kind and none of the other, with their types."""
     own = {each.name: each.type for each in waiting(page, kind)}
-    turtle = (member for member in page if member.package == TURTLESIM)
-    taken = {each.name for member in turtle for each in member.told.endpoints}
-    return {name: type for name, type in own.items() if name not in taken}
+    turtles = TURTLE if _has_turtles(page) else "none"
+    return {name: type for name, type in own.items() if not name.startswith(turtles)}
+
+
+def _has_turtles(page: Sequence[Member]) -> bool:
+    return any(member.key == KEY for member in page)
 
 
 def _topics(page: Sequence[Member], kind: str, *, common: bool = False) -> dict[str, str]:
@@ -125,7 +128,7 @@ def _topics(page: Sequence[Member], kind: str, *, common: bool = False) -> dict[
     found = (
         endpoint
         for member in page
-        if member.package != TURTLESIM
+        if member.key != KEY
         for endpoint in (member.told.endpoints if common else member.endpoints(kind))
         if endpoint.kind == kind and not endpoint.foreign
     )

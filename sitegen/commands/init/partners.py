@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 
 from sitegen.commands.init.members import Member
-from sitegen.commands.init.turtle import turtlesim
+from sitegen.commands.init.turtle import KEY, TURTLESIM, turtlesim
 from sitegen.commands.wiring.endpoint import (
     ACTION_CLIENT,
     CLIENT,
@@ -82,7 +82,9 @@ def _guests(page: Sequence[Member], programs: Sequence[Member]) -> list[Member]:
     Of several in question, it is the first of `programs`.
     """
     guests: list[Member] = []
-    hosts = (*programs, turtlesim())
+    hosts = list(programs)
+    if not any(each.package == TURTLESIM for each in programs):
+        hosts.append(Member(TURTLESIM, *KEY, turtlesim()))
     while len(guests) < GUESTS:
         asked = [
             *(each for each in waiting([*guests, *page], *WAITS) if each.type not in COMMANDS),

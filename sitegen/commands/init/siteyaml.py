@@ -79,7 +79,7 @@ def _page(page: Page, root: Path, pages: Sequence[Page]) -> Iterator[str]:
         for other in page.also:
             yield f"    # {relative(other, root)} starts the same nodes."
         yield f"    launch: {_name(relative(page.launch, root))}"
-        if not page.panels:
+        if not page.views and not page.panels:
             return
     else:
         yield from _nodes(page.members, explains=explains)

@@ -1,10 +1,9 @@
-"""The turtlesim of sitegen, as the partner of programs that were written for it."""
+"""What the turtlesim of sitegen offers to programs that were written for it."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from sitegen.commands.init.members import Member
 from sitegen.commands.wiring.endpoint import (
     ACTION,
     PUBLISHER,
@@ -16,6 +15,10 @@ from sitegen.commands.wiring.endpoint import (
 from sitegen.errors import Location
 
 TURTLESIM = "turtlesim"
+# Its package and its executable.
+KEY = (TURTLESIM, "turtlesim_node")
+# The topics and services of turtles have this prefix and a number.
+TURTLE = "/turtle"
 _OWN = {
     "/turtle1/pose": (PUBLISHER, "msg/Pose"),
     "/turtle1/color_sensor": (PUBLISHER, "msg/Color"),
@@ -28,11 +31,14 @@ _OWN = {
 }
 
 
-def turtlesim() -> Member:
-    """Return the node, with the endpoints of its first turtle in both packages of interfaces."""
+def turtlesim() -> Program:
+    """Return the endpoints of its first turtle, in both packages of interfaces.
+
+    Its sources make their names while it runs.
+    """
     nowhere = Location(Path(TURTLESIM), 1)
     found = [Endpoint(SUBSCRIPTION, "/turtle1/cmd_vel", "geometry_msgs/msg/Twist", nowhere)]
     for name, (kind, type) in _OWN.items():
         for package in (TURTLESIM, "turtlesim_msgs"):
             found.append(Endpoint(kind, name, f"{package}/{type}", nowhere))
-    return Member(TURTLESIM, TURTLESIM, "turtlesim_node", Program(found))
+    return Program(found, namespaces={""})

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 from sitegen.commands.wiring.cpptext import Text, literal
@@ -20,6 +21,7 @@ from sitegen.commands.wiring.endpoint import (
 )
 from sitegen.errors import Location
 from sitegen.model import Package
+from sitegen.shipped import INTERFACES, PACKAGES, ROS
 
 _CREATE = re.compile(
     r"(?P<scope>\brclcpp(?:_action)?\s*::\s*)?"
@@ -79,7 +81,22 @@ def read(package: Package, executable: str) -> Program:
             _take(file, package, others, seen, sure=False)
     others.endpoints = [replace(endpoint, foreign=True) for endpoint in others.endpoints]
     program.take(replace(others, uses=set(), arguments={}))
+    known = {package.name, *package.depends, *_interface_packages()}
+    program.endpoints = [_with_known_type(endpoint, known) for endpoint in program.endpoints]
     return program
+
+
+def _with_known_type(endpoint: Endpoint, packages: Collection[str]) -> Endpoint:
+    """Return an endpoint; the package of its type may be an alias that another header defines."""
+    known = endpoint.type.partition("/")[0] in packages
+    return endpoint if known else replace(endpoint, type="")
+
+
+@cache
+def _interface_packages() -> frozenset[str]:
+    """Return the packages of interfaces that every workspace can use."""
+    shares = (*(ROS / "share").iterdir(), *PACKAGES.iterdir(), *INTERFACES.iterdir())
+    return frozenset(share.name for share in shares)
 
 
 def _is_test(file: Path, package: Package) -> bool:
