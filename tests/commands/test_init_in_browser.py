@@ -33,4 +33,6 @@ def test_its_pages_run(tmp_path: Path, serve: Serve, tab: Page) -> None:
 
     tab.goto(f"{url}py_artist/")
     Panel(tab, "turtlesim").start()
-    expect(tab.get_by_role("region", name="Topics")).to_contain_text("/turtle1/pose")
+    topics = tab.get_by_role("region", name="Topics")
+    topics.scroll_into_view_if_needed()
+    expect(topics).to_contain_text("theta: 0.0")

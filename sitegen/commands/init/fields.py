@@ -27,8 +27,8 @@ _CHOSEN = {
 _PLAIN = ("geometry_msgs", "std_msgs")
 # A constant has a '=' behind its name, a field may have a default.
 _FIELD = re.compile(r"^[ \t]*(float|u?int)(?:8|16|32|64)[ \t]+(\w+)\b(?![ \t]*=)", re.M)
-# At most so many curves of a topic.
-CURVES = 3
+# At most so many fields of a message.
+FIELDS = 3
 
 
 def numbers(type: str, packages: Mapping[str, Package]) -> list[str]:
@@ -44,7 +44,7 @@ def numbers(type: str, packages: Mapping[str, Package]) -> list[str]:
         return []
     found = _FIELD.findall(_text(file))
     floats = [field for kind, field in found if kind == "float"]
-    return (floats or [field for _, field in found])[:CURVES]
+    return (floats or [field for _, field in found])[:FIELDS]
 
 
 def _text(file: Path) -> str:

@@ -51,33 +51,48 @@ class Page:
 
 def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
     """Return the pages of a site; if there is only one, it is the home page."""
-    found: list[Page] = []
-    folders = {name: package.path for name, package in packages.items()}
-    groups = together(runs.programs, folders)
-    groups = [group for group in groups if not _shown(group, runs.launches)]
-    owners = Counter(group[-1].package for group in groups)
-    for group in groups:
-        owner, members = group[-1].package, list(_named(group))
-        title, text = _introduction(packages[owner])
-        if owners[owner] > 1:
-            own = [member for member in members if member.package == owner]
-            path = f"{segment(owner)}/{segment(own[0].name)}/"
-            found.append(_page(path, _listed([each.name for each in own]), "", members, packages))
-            continue
-        found.append(_page(f"{segment(owner)}/", title, text, members, packages))
-    launched = _alike(runs.launches)
-    owners.update(launches[0].package.name for launches in launched)
-    for launches in launched:
-        package = launches[0].package
-        page = _launch_page(launches[0], [page.path for page in found], packages)
-        if owners[package.name] == 1 and (title := _introduction(package)[0]) != package.name:
-            page = replace(page, title=title)
-        also = tuple(each.package.path / each.file for each in launches[1:])
-        found.append(replace(page, also=also))
+    found = list(_package_pages(runs, packages))
+    found += _launch_pages(runs.launches, found, packages)
     if len(found) == 1:
         return [replace(found[0], path="")]
     titles = Counter(page.title for page in found)
     return [_told_apart(page) if titles[page.title] > 1 else page for page in found]
+
+
+def _package_pages(runs: Runs, packages: Mapping[str, Package]) -> Iterator[Page]:
+    """Yield the pages of packages; those of a large package are named by their first programs."""
+    folders = {name: package.path for name, package in packages.items()}
+    groups = together(runs.programs, folders)
+    groups = [group for group in groups if not _shown(group, runs.launches)]
+    counts = Counter(group[-1].package for group in groups)
+    for group in groups:
+        owner, members = group[-1].package, list(_named(group))
+        if counts[owner] == 1:
+            title, text = _introduction(packages[owner])
+            yield _page(f"{segment(owner)}/", title, text, members, packages)
+        else:
+            names = [member.name for member in members if member.package == owner]
+            path = f"{segment(owner)}/{segment(names[0])}/"
+            yield _page(path, _listed(names), "", members, packages)
+
+
+def _launch_pages(
+    launches: Iterable[Launched], others: Sequence[Page], packages: Mapping[str, Package]
+) -> list[Page]:
+    """Return the pages of launch files; `others` are those of packages."""
+    found: list[Page] = []
+    alike = _alike(launches)
+    owners = Counter(group[0].package.name for group in alike)
+    owners.update(page.members[-1].package for page in others)
+    for group in alike:
+        package = group[0].package
+        page = _launch_page(group[0], [page.path for page in (*others, *found)], packages)
+        title, _ = _introduction(package)
+        if owners[package.name] == 1 and title != package.name:
+            page = replace(page, title=title)
+        also = tuple(each.package.path / each.file for each in group[1:])
+        found.append(replace(page, also=also))
+    return found
 
 
 def _told_apart(page: Page) -> Page:

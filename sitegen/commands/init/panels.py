@@ -18,6 +18,7 @@ from sitegen.commands.wiring.endpoint import (
     SUBSCRIPTION,
     TRANSFORMS,
 )
+from sitegen.config.displays import kinds
 from sitegen.model import Package
 
 # A widget of site.yaml: its kind, and its options or its only option.
@@ -30,17 +31,11 @@ _DRIVEN = (_TWIST, _STAMPED, _IMAGE, _COMPRESSED)
 # What managed nodes publish by themselves.
 _TRANSITION = "lifecycle_msgs/msg/TransitionEvent"
 _DIAGNOSTICS = "diagnostic_msgs/msg/DiagnosticArray"
-# Messages that have a place in the world.
-_PLACED = {
-    *(f"visualization_msgs/msg/{name}" for name in ("Marker", "MarkerArray")),
-    *("visualization_msgs/msg/InteractiveMarkerUpdate", "geometry_msgs/msg/PoseArray"),
-    *("geometry_msgs/msg/PolygonStamped", "geometry_msgs/msg/PoseWithCovarianceStamped"),
-    *(f"nav_msgs/msg/{name}" for name in ("OccupancyGrid", "Odometry", "Path")),
-    *(f"sensor_msgs/msg/{name}" for name in ("LaserScan", "PointCloud2")),
-}
+# A 3D view shows these, too, but other panels show more of them.
+_ELSEWHERE = {_IMAGE, _COMPRESSED, "std_msgs/msg/String"}
 _DESCRIPTION, _JOINTS = "/robot_description", "/joint_states"
-# At most so many panels, curves and names of a kind.
-PANELS, CURVES, NAMES = 2, 6, 5
+# At most so many images, curves of a plot, and services or actions by name.
+IMAGES, CURVES, NAMES = 2, 6, 5
 
 
 def views(page: Sequence[Member]) -> Iterator[Item]:
@@ -48,14 +43,15 @@ def views(page: Sequence[Member]) -> Iterator[Item]:
     published = _topics(page, PUBLISHER)
     if _has_turtles(page):
         yield "robot", {"kind": TURTLESIM}
-    placed = _PLACED & set(published.values()) or _DESCRIPTION in published
-    if placed or _uses(page, TRANSFORMS):
+    placed = {type for kind in kinds().values() for type in kind.types} - _ELSEWHERE
+    described = _DESCRIPTION in published
+    if described or placed & set(published.values()) or _uses(page, TRANSFORMS):
         yield "3d", None
     for topic, type in _waiting(page, PUBLISHER).items():
         if type == _TWIST:
             yield "robot", {"kind": "diffdrive", "twist": topic}
     for topic, type in _waiting(page, SUBSCRIPTION).items():
-        if topic == _JOINTS and _DESCRIPTION in published:
+        if topic == _JOINTS and described:
             yield "joints", None
         if type in (_TWIST, _STAMPED):
             yield "teleop", {"topic": topic, **({"stamped": True} if type == _STAMPED else {})}
@@ -67,7 +63,7 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
     """Yield what is exchanged and what can be asked, for the end of a page."""
     published = _topics(page, PUBLISHER)
     images = [topic for topic, type in published.items() if type in (_IMAGE, _COMPRESSED)]
-    yield from (("image", topic) for topic in images[:PANELS])
+    yield from (("image", topic) for topic in images[:IMAGES])
     curves = [
         f"{topic}.{field}" for topic, type in published.items() for field in numbers(type, packages)
     ]
@@ -92,7 +88,9 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
         yield "publish", {"topic": topic, **({"type": type} if type else {})}
     elif unasked:
         yield "publish", None
-    if any(type == _DIAGNOSTICS for type in _topics(page, PUBLISHER, common=True).values()):
+    # Its topic is common to the tools of ROS, so it is not among `published`.
+    told = (endpoint for member in page for endpoint in member.told.endpoints)
+    if any((each.kind, each.type) == (PUBLISHER, _DIAGNOSTICS) for each in told):
         yield "diagnostics", None
     if _uses(page, LIFECYCLE):
         yield "lifecycle", None
@@ -114,22 +112,17 @@ def _echo(page: Sequence[Member], published: Mapping[str, str]) -> dict[str, str
 
 def _waiting(page: Sequence[Member], kind: str) -> dict[str, str]:
     """Return the topics with endpoints of a kind and none of the other, with their types."""
-    own = {each.name: each.type for each in waiting(page, kind)}
-    turtles = TURTLE if _has_turtles(page) else "none"
-    return {name: type for name, type in own.items() if not name.startswith(turtles)}
+    found = {each.name: each.type for each in waiting(page, kind)}
+    if not _has_turtles(page):
+        return found
+    return {name: type for name, type in found.items() if not name.startswith(TURTLE)}
 
 
 def _has_turtles(page: Sequence[Member]) -> bool:
     return any(member.key == KEY for member in page)
 
 
-def _topics(page: Sequence[Member], kind: str, *, common: bool = False) -> dict[str, str]:
+def _topics(page: Sequence[Member], kind: str) -> dict[str, str]:
     """Return the names of the endpoints of a kind, with their types."""
-    found = (
-        endpoint
-        for member in page
-        if member.key != KEY
-        for endpoint in (member.told.endpoints if common else member.endpoints(kind))
-        if endpoint.kind == kind and not endpoint.foreign
-    )
-    return {each.name: each.type for each in found}
+    members = (member for member in page if member.key != KEY)
+    return {each.name: each.type for member in members for each in member.endpoints(kind)}

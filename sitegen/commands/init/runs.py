@@ -76,9 +76,9 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             if lines:
                 where = relative(path, root)
                 faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
-            else:
-                members = [member(node, there, packages) for node in started]
-                launches.append(Launched(package, file, members, bool(windows), not handlers))
+                continue
+            members = [member(node, there, packages) for node in started]
+            launches.append(Launched(package, file, members, bool(windows), not handlers))
     return Runs(programs, launches, faults)
 
 

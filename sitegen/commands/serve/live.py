@@ -22,6 +22,7 @@ from sitegen.options import Options
 from sitegen.report import Report, count
 from sitegen.site.pages import search
 
+# A file and a line, as problems and compilers name them.
 PLACE = re.compile(r"(?P<file>[^:\n]+):(?P<line>[0-9]{1,9})(:[0-9]+)?")
 # The interval of messages on an idle connection (s), which detect that it is broken.
 BEAT = 15

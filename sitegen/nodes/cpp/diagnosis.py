@@ -30,7 +30,6 @@ MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not 
 # headers.
 HOLLOW = {"opencv2": "OpenCV"}
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
-
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
 UNDEFINED = re.compile(r"^wasm-ld\S*: error: .*?(undefined symbol: .+)$", re.M)
 
