@@ -104,7 +104,7 @@ def _common() -> Parser:
     common.add_argument(
         "--color",
         choices=("auto", "always", "never"),
-        help="use colours; auto (the default) does on a terminal, unless NO_COLOR is set",
+        help="color the output; auto (the default) does so on a terminal, unless NO_COLOR is set",
     )
     return common
 
@@ -128,14 +128,14 @@ def _add_version(parser: Parser) -> None:
     parser.add_argument(
         "--version",
         metavar="NAME",
-        help="build the site as a version of it, such as 1.2, beside the other versions",
+        help="build this version of the site, such as 1.2, beside the other versions",
     )
     parser.add_argument(
         "--alias",
         action="append",
         default=[],
         metavar="NAME",
-        help="with --version: another name that leads to it from now on, such as latest",
+        help="with --version: a second name for this version, such as latest",
     )
 
 
@@ -197,7 +197,7 @@ def _add_builds(add: Add) -> Parser:
         help="with --single-file: embed Python, so that Python nodes run in the file",
     )
     build.add_argument(
-        "--verbose", action="store_true", help="list all pages and nodes, however many"
+        "--verbose", action="store_true", help="list all pages and nodes, even of a large site"
     )
     build.add_argument(
         "--keep-going",
@@ -235,9 +235,9 @@ def _add_others(add: Add) -> None:
     )
     _add_gateway(add)
     add("schema", help="print the JSON Schema of site.yaml for use in editors")
-    types = add("types", help="write the types for your own panels, for use in editors")
+    types = add("types", help="write the types for your panels and scripts, for use in editors")
     _add_folder(types)
-    theme = add("theme", help="start your own theme")
+    theme = add("theme", help="create your own theme")
     doings = theme.add_subparsers(
         dest="doing", required=True, metavar="COMMAND", parser_class=Parser
     )
@@ -255,12 +255,12 @@ def _add_others(add: Add) -> None:
 
 
 def _add_gateway(add: Add) -> None:
-    gateway = add("gateway", help="join web pages and other programs to ROS 2 on this computer")
+    gateway = add("gateway", help="connect web pages and other programs to ROS 2 on this computer")
     gateway.add_argument(
         "--config",
         type=Path,
         metavar="FILE",
-        help="what clients may do (default: gateway.yaml, if there is one)",
+        help="the file that says what clients may do (default: gateway.yaml, if it exists)",
     )
     gateway.add_argument(
         "--site", type=Path, metavar="DIR", help="also serve this built site, such as dist"
@@ -269,7 +269,7 @@ def _add_gateway(add: Add) -> None:
         "--bind",
         default="127.0.0.1",
         metavar="ADDRESS",
-        help="the address to listen on; 0.0.0.0 for the network (default: 127.0.0.1)",
+        help="the address to listen on; 0.0.0.0 lets other computers connect (default: 127.0.0.1)",
     )
     gateway.add_argument(
         "--port", type=int, default=9090, help="the port to listen on (default: 9090)"
@@ -278,18 +278,20 @@ def _add_gateway(add: Add) -> None:
         "--tls",
         nargs="+",
         metavar="FILE",
-        help="encrypt: a certificate and its key, or self-signed",
+        help="encrypt with a certificate and its key, or with self-signed",
     )
     gateway.add_argument(
-        "--domain", type=int, metavar="ID", help="the domain (default: ROS_DOMAIN_ID)"
+        "--domain", type=int, metavar="ID", help="the ROS domain (default: ROS_DOMAIN_ID)"
     )
     doings = gateway.add_subparsers(dest="doing", metavar="COMMAND", parser_class=Parser)
     keys = doings.add_parser("keys", help="make a key for a person", parents=[_common()])
-    keys.add_argument("name", metavar="NAME", help="whose key it is, as in the calendar")
+    keys.add_argument(
+        "name", metavar="NAME", help="the person's name or email address, as in the calendar"
+    )
     keys.add_argument(
         "--for",
         dest="duration",
         default="2h",
         metavar="TIME",
-        help="how long it is good for, from now on: 90s, 20m, 2h, 7d (default: 2h)",
+        help="how long the key is valid: 90s, 20m, 2h, 7d (default: 2h)",
     )

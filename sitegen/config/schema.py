@@ -140,7 +140,7 @@ SITE = (
         "theme: default",
         default="default",
     ),
-    Key("accent", "colour", "colour of links and of the current item", 'accent: "#2b4bd8"'),
+    Key("accent", "colour", "color of links and of the current item", 'accent: "#2b4bd8"'),
     Key("font", "text", "font of the text: a file, or font names", "font: fonts/own.woff2"),
     Key("code_font", "text", "font of code and consoles", "code_font: fonts/code.woff2"),
     Key("logo", "path", "image beside the title, also the icon", "logo: images/logo.svg"),
@@ -221,7 +221,7 @@ CONNECT = (
     Key(
         "rates",
         "decimal by name",
-        "most messages per second of topics",
+        "maximum messages per second, by topic",
         "rates: {/camera/image_raw: 5}",
     ),
 )
@@ -240,7 +240,7 @@ DEPLOY = (
 )
 
 _NEEDS = Key(
-    "needs", "list of text", "nodes that it cannot do without, by name", "needs: [turtlesim]"
+    "needs", "list of text", "nodes that this one depends on, by name", "needs: [turtlesim]"
 )
 
 # Keys of all nodes.
@@ -346,16 +346,18 @@ PAGE = (
     Key(
         "connect",
         "connect",
-        "[gateways](gateway.md) that it can join",
+        "[gateways](gateway.md) that the page can join",
         "connect: {addresses: [ws://localhost:9090]}",
     ),
-    Key("tags", "list of text", "tags; each gets a page of its pages", "tags: [topics, C++]"),
+    Key(
+        "tags", "list of text", "tags; each gets a page that lists its pages", "tags: [topics, C++]"
+    ),
     Key("date", "date", "date of the page, for the feed", "date: 2026-11-21"),
     Key("theme", "text", "theme of this page; defaults to the site's", "theme: slides"),
     Key(
         "start_from_links",
         "flag",
-        "whether a [shared link](sharing.md) starts nodes without asking",
+        "let a [shared link](sharing.md) start nodes without asking",
         "start_from_links: true",
         default=False,
     ),

@@ -11,7 +11,7 @@ MARKDOWN = Key("markdown", "text", "a `.md` file, or the text itself", "markdown
 # Layouts; the values of `columns`, `grid` and `tabs` are lists or mappings of content.
 _CONTENT = Key("content", "items", "text and widgets", "content: [{console: talker}]", True)
 COLUMN = (
-    Key("size", "number", "share of the width, beside that of the others", "size: 2", default=1),
+    Key("size", "number", "share of the width, relative to the others", "size: 2", default=1),
     _CONTENT,
 )
 ROW = (
@@ -50,7 +50,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("node", "text", "node whose source is shown", "node: talker"),
         Key("file", "text", "another file of the package", "file: src/talker.cpp"),
         Key("lines", "range", "only these lines", "lines: 10-20"),
-        Key("region", "text", "only a region, by its name", "region: timer"),
+        Key("region", "text", "only the region with this name", "region: timer"),
     ),
     "prompt": (_NODE, _LINES),
     "editor": (
@@ -96,7 +96,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "jupyter": (
         Key("notebooks", "path", "folder of notebooks", "notebooks: notebooks"),
-        Key("open", "text", "notebook that is open at first", "open: first.ipynb"),
+        Key("open", "text", "notebook that is open first", "open: first.ipynb"),
     ),
     "joints": (
         Key(
@@ -113,13 +113,13 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "description: /arm/robot_description",
             default="/robot_description",
         ),
-        Key("zeros", "decimal by name", "positions at first", "zeros: {elbow: 1.2}"),
+        Key("zeros", "decimal by name", "initial positions", "zeros: {elbow: 1.2}"),
     ),
     "teleop": (
         Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
         Key("stamped", "flag", "send `TwistStamped`", "stamped: true", default=False),
         Key("linear", "decimal", "largest speed in m/s", "linear: 0.22", default="0.5"),
-        Key("angular", "decimal", "largest turn in rad/s", "angular: 2.84", default="1.0"),
+        Key("angular", "decimal", "largest turning speed in rad/s", "angular: 2.84", default="1.0"),
         Key("joy", "name", "topic of the gamepad itself, as `Joy`", "joy: /joy"),
         Key(
             "deadman",
@@ -132,7 +132,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "robot": (
         Key("kind", "text", "`vernie`, `diffdrive` or `turtlesim`", "kind: vernie", True),
         Key("twist", "name", "topic of its commands", "twist: /cmd_vel", default="/cmd_vel"),
-        Key("color", "name", "topic of its light's colours", "color: /color", default="/color"),
+        Key("color", "name", "topic of its light's colors", "color: /color", default="/color"),
         Key(
             "sensors", "name", "prefix of its sensor topics", "sensors: /vernie", default="/vernie"
         ),
@@ -162,7 +162,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key(
             "background",
             "colour",
-            "colour of the background; defaults to the theme's",
+            "color of the background; defaults to the theme's",
             'background: "#303030"',
         ),
         Key(
@@ -186,7 +186,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("path", "message path", "the value", "path: /battery.percentage", True),
         Key("show", "text", "`number`, `gauge`, `light` or `text`", "show: gauge"),
         Key("title", "text", "title; defaults to the path", "title: Battery"),
-        Key("unit", "text", "unit behind the number", 'unit: "%"'),
+        Key("unit", "text", "unit after the number", 'unit: "%"'),
         Key("scale", "decimal", "the number is multiplied by this", "scale: 100"),
         Key("decimals", "decimal", "number of decimals", "decimals: 2"),
         Key("min", "decimal", "lower end of a gauge", "min: -10", default=0),
@@ -200,29 +200,29 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     ),
     "image": (
         Key("topic", "name", "topic; without it, visitors choose one", "topic: /image_raw"),
-        Key("min", "decimal", "value of depth that is black", "min: 0.5"),
-        Key("max", "decimal", "value of depth that is white", "max: 5"),
+        Key("min", "decimal", "depth that is black", "min: 0.5"),
+        Key("max", "decimal", "depth that is white", "max: 5"),
     ),
     "camera": (
         Key("topic", "name", "topic of the images", "topic: /image_raw", default="/image_raw"),
         Key("info", "name", "topic of the `CameraInfo`", "info: /camera_info"),
         Key("compressed", "flag", "publish JPEG", "compressed: true", default=False),
-        Key("width", "number", "width of an image in pixels", "width: 640", default=320),
-        Key("rate", "number", "images per second, at most", "rate: 15", default=10),
+        Key("width", "number", "width of the images in pixels", "width: 640", default=320),
+        Key("rate", "number", "most images per second", "rate: 15", default=10),
         Key("frame", "text", "`frame_id` of the images", "frame: base", default="camera"),
     ),
     "bag": (
         Key("file", "path", "bag that is played: a file or a folder", "file: bags/drive.mcap"),
-        Key("autostart", "flag", "play it when it is seen", "autostart: true", default=False),
-        Key("loop", "flag", "begin again at the end", "loop: true", default=False),
-        Key("rate", "decimal", "speed of playing", "rate: 0.5", default="1.0"),
+        Key("autostart", "flag", "start when it becomes visible", "autostart: true", default=False),
+        Key("loop", "flag", "start again at the end", "loop: true", default=False),
+        Key("rate", "decimal", "playback speed", "rate: 0.5", default="1.0"),
         Key("from", "decimal", "where playing begins, in seconds from the start", "from: 2.5"),
-        Key("to", "decimal", "where playing ends; without it, at the end", "to: 20"),
+        Key("to", "decimal", "where playing ends; defaults to the end", "to: 20"),
         Key("clock", "flag", "publish `/clock` while playing", "clock: true", default=False),
         Key("remap", "name by name", "other names for topics", "remap: {/odom: /old/odom}"),
         Key("topics", "list of names", "play only these topics", "topics: [/odom, /tf]"),
-        Key("exclude", "list of names", "topics that are not played", "exclude: [/rosout]"),
-        Key("views", "flag", "panels for its topics beside it", "views: false"),
+        Key("exclude", "list of names", "leave out these topics", "exclude: [/rosout]"),
+        Key("views", "flag", "add panels for its topics", "views: false"),
         Key("record", "list of names", "record only these topics", "record: [/cmd_vel]"),
         Key("hidden", "flag", "record hidden topics, too", "hidden: true", default=False),
         Key("limit", "number", "largest size of a recording in MB", "limit: 200", default=1000),
@@ -260,7 +260,7 @@ SHORT: Mapping[str, str] = {
 THRESHOLD = (
     Key("from", "decimal", "smallest value of this state", "from: 20", True),
     Key("is", "text", "`good`, `caution`, `danger` or `plain`", "is: caution", True),
-    Key("text", "text", "what is written beside the value", "text: low"),
+    Key("text", "text", "text beside the value", "text: low"),
 )
 
 # The words that options with a fixed choice can have.

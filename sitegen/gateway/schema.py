@@ -8,22 +8,27 @@ FILE = (
     Key(
         "origins",
         "list of text",
-        "web pages of other origins that may connect; `*` stands for anything",
+        "origins of web pages that may connect; `*` matches any text",
         "origins: [https://me.github.io]",
     ),
     Key("allow", "settings", "names that clients may use", "allow: {subscribe: [/odom]}"),
-    Key("limits", "settings", "what a client may take", "limits: {subscriptions: 20}"),
-    Key("keys", "settings", "keys that clients need", "keys: {secret: gateway.secret}"),
+    Key(
+        "limits",
+        "settings",
+        "limits for each client and for all of them",
+        "limits: {subscriptions: 20}",
+    ),
+    Key("keys", "settings", "keys that clients must present", "keys: {secret: gateway.secret}"),
     Key(
         "reservations",
         "settings",
-        "whose turn it is, from a calendar",
+        "calendar that says whose turn it is",
         "reservations: {calendar: lab.ics}",
     ),
     Key(
         "stop",
         "list of text",
-        "topics of type Twist that get a last zero when the client that drove leaves",
+        "topics of type Twist that get a final zero when their driver leaves",
         "stop: [/cmd_vel]",
     ),
     Key("record", "settings", "record each session to an MCAP file", "record: {folder: sessions}"),
@@ -37,47 +42,74 @@ FILE = (
 
 ROWE = (
     Key(
-        "topics", "settings", "topics by their names in rowe", "topics: {speed: {topic: /cmd_vel}}"
+        "topics", "settings", "topics, by their names in rowe", "topics: {speed: {topic: /cmd_vel}}"
     ),
     Key(
         "services",
         "settings",
-        "services by their names in rowe",
+        "services, by their names in rowe",
         "services: {add-two-numbers: {service: /add_two_ints}}",
     ),
 )
 ROWE_TOPIC = (
-    Key("topic", "text", "the name in ROS", "topic: /cmd_vel", True),
-    Key("type", "text", "its type, if nobody else has it", "type: geometry_msgs/msg/Twist"),
+    Key("topic", "text", "its name in ROS", "topic: /cmd_vel", True),
+    Key(
+        "type",
+        "text",
+        "its type; needed if no node uses the topic yet",
+        "type: geometry_msgs/msg/Twist",
+    ),
 )
 ROWE_SERVICE = (
-    Key("service", "text", "the name in ROS", "service: /add_two_ints", True),
-    Key("type", "text", "its type, for `serve`", "type: example_interfaces/srv/AddTwoInts"),
+    Key("service", "text", "its name in ROS", "service: /add_two_ints", True),
+    Key("type", "text", "its type; needed for `serve`", "type: example_interfaces/srv/AddTwoInts"),
 )
 
 ALLOW = (
-    Key("subscribe", "list of text", "topics to clients", "subscribe: [/odom, /camera/**]"),
-    Key("publish", "list of text", "topics from clients", "publish: [/cmd_vel]"),
-    Key("call_services", "list of text", "services of the robot", "call_services: [/reset]"),
-    Key("advertise_services", "list of text", "services of clients", "advertise_services: [/ask]"),
-    Key("send_goals", "list of text", "actions of the robot", "send_goals: [/navigate]"),
-    Key("advertise_actions", "list of text", "actions of clients", "advertise_actions: [/count]"),
+    Key(
+        "subscribe",
+        "list of text",
+        "topics that clients may subscribe to",
+        "subscribe: [/odom, /camera/**]",
+    ),
+    Key("publish", "list of text", "topics that clients may publish on", "publish: [/cmd_vel]"),
+    Key(
+        "call_services", "list of text", "services that clients may call", "call_services: [/reset]"
+    ),
+    Key(
+        "advertise_services",
+        "list of text",
+        "services that clients may offer",
+        "advertise_services: [/ask]",
+    ),
+    Key(
+        "send_goals",
+        "list of text",
+        "actions that clients may send goals to",
+        "send_goals: [/navigate]",
+    ),
+    Key(
+        "advertise_actions",
+        "list of text",
+        "actions that clients may offer",
+        "advertise_actions: [/count]",
+    ),
     Key(
         "get_parameters",
         "list of text",
-        "parameters that clients read, as `/node:parameter`",
+        "parameters that clients may read, as `/node:parameter`",
         'get_parameters: ["/**"]',
     ),
     Key(
         "set_parameters",
         "list of text",
-        "parameters that clients set",
+        "parameters that clients may set",
         "set_parameters: [/robot:speed]",
     ),
 )
 
 LIMITS = (
-    Key("connections", "number", "connections in all", "connections: 50", default=200),
+    Key("connections", "number", "connections in total", "connections: 50", default=200),
     Key(
         "connections_per_address",
         "number",
@@ -85,34 +117,60 @@ LIMITS = (
         "connections_per_address: 5",
         default=50,
     ),
-    Key("message_size", "number", "bytes of a message", "message_size: 100000", default=16_000_000),
+    Key("message_size", "number", "bytes in a message", "message_size: 100000", default=16_000_000),
     Key(
         "messages_per_second",
         "number",
-        "messages from a client; more have to wait",
+        "messages from one client; it is slowed down to this rate",
         "messages_per_second: 100",
         default=2_000,
     ),
     Key(
         "bytes_per_second",
         "number",
-        "bytes from a client; more have to wait",
+        "bytes from one client; it is slowed down to this rate",
         "bytes_per_second: 1000000",
         default=50_000_000,
     ),
-    Key("subscriptions", "number", "topics that a client hears", "subscriptions: 20", default=200),
-    Key("publishers", "number", "topics that a client publishes", "publishers: 5", default=200),
-    Key("services", "number", "services and actions of a client", "services: 5", default=100),
-    Key("calls", "number", "calls and goals at once", "calls: 10", default=100),
+    Key(
+        "subscriptions",
+        "number",
+        "topics that one client subscribes to",
+        "subscriptions: 20",
+        default=200,
+    ),
+    Key(
+        "publishers", "number", "topics that one client publishes on", "publishers: 5", default=200
+    ),
+    Key(
+        "services",
+        "number",
+        "services and actions that one client offers, and as many that it calls",
+        "services: 5",
+        default=100,
+    ),
+    Key("calls", "number", "unfinished calls and goals of one client", "calls: 10", default=100),
     Key(
         "queue_size",
         "number",
-        "bytes that wait for a slow client",
+        "bytes waiting for one slow client",
         "queue_size: 4000000",
         default=32_000_000,
     ),
-    Key("handshake", "number", "seconds until the key", "handshake: 5", default=10),
-    Key("stall", "number", "seconds in which a client reads nothing", "stall: 10", default=30),
+    Key(
+        "handshake",
+        "number",
+        "seconds that a client has to present its key",
+        "handshake: 5",
+        default=10,
+    ),
+    Key(
+        "stall",
+        "number",
+        "seconds after which a client that reads nothing is disconnected",
+        "stall: 10",
+        default=30,
+    ),
 )
 
 KEYS = (
@@ -120,19 +178,19 @@ KEYS = (
     Key(
         "service",
         "text",
-        "address that says for how long a key is good",
+        "address of a service that says how long a key is valid",
         "service: https://lab.example.org/key?key={key}",
     ),
-    Key("tries", "number", "wrong keys from one address in a minute", "tries: 5", default=10),
+    Key("tries", "number", "wrong keys per minute from one address", "tries: 5", default=10),
 )
 
 RESERVATIONS = (
     Key("calendar", "text", "iCalendar file or `https` address", "calendar: lab.ics", True),
-    Key("refresh", "number", "seconds until it is read again", "refresh: 300", default=60),
+    Key("refresh", "number", "seconds after which it is read again", "refresh: 300", default=60),
     Key(
         "watch",
         "flag",
-        "let persons with a key watch outside of their appointments",
+        "let people with a key watch outside their appointments",
         "watch: true",
         default=False,
     ),
@@ -141,8 +199,17 @@ RESERVATIONS = (
 RECORD = (
     Key("folder", "text", "folder for the recordings", "folder: sessions", True),
     Key(
-        "size", "number", "bytes of the largest recording", "size: 50000000", default=1_000_000_000
+        "size",
+        "number",
+        "maximum size of a recording, in bytes",
+        "size: 50000000",
+        default=1_000_000_000,
     ),
-    Key("repository", "path", "Git repository with the code used", "repository: ."),
-    Key("commit", "flag", "commit each recording to it", "commit: true", default=False),
+    Key(
+        "repository",
+        "path",
+        "Git repository of the code; its commit is noted in each recording",
+        "repository: .",
+    ),
+    Key("commit", "flag", "commit each recording to `repository`", "commit: true", default=False),
 )
