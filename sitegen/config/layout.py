@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 from sitegen.config.document import Value
 from sitegen.config.schema import Key
@@ -14,6 +15,8 @@ from sitegen.model import Cell, Layout, Part, Widget
 # The number of tabs that the themes have styles for.
 MOST_TABS = 8
 CONSOLES = ("below", "beside", "none")
+# What shows the newest line of nodes over itself.
+CAPTIONED = ("robot", "3d")
 # Reads a list of content.
 Items = Callable[[Value], Iterator[Part]]
 
@@ -71,12 +74,25 @@ def _stage(
         return None
     names = [node for node in nodes.items() if known(node)]
     autostart = {"autostart": section.option("autostart")}
+    parts = tuple(items(show))
+    if consoles == "below":
+        parts = tuple(captioned(part, [node.text for node in names]) for part in parts)
     cells = [
         Cell(tuple(Widget("buttons", n.text, autostart, n.location) for n in names), "nodes"),
-        Cell(tuple(items(show)), "show"),
+        Cell(parts, "show"),
     ]
     if consoles in ("below", "beside"):
         lines = {"lines": 1000}
         kept = tuple(Widget("console", n.text, lines, n.location) for n in names)
         cells.append(Cell(kept, consoles))
     return Layout("stage", tuple(cells), value.location)
+
+
+def captioned(part: Part, nodes: Sequence[str]) -> Part:
+    """Return `part`; if it shows what nodes move, it also shows the newest line of `nodes`.
+
+    Their consoles may be folded, or far below it.
+    """
+    if not nodes or not isinstance(part, Widget) or part.kind not in CAPTIONED:
+        return part
+    return replace(part, options={**part.options, "captions": list(nodes)})

@@ -182,7 +182,7 @@ class PageReader:
             parts += reader.jupyter(lab)
         is_bare = not any(isinstance(part, Widget) for part in leaves(parts))
         if opened and is_bare:
-            parts += windows.shown(opened, self.problems, self.notes)
+            parts += windows.shown(opened, [*started], self.problems, self.notes)
         parts = launching.with_panel(parts, given.get("launch"), handlers, self.problems)
         parts += launching.panels(started) if is_bare else []
         joined = self._connect(_giver("connect", page, front), parts)

@@ -7,6 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from sitegen.config.layout import captioned
 from sitegen.config.rviz import Configuration, read_configuration
 from sitegen.config.widgetkeys import WIDGETS
 from sitegen.errors import Problems
@@ -20,10 +21,15 @@ LARGE = 3
 SMALL = 2
 
 
-def shown(windows: Sequence[Window], problems: Problems, notes: Problems) -> list[Part]:
-    """Return the widgets that take the places of windows, those in 3D beside one of the others."""
+def shown(
+    windows: Sequence[Window], nodes: Sequence[str], problems: Problems, notes: Problems
+) -> list[Part]:
+    """Return the widgets that take the places of windows, those in 3D beside one of the others.
+
+    What `nodes` print shows over those in 3D, too.
+    """
     widgets = [_widget(one, problems, notes) for one in windows if one.kind in WIDGETS]
-    large = tuple(widget for widget in widgets if widget.kind == "3d")
+    large = tuple(captioned(widget, nodes) for widget in widgets if widget.kind == "3d")
     small = tuple(widget for widget in widgets if widget.kind != "3d")
     if not large or not small:
         return [*large, *small]

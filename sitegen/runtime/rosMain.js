@@ -3,7 +3,7 @@
 
 import { Graph } from "./page/graph.js";
 import { Instances } from "./page/instances.js";
-import { isolate } from "./page/isolation.js";
+import { noteIsolation } from "./page/isolated.js";
 import { NodeProcess } from "./page/nodeProcess.js";
 import { runScript } from "./page/script.js";
 import { Sharing } from "./page/sharing.js";
@@ -29,8 +29,9 @@ const link = /** @type {HTMLLinkElement} */ (document.getElementById("ros-page")
 const page = await (await fetch(link.href)).json();
 
 if (page.isolate) {
+  const { isolate } = await import(place("page/isolation.js"));
   await parsed;
-  await isolate(new URL(page.isolate, link.href).href);
+  noteIsolation(await isolate(new URL(page.isolate, link.href).href));
 }
 
 // Nodes load at the same time as the widgets and run as soon as they can, because consoles show earlier lines, too. On

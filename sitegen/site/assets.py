@@ -38,6 +38,8 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     names = {name for page in site.pages for name in _start(site, page)}
     if not names:
         return []
+    # Loaded for those who come by a shared link, or when the script of a page fails.
+    names.add("page/notice.js")
     nodes = [node for page in site.pages for node in page.nodes.values()]
     workers = {programs[node.program].worker for node in nodes}
     names |= {f"workers/{worker}.js" for worker in workers}
@@ -56,6 +58,9 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if any(widget.kind == "console" for widget in _widgets(site.pages)):
         # Loaded by consoles whose program reads its input.
         names.add("ui/keyboard.js")
+    if any(widget.options.get("kind") == "vernie" for widget in _widgets(site.pages)):
+        # Loaded by visitors who connect the real robot.
+        names.add("widgets/robots/parts/moveHub.js")
     if any(widget.kind == "jupyter" for widget in _widgets(site.pages)):
         names |= {"jupyter/extension.js", "jupyter/ownGraph.js"}
     if any(widget.kind == "buttons" for widget in _widgets(site.pages)):
@@ -107,6 +112,10 @@ def _start(site: Site, page: Page) -> list[str]:
     names += (name for name in kinds if name in bundles.bundles())
     robots = (widget for widget in widgets if widget.kind == "robot")
     names += (f"widgets/robots/{robot.options['kind']}.js" for robot in robots)
+    if site.isolate:
+        names.append("page/isolation.js")
+    if any(widget.options.get("captions") for widget in widgets):
+        names.append("ui/caption.js")
     # The texts of widgets in the language of the page; the English texts are in the code.
     language = (page.language or site.language).partition("-")[0].lower()
     words = f"ui/words/{language}.js"

@@ -230,7 +230,7 @@ def test_other_arguments_are_for_the_author(tmp_path: Path) -> None:
 
 
 def test_what_was_written_for_a_turtle_has_one(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "demos/demo09/src", tmp_path / "src")
+    shutil.copytree(ROOT / "demos/demo09/src/py_artist", tmp_path / "src/py_artist")
     page = written(tmp_path)[""]
     assert list(page.nodes) == ["turtlesim", "star"]
     assert page.nodes["star"].needs == ("turtlesim",)

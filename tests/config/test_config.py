@@ -8,7 +8,7 @@ import pytest
 
 from sitegen.config import load, themes
 from sitegen.errors import Location, SiteError
-from sitegen.model import Markdown, Site, Widget
+from sitegen.model import Layout, Markdown, Site, Widget
 
 # Sites that are wrong, each with all lines that sitegen says about it.
 WRONG = Path(__file__).parent / "wrong"
@@ -336,6 +336,36 @@ def test_a_page_of_text_needs_no_workspace(tmp_path: Path) -> None:
         {"src/broken/package.xml": "<package>"},
     )
     assert site.packages == {}
+
+
+@pytest.mark.parametrize(("place", "shown"), [("below", True), ("beside", False), ("none", False)])
+def test_a_stage_shows_what_its_folded_consoles_say(
+    tmp_path: Path, place: str, shown: bool
+) -> None:
+    site = load_text(
+        tmp_path,
+        f"""\
+        site: {{title: Robot}}
+        workspace: .
+        nodes:
+          talker: {{package: cpp_pubsub, executable: talker}}
+        pages:
+          - path: /
+            title: Home
+            content:
+              - stage:
+                  show: [{{robot: {{kind: vernie}}}}, {{graph: }}]
+                  nodes: [talker]
+                  consoles: {place}
+        """,
+    )
+    [stage] = site.pages[0].content
+    assert isinstance(stage, Layout)
+    robot, graph = stage.cells[1].content
+    assert isinstance(robot, Widget)
+    assert isinstance(graph, Widget)
+    assert robot.options.get("captions") == (["talker"] if shown else None)
+    assert "captions" not in graph.options
 
 
 def load_text(folder: Path, site: str, files: dict[str, str] | None = None) -> Site:

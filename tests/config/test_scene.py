@@ -219,9 +219,11 @@ def test_topics_of_a_window_are_those_of_its_node(tmp_path: Path) -> None:
     rules = {"/map": "map", "/goal_pose": "goal_pose", "point": "/clicked"}
     problems, here = Problems(tmp_path), Location(tmp_path / "x.launch.py", 1)
     window = Window("rviz2", ["-d", str(file)], rules, {}, "/one", here)
-    [view] = windows.shown([window], problems, problems)
+    [view] = windows.shown([window], ["simulator"], problems, problems)
     assert isinstance(view, Widget)
     shown: Any = view.options
+    # What the nodes of the launch file print shows over the view.
+    assert shown["captions"] == ["simulator"]
     topics = [display["topic"] for display in shown["displays"]]
     assert topics == ["/one/scan", "/one/map", "/plan", "/one/menu/update"]
     assert shown["tools"] == {"goal": "/one/goal_pose", "point": "/clicked"}

@@ -129,6 +129,26 @@ def test_what_site_yaml_says_about_looks(tmp_path: Path) -> None:
     assert page.decode().count('rel="stylesheet"') == 1
 
 
+def test_visitors_load_style_sheets_without_comments(tmp_path: Path) -> None:
+    theme = tmp_path / "themes/mine"
+    theme.mkdir(parents=True)
+    (theme / "text.css").write_text(
+        "/* why\n   so */\na { color: red; /* x */ margin: 1px/**/2px }\n"
+        """b::after { content: "/* \\" '*/"; background: url(data:,/*) }\n"""
+        "/*! (c) me */ i { top: 0 } /* end */\n"
+    )
+    artifacts = {a.path: a.source for a in render(load(site(tmp_path)))}
+    joined = artifacts["theme/all-text.css"]
+    assert isinstance(joined, bytes)
+    kept = (
+        "a { color: red; margin: 1px 2px }\n"
+        """b::after { content: "/* \\" '*/"; background: url(data:,/*) }\n"""
+        "/*! (c) me */ i { top: 0 }"
+    )
+    assert kept in joined.decode()
+    assert "/* " not in joined.decode().replace(kept, "")
+
+
 def test_the_footer_is_markdown_whose_links_are_checked(tmp_path: Path) -> None:
     assert '<a href="#one">down</a>' in html(site(tmp_path, "default", ', footer: "[down](#one)"'))
     with pytest.raises(SiteError) as wrong:

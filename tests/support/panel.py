@@ -84,14 +84,18 @@ def numbers(panel: Speaker, before: str) -> list[int]:
 
 
 def graph(page: Scripted) -> dict[str, list[str]]:
-    """Who is in the graph of the page: nodes, what each topic connects, and all endpoints."""
+    """Who is in the graph of the page: nodes, what each topic connects, and all endpoints.
+
+    Those of the page's own panels, which are there while somebody is near them, are left out.
+    """
     found: dict[str, list[str]] = page.evaluate(
         """async () => {
           const src = document.querySelector("script[type=module]").src;
           const { ros } = await import(src);
           const ends = ros.graph.topics().filter((t) => t.name !== "/rosout").map(
             (t) => `${t.publishers} > ${t.name} (${t.types}) > ${t.subscriptions}`);
-          const all = ros.graph.endpoints().map((e) => e.name || e.node);
+          const own = ros.graph.endpoints().filter((e) => e.program);
+          const all = own.map((e) => e.name || e.node);
           return { nodes: ros.graph.nodes(), topics: ends, all };
         }"""
     )

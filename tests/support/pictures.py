@@ -32,11 +32,11 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo06": (["Start", "Start"], "I heard: 'Hello, world! 2", ".ros-row"),
     "demo07": (["Start"], "web_node", ".ros-row"),
     "demo08": ([], "STEP", ".ros-row"),
-    "demo09": (["Start", "Start"], "", ".columns"),
+    "demo09": (["Start", "Run"], "There is a star", ".columns"),
     "demo10": (["Random"], "tool at", ".columns"),
     "demo11": ([], "Drive me", ".columns"),
     "demo12": (["Play"], "0:09.", ".columns"),
-    "demo13": (["Run all"], "x 7.5", ".columns"),
+    "demo13": (["Run all"], "y 5.", ".columns"),
     "demo14": (TUTORIAL, "linear_velocity", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
@@ -46,9 +46,10 @@ def take(tab: Page, demo: str, url: str) -> None:
     """Write the picture of `demo`, whose page is at `url`."""
     buttons, text, part = SCENES[demo]
     tab.goto(url)
-    starts = tab.get_by_role("button", name="Start", exact=True)
-    for index, name in enumerate(buttons):
-        (starts.nth(index) if name == "Start" else tab.get_by_role("button", name=name)).click()
+    for name in buttons:
+        # One that was pressed is disabled.
+        exact = name in ("Start", "Run")
+        tab.get_by_role("button", name=name, exact=exact, disabled=False).first.click()
     if demo == "demo07":
         tab.locator(".ros-state[data-state=running]").first.wait_for()
         for line in PROMPT:
@@ -58,13 +59,7 @@ def take(tab: Page, demo: str, url: str) -> None:
     if tab.locator(".ros-3d").count():
         # The scanner and the meshes come a little later.
         tab.wait_for_timeout(3000)
-    if text:
-        tab.locator("main").get_by_text(text).first.wait_for(state="attached")
-    else:
-        # The turtle has drawn its star when its program has ended.
-        for state in ("running", "stopped"):
-            star = f'section[aria-label="star"] .ros-state[data-state={state}]'
-            tab.locator(star).first.wait_for(timeout=60_000)
+    tab.locator("main").get_by_text(text).first.wait_for(state="attached", timeout=60_000)
     top = tab.locator(part).first.bounding_box()
     assert top
     corner = {"x": top["x"], "y": top["y"] + tab.evaluate("scrollY")}

@@ -8,29 +8,17 @@ import { say } from "../ui/words.js";
 // The key in sessionStorage, followed by the address of the service worker, while a page is loaded a second time.
 const AGAIN = "sitegen:isolated:";
 
-let wanted = false;
-/** Why the page is not isolated, for the consoles of nodes that need it. */
-let reason = "";
-
-/** Return why Python cannot wait here, as the end of a sentence; empty if the site does not request isolation. */
-export function obstacle() {
-  if (!wanted) return "";
-  if (globalThis.crossOriginIsolated) return "; it does not support shared memory either";
-  return `; shared memory would do instead, but ${reason}`;
-}
-
 /**
- * Isolate the page. If that reloads the page, this function does not return.
+ * Isolate the page, and return why that is not possible, or "". If the page is reloaded, this function does not return.
  * @param {string} script the service worker of the site
  */
 export async function isolate(script) {
-  wanted = true;
   if (globalThis.crossOriginIsolated) {
     keep(script, false);
-    return;
+    return "";
   }
-  reason = hindrance(script);
-  if (reason) return;
+  const reason = hindrance(script);
+  if (reason) return reason;
   const word = create("div", "ros-word", say("This page reloads once to enable shared memory."));
   word.setAttribute("role", "status");
   document.body.append(word);
@@ -38,10 +26,10 @@ export async function isolate(script) {
     await activated(await navigator.serviceWorker.register(script));
     keep(script, true);
     location.reload();
-    await new Promise(() => {});
+    return await new Promise(() => {});
   } catch (error) {
     word.remove();
-    reason = `its service worker could not be installed (${error instanceof Error ? error.message : error})`;
+    return `its service worker could not be installed (${error instanceof Error ? error.message : error})`;
   }
 }
 

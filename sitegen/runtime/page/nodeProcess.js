@@ -4,7 +4,7 @@
 import { engine } from "../engine.js";
 import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
 import { compile } from "./compile.js";
-import { obstacle } from "./isolation.js";
+import { obstacle } from "./isolated.js";
 import { place } from "../place.js";
 import { faultOf } from "./reports.js";
 import { startWorker } from "../worker.js";

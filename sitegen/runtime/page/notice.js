@@ -5,15 +5,16 @@ import { button, create } from "../ui/elements.js";
 import { say } from "../ui/words.js";
 
 /**
- * Show a sentence until the visitor closes it. If there is a notice already, add the sentence to it.
+ * Show a sentence until the visitor or the caller closes it. If there is a notice already, add the sentence to it.
  * @param {string} sentence
  * @param {{label: string, press: () => void}} [action] a button that also closes the notice
+ * @returns {() => void} close the notice, unless other sentences are in it
  */
 export function notify(sentence, action) {
   const shown = document.querySelector(".ros-word");
   if (shown) {
     shown.firstElementChild?.append(` ${sentence}`);
-    return;
+    return () => {};
   }
   const close = button("", "ros-close", () => notice.remove());
   close.setAttribute("aria-label", say("Close"));
@@ -27,4 +28,7 @@ export function notify(sentence, action) {
   notice.append(close);
   notice.setAttribute("role", "status");
   document.body.append(notice);
+  return () => {
+    if (notice.firstElementChild?.textContent === sentence) notice.remove();
+  };
 }

@@ -2,7 +2,6 @@
 // The script that an author wrote for a page.
 
 import { place } from "../place.js";
-import { notify } from "./notice.js";
 
 // Nodes that start with the page wait for it for this long (ms), so that it misses no message.
 const PATIENCE = 3000;
@@ -13,8 +12,9 @@ const PATIENCE = 3000;
  */
 export function runScript({ file, module }, base) {
   const address = module.startsWith("sitegen:") ? place(module) : new URL(module, base).href;
-  const run = import(address).catch((error) => {
+  const run = import(address).catch(async (error) => {
     console.error(error);
+    const { notify } = await import(place("page/notice.js"));
     notify(`${file}: ${error}`);
   });
   return Promise.race([run, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);

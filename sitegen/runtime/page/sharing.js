@@ -2,8 +2,8 @@
 // Shared links restore the state of a page: running nodes, panels, tabs and the reading position. The state is the
 // fragment of the address, which is not sent to the server; docs/formats.md describes its format.
 
+import { place } from "../place.js";
 import { say, together } from "../ui/words.js";
-import { notify } from "./notice.js";
 
 /** @import { NodeHandle, PageEntry, Shared } from "../protocol.js" */
 
@@ -48,8 +48,10 @@ export class Sharing {
   restore() {
     for (const id of this.#given.tabs) {
       const tab = document.getElementById(id);
-      if (tab instanceof HTMLInputElement && tab.type === "radio") tab.checked = true;
-      else this.#odd = true;
+      if (tab instanceof HTMLInputElement && tab.type === "radio") {
+        tab.checked = true;
+        tab.dispatchEvent(new Event("change", { bubbles: true }));
+      } else this.#odd = true;
     }
     // Restore the fragment that the address had: a heading, or a slide.
     if (this.#given.at) location.replace(`#${this.#given.at}`);
@@ -102,12 +104,20 @@ export class Sharing {
   }
 
   /** Ask the visitor whether to start the nodes of the link that wait. @param {Map<string, NodeHandle>} nodes */
-  ask(nodes) {
+  async ask(nodes) {
     const names = [...this.#asked];
     if (!names.length) return;
     const what = names.length > NAMED ? say("{} nodes", names.length) : together(names);
     const press = () => names.forEach((name) => nodes.get(name)?.start());
-    notify(say("This link starts {}.", what), { label: say("Start"), press });
+    const { notify } = await loadNotice();
+    const close = notify(say("This link starts {}.", what), { label: say("Start"), press });
+    // The visitor may start them by their own buttons.
+    for (const name of names) {
+      nodes.get(name)?.addEventListener("state", () => {
+        this.#asked.delete(name);
+        if (!this.#asked.size) close();
+      });
+    }
   }
 
   /**
@@ -155,10 +165,11 @@ export class Sharing {
   }
 
   /** Tell the visitor, once, that parts of the link were ignored. */
-  tell() {
+  async tell() {
     if (!this.#odd && !Object.keys(this.#given.show).length) return;
     if (this.#told) return;
     this.#told = true;
+    const { notify } = await loadNotice();
     notify(say("Parts of this link no longer match this page and were ignored."));
   }
 
@@ -187,6 +198,11 @@ export class Sharing {
       this.#odd = true;
     }
   }
+}
+
+/** Few visitors see a notice. @returns {Promise<typeof import("./notice.js")>} */
+function loadNotice() {
+  return import(place("page/notice.js"));
 }
 
 /** Return the link that this tab has noted as its own, if any. */

@@ -1,5 +1,5 @@
 // @ts-check
-// Let a part of the page work only while it is visible.
+// Let a part of the page work only while somebody can see it.
 
 /**
  * Call `begin` when `element` becomes visible, and the function it returned when the element is scrolled out of view,
@@ -9,6 +9,22 @@
  * @returns {() => void} stop observing
  */
 export function whileSeen(element, begin) {
+  return observe(element, begin, {});
+}
+
+/**
+ * Like whileSeen, but already within a screen of the visible part, so that a panel has its content before one scrolls
+ * to it.
+ * @param {Element} element
+ * @param {() => () => void} begin
+ * @returns {() => void} stop observing
+ */
+export function whileNear(element, begin) {
+  return observe(element, begin, { rootMargin: "100% 0px" });
+}
+
+/** @param {Element} element @param {() => () => void} begin @param {IntersectionObserverInit} options */
+function observe(element, begin, options) {
   let inView = false;
   /** @type {(() => void) | undefined} */
   let end;
@@ -24,7 +40,7 @@ export function whileSeen(element, begin) {
   const observer = new IntersectionObserver((entries) => {
     inView = entries.at(-1)?.isIntersecting ?? false;
     look();
-  });
+  }, options);
   observer.observe(element);
   document.addEventListener("visibilitychange", look);
   return () => {

@@ -5,8 +5,9 @@ import { watchColours } from "../ui/colours.js";
 import { download } from "../ui/download.js";
 import { create, setNote } from "../ui/elements.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { tool, Toolbar } from "../ui/toolbar.js";
+import { place } from "../place.js";
 import { say } from "../ui/words.js";
 import { Camera, Map as MapIcon, Scan } from "../vendor/icons.js";
 import { DisplayList } from "./3d/displayList.js";
@@ -24,8 +25,9 @@ import { World } from "./3d/world.js";
  * @param {HTMLElement} element
  * @param {Ros} ros
  * @param {{frame?: string, displays?: Record<string, any>[], view?: View, top?: boolean, background?: string, tools?: string[],
- *   resources?: Record<string, string>}} options `displays` each have a `kind` and its options; without them, the view
- *   shows what there is. `resources` maps the URLs of meshes to addresses
+ *   resources?: Record<string, string>, captions?: string[]}} options `displays` each have a `kind` and its options;
+ *   without them, the view shows what there is. `resources` maps the URLs of meshes to addresses. What the nodes named
+ *   in `captions` print shows over the view
  * @returns {() => void} unmount
  */
 export function mount(element, ros, options) {
@@ -47,26 +49,17 @@ function show(element, ros, options, stage) {
   const frames = new FrameChooser(world);
   const list = new DisplayList(world);
   const tools = new Tools(ros, stage, world, options.tools);
-  const top = tool(say("Top"), MapIcon, () => {
-    stage.top = !stage.top;
-    stage.fit();
-    press();
-  }, say("Look straight down"));
-  const press = () => top.setAttribute("aria-pressed", String(stage.top));
-  const fit = tool(say("Fit"), Scan, () => {
-    stage.chosen = false;
-    stage.fit();
-  }, say("Show everything"));
-  const save = tool(say("Picture"), Camera, async () => {
-    const blob = await stage.picture();
-    if (blob) download(blob, "3d.png");
-  }, say("Save a picture"));
+  const { top, fit, save, press } = cameraTools(stage);
   const controls = new Toolbar([top, fit, ...tools.buttons, save], [fullScreenButton(element)]);
   const blind = create("p", "ros-scene-lost",
     say("The browser has stopped drawing this view: the graphics card was reset, or too many views are open."));
   blind.setAttribute("role", "alert");
   blind.hidden = true;
   stage.element.append(create("div", "ros-scene-tools", frames.element, controls.element), tools.note, blind);
+  const shown = new AbortController();
+  if (options.captions) {
+    import(place("ui/caption.js")).then(({ showCaption }) => showCaption(stage.element, ros, options.captions, shown.signal));
+  }
   stage.hint = (text) => tools.hint(text);
   stage.lost = (lost) => {
     blind.hidden = !lost;
@@ -91,15 +84,38 @@ function show(element, ros, options, stage) {
       if (state.displays) list.restore(state.displays, odd);
       press();
     });
-  const unlook = whileSeen(element, () => world.begin());
+  const unlook = whileNear(element, () => world.begin());
   return () => {
     unlook();
     unwatch();
+    shown.abort();
     tools.close();
     world.close();
     stage.close();
     element.replaceChildren();
   };
+}
+
+/**
+ * The buttons for what is in view; `press` shows whether it is seen from above.
+ * @param {Stage} stage
+ */
+function cameraTools(stage) {
+  const top = tool(say("Top"), MapIcon, () => {
+    stage.top = !stage.top;
+    stage.fit();
+    press();
+  }, say("Look straight down"));
+  const press = () => top.setAttribute("aria-pressed", String(stage.top));
+  const fit = tool(say("Fit"), Scan, () => {
+    stage.chosen = false;
+    stage.fit();
+  }, say("Show everything"));
+  const save = tool(say("Picture"), Camera, async () => {
+    const blob = await stage.picture();
+    if (blob) download(blob, "3d.png");
+  }, say("Save a picture"));
+  return { top, fit, save, press };
 }
 
 /** What the visitor has chosen. @param {Stage} stage @param {FrameChooser} frames @param {DisplayList} list @returns {Shared} */

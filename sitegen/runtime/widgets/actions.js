@@ -4,7 +4,7 @@
 import { isHidden } from "../graphNames.js";
 import { actionsOf } from "../messages/actionClient.js";
 import { create } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { Picks } from "../ui/picks.js";
 import { say } from "../ui/words.js";
 import { Sender } from "./actions/sender.js";
@@ -54,7 +54,7 @@ export function mount(element, ros, { show }) {
     sender.request.fill(state.goal, odd, state.action ?? first);
     if (state.action) choose(state.action);
   });
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     seen = true;
     look();
     ros.graph.addEventListener("change", look);

@@ -3,7 +3,7 @@
 
 import { TopicReader } from "../messages/topicReader.js";
 import { arrange, button, create, setText } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { Detail } from "./diagnostics/detail.js";
 import { LEVELS, createSign } from "./diagnostics/level.js";
@@ -32,7 +32,7 @@ export function mount(element, ros, { topic }) {
   const panel = new DiagnosticsPanel(ros, topic ?? "");
   element.replaceChildren(...panel.elements);
   ros.keep(element, { level: "string", status: "string" }, () => panel.read(), (state, odd) => panel.restore(state, odd));
-  const unlook = whileSeen(element, () => panel.begin());
+  const unlook = whileNear(element, () => panel.begin());
   return () => {
     unlook();
     element.replaceChildren();

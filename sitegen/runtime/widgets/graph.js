@@ -5,7 +5,7 @@ import { isHidden, isShown } from "../graphNames.js";
 import { Drawing } from "../ui/drawing.js";
 import { create, shape, toggle } from "../ui/elements.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { Graph, layout } from "../vendor/dagre.js";
 import { Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
@@ -64,7 +64,7 @@ export function mount(element, ros) {
     if (state.hidden) all.querySelector("input")?.click();
   });
   const resized = new ResizeObserver(look);
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     resized.observe(drawing.element);
     look();
     ros.graph.addEventListener("change", look);

@@ -5,7 +5,7 @@ import { isShown } from "../graphNames.js";
 import { create, setText } from "../ui/elements.js";
 import { download } from "../ui/download.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
 import { tool, Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
@@ -31,7 +31,7 @@ export function mount(element, ros, options) {
   element.replaceChildren(...panel.elements);
   const shape = /** @type {const} */ ({ topic: "string", min: "string", max: "string" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
-  const unlook = whileSeen(element, () => panel.begin());
+  const unlook = whileNear(element, () => panel.begin());
   return () => {
     unlook();
     panel.close();

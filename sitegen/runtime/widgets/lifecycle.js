@@ -2,7 +2,7 @@
 // The managed nodes of the page: their states, and buttons for the transitions that are available.
 
 import { arrange, create, setText } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { ManagedNode, TYPES, managedNodes } from "./lifecycle/node.js";
 
@@ -44,7 +44,7 @@ export function mount(element, ros, { show }) {
     hint.hidden = names.length > 0;
     setText(hint, missing ? say("no node on this page uses {}", missing.replace("_Request", "")) : NONE);
   };
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     seen = true;
     ros.graph.addEventListener("change", look);
     look();

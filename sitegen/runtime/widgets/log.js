@@ -3,7 +3,7 @@
 
 import { ROSOUT } from "../graphNames.js";
 import { create, setText } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
 import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
@@ -34,7 +34,7 @@ export function mount(element, ros, { lines: limit = 1000 }) {
     filters.restore(state, odd);
     log.redraw();
   });
-  const unlook = whileSeen(element, () => log.begin());
+  const unlook = whileNear(element, () => log.begin());
   return () => {
     unlook();
     element.replaceChildren();

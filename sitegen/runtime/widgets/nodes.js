@@ -3,7 +3,7 @@
 
 import { isShown } from "../graphNames.js";
 import { arrange, create, setText, toggle } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say, states } from "../ui/words.js";
 
 /** @import { EndpointKind, NodeHandle, Ros } from "../protocol.js" */
@@ -52,7 +52,7 @@ export function mount(element, ros) {
   ros.keep(element, { hidden: "boolean" }, () => ({ hidden }), (state) => {
     if (state.hidden) all.querySelector("input")?.click();
   });
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     look();
     ros.graph.addEventListener("change", look);
     for (const node of ros.nodes.values()) node.addEventListener("state", look);

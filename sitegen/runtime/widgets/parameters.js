@@ -7,7 +7,7 @@ import { parse, textOf } from "../messages/parameters/value.js";
 import { place } from "../place.js";
 import { download } from "../ui/download.js";
 import { arrange, button, create, setNote } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { Row } from "./parameters/row.js";
 
@@ -44,7 +44,7 @@ export function mount(element, ros, { show }) {
     arrange(nodes, names.map((name) => /** @type {NodeForm} */ (forms.get(name)).element));
     hint.hidden = names.length > 0;
   };
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     ros.graph.addEventListener("change", look);
     const unsubscribe = ros.types[EVENT]
       ? ros.subscribe("/parameter_events", EVENT, (event) => forms.get(event.node)?.hear(event), { depth: 100 }) : () => {};

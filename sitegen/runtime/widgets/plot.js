@@ -5,7 +5,7 @@ import { parsePath } from "../messages/path.js";
 import { create, setText } from "../ui/elements.js";
 import { download } from "../ui/download.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { numberText } from "../ui/numbers.js";
 import { setTool, tool, Toolbar, zoomTools } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
@@ -44,7 +44,7 @@ export function mount(element, ros, options) {
   element.replaceChildren(...panel.elements);
   const shape = /** @type {const} */ ({ series: "object", window: "string", points: "boolean" });
   ros.keep(element, shape, () => panel.read(), (state, odd) => panel.restore(state, odd));
-  const unlook = whileSeen(element, () => panel.begin());
+  const unlook = whileNear(element, () => panel.begin());
   return () => {
     unlook();
     panel.close();

@@ -4,7 +4,7 @@
 import { isShown } from "../graphNames.js";
 import { FormSlot } from "../messages/formSlot.js";
 import { create, setNote, setText } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { Repeat } from "./publish/repeat.js";
 
@@ -23,7 +23,7 @@ export function mount(element, ros, { topic, type }) {
   ros.keep(element, { topic: "string", message: "object", rate: "string" }, () => panel.read(), (state, odd) => {
     panel.restore(state, odd);
   });
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     const look = () => panel.look();
     look();
     ros.graph.addEventListener("change", look);

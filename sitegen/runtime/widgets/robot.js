@@ -16,18 +16,18 @@ const READABLE = 100;
 const LONGEST = 0.1;
 
 /**
- * Show a robot of `kind`; the other options depend on the kind.
+ * Show a robot of `kind`, and over it what the nodes named in `captions` print; the other options depend on the kind.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{kind: string}} options
+ * @param {{kind: string, captions?: string[]}} options
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { kind, ...options }) {
+export function mount(element, ros, { kind, captions, ...options }) {
   let unmounted = false;
   let unmount = () => {};
   // A page loads only the kinds that it shows.
   import(place(`widgets/robots/${kind}.js`)).then(({ create: make }) => {
-    if (!unmounted) unmount = show(element, ros, make, options);
+    if (!unmounted) unmount = show(element, ros, make, options, captions);
   });
   return () => {
     unmounted = true;
@@ -39,8 +39,9 @@ export function mount(element, ros, { kind, ...options }) {
 /**
  * @param {HTMLElement} element @param {Ros} ros
  * @param {(ros: Ros, options: object, changed: () => void) => Robot} make @param {object} options
+ * @param {string[]} [captions]
  */
-function show(element, ros, make, options) {
+function show(element, ros, make, options, captions = []) {
   let frame = 0;
   let last = 0;
   let read = 0;
@@ -83,12 +84,17 @@ function show(element, ros, make, options) {
     waits.hidden = !robot.waits || publishersOf(ros, robot.waits).length > 0;
   };
 
+  const shown = new AbortController();
+  if (captions.length) {
+    import(place("ui/caption.js")).then(({ showCaption }) => showCaption(stage, ros, captions, shown.signal));
+  }
   look();
   tell();
   changed();
   ros.graph.addEventListener("change", look);
   return () => {
     ros.graph.removeEventListener("change", look);
+    shown.abort();
     robot.close();
     cancelAnimationFrame(frame);
   };

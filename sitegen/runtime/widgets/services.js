@@ -3,7 +3,7 @@
 
 import { isShown } from "../graphNames.js";
 import { create, setText, toggle } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { Picks } from "../ui/picks.js";
 import { say } from "../ui/words.js";
 import { Call } from "./services/call.js";
@@ -35,7 +35,7 @@ export function mount(element, ros, { show }) {
     if (state.service) list.choose(state.service);
     if (state.hidden) list.showHidden();
   });
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     const look = () => list.look();
     look();
     ros.graph.addEventListener("change", look);

@@ -3,7 +3,7 @@
 
 import { create, setText } from "../ui/elements.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { Toolbar } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
 import { FrameEcho } from "./tf/echo.js";
@@ -54,7 +54,7 @@ export function mount(element, ros, { reference, frame }) {
     echo.show(transforms);
   };
   ros.keep(element, { reference: "string", frame: "string" }, () => echo.kept(), (state) => echo.restore(state));
-  const unlook = whileSeen(element, () => {
+  const unlook = whileNear(element, () => {
     /** @type {(() => void)[]} */
     const ends = [];
     const take = (/** @type {boolean} */ fixed) => (/** @type {any} */ message, /** @type {MessageInfo} */ info) => {

@@ -4,7 +4,7 @@
 import { isHidden, isShown } from "../graphNames.js";
 import { Echo } from "../messages/echo.js";
 import { arrange, create, setText, toggle } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { HEADINGS, Row } from "./topics/row.js";
 
@@ -33,7 +33,7 @@ export function mount(element, ros, { show, echo }) {
     if (topic) table.choose(topic === "none" ? "" : topic);
     if (hidden) table.showHidden();
   });
-  const unlook = whileSeen(element, () => table.begin());
+  const unlook = whileNear(element, () => table.begin());
   return () => {
     unlook();
     element.replaceChildren();

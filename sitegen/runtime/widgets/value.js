@@ -5,7 +5,7 @@ import { Derivative } from "../messages/derivative.js";
 import { isNumeric, isSliced, parsePath, readPath, toNumber, typeAt } from "../messages/path.js";
 import { TopicReader } from "../messages/topicReader.js";
 import { create, setText } from "../ui/elements.js";
-import { whileSeen } from "../ui/looking.js";
+import { whileNear } from "../ui/looking.js";
 import { say } from "../ui/words.js";
 import { createFace } from "./value/face.js";
 import { StateSign, stateOf } from "./value/state.js";
@@ -33,7 +33,7 @@ const DEPTH = 10;
 export function mount(element, ros, options) {
   const panel = new ValuePanel(ros, options);
   element.replaceChildren(...panel.elements);
-  const unlook = whileSeen(element, () => panel.begin());
+  const unlook = whileNear(element, () => panel.begin());
   return () => {
     unlook();
     element.replaceChildren();

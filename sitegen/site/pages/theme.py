@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,6 +19,12 @@ from sitegen.site.pages.texts import texts
 from sitegen.site.prose import lasting_name
 
 NOT_SERVED = {".html", ".yaml", ".md"}
+# A string or an address, which may contain what looks like a comment; or a comment with the space
+# around it. One that begins with "/*!" stays: it names a license.
+_COMMENT = re.compile(
+    r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|url\([^)]*\))|\s*/\*(?!!).*?\*/\s*""",
+    re.DOTALL,
+)
 
 
 @dataclass(frozen=True)
@@ -96,7 +103,7 @@ class Theme:
             if name == "site.css":
                 text = self.style
             elif name in files:
-                text = files[name].read_text(encoding="utf-8-sig")
+                text = _COMMENT.sub(_without, files[name].read_text(encoding="utf-8-sig"))
             else:
                 where = f"themes/{self.folders[-1].name}: theme"
                 known = nearest(name, (file for file in files if file.endswith(".css")))
@@ -119,6 +126,11 @@ def look_files(look: Look) -> list[Artifact]:
     named = (look.font, look.code_font, look.logo)
     files = (file for file in named if isinstance(file, Path))
     return [Artifact(lasting_name(file), file) for file in files]
+
+
+def _without(found: re.Match[str]) -> str:
+    """Return what stays of a part of a style sheet; a comment also separates words."""
+    return found[1] or ("\n" if "\n" in found[0] else " ")
 
 
 def _style(look: Look) -> str:

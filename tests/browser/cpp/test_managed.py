@@ -58,6 +58,8 @@ def test_a_node_has_its_other_forms(played: Played) -> None:
         "data = %0 OR NOT data LIKE 'a%'",
         "filter 1: b last",
         "filter 0: a ab abc b last",
+        # One ignores what its own process publishes, and is matched with it all the same.
+        "own: one two, 0, 1",
         "components::Circle is a components::Circle of components: ",
         "Could not create instance of type components::Circle",
         "round is a family::Round of family: ",

@@ -79,7 +79,7 @@ def test_what_does_not_suit_is_told_in_the_words_of_ros(page: Page) -> None:
     assert "requesting incompatible QoS. No messages will be sent to it." in (
         offers.console.inner_text()
     )
-    page.locator(".ros-topics").scroll_into_view_if_needed()
+    page.get_by_role("tab", name="Topics").click()
     warnings = page.locator(".ros-topics tbody p")
     expect(
         warnings.get_by_text("/strict does not receive from /offers. Durability: ")

@@ -247,9 +247,15 @@ def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: st
 
 def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     page.goto(url)
-    # A robot moves at once.
-    Panel(page, "dance").expect_state("running")
-    expect(page.locator(".ros-trace")).to_have_attribute("points", re.compile(r"\d \d|\d .*,.* "))
+    # A turtle draws at once, and says what.
+    expect(page.locator(".ros-caption")).to_have_text(re.compile(r"5 waves in 2 turns$"))
+    spirograph = Panel(page, "spirograph")
+    spirograph.wait_for("5 waves in 2 turns")
+    # Who drives it has it, and gives it back.
+    page.get_by_role("button", name="Forward").click()
+    spirograph.wait_for("The turtle is yours")
+    expect(page.locator(".ros-readings")).to_contain_text("2.00")
+    expect(spirograph.console).to_have_text(re.compile(r"yours.*5 waves in 2 turns", re.DOTALL))
     page.locator(".cards").get_by_role("link", name="Start and stop").click()
     expect(page).to_have_url(f"{url}demo02/")
     page.get_by_role("link", name="Next").click()

@@ -122,20 +122,16 @@ def demo08(visitor: Visitor) -> None:
 def demo09(visitor: Visitor) -> None:
     page = visitor.page
     paper = page.get_by_role("application")
+    star = Panel(page, "star", region="star: Editor")
+    run, line = star.button("Run"), star.console.locator("> :last-child")
     # Nobody is at a loss who starts with the program instead of the turtle.
-    visitor.start("star", page.get_by_text("star needs turtlesim.").first)
+    visitor.press(run, page.get_by_text("star needs turtlesim.").first)
     first = page.get_by_role("button", name="Start turtlesim first").first
-    visitor.press(first, page.locator(".ros-turtle"))
-    visitor.stop("star")
-    visitor.start("star", paper)
-    visitor.press(page.get_by_role("button", name="Turn left"), paper)
     # Where the program is changed, its output is seen.
-    run = page.get_by_role("button", name="Run")
-    line = (
-        page.get_by_role("region", name="star: Editor").get_by_role("log").locator("> :last-child")
-    )
+    visitor.press(first, line, "of 5")
+    visitor.press(page.get_by_role("button", name="Turn left"), paper)
     visitor.press(run, line, "of 5")
-    visitor.stop("star")
+    visitor.press(star.button("Stop"), star.panel.locator(".ros-state").first, "stopped")
     visitor.stop("turtlesim")
 
 

@@ -124,3 +124,35 @@ def test_a_narrow_panel_shows_what_was_framed(stage: Tab) -> None:
     assert not stage.evaluate("ros.kept().view")
     panel.locator("canvas").press("ArrowLeft")
     assert stage.evaluate("ros.kept().view")
+
+
+def test_what_is_seen_from_above_fills_the_view(stage: Tab) -> None:
+    panel = view(stage, {"kind": "markers", "topic": "/t"}, view=None)
+    add(stage, "publisher", "/robot", "/t", "visualization_msgs/msg/Marker")
+    emit(stage, "/t", "marker({ pose: pose(3, 1), scale: { x: 4, y: 2, z: 0.1 } })")
+    panel.get_by_role("button", name="Top").click()
+
+    def filled() -> float:
+        image = pixels(panel)
+        column = image.getchannel("R").crop(
+            (image.width // 2, 0, image.width // 2 + 1, image.height)
+        )
+        return sum(value > 60 for value in column.tobytes()) / image.height
+
+    until(lambda: 0.86 < filled() < 0.94, told=filled)
+
+
+def test_the_floor_fades_towards_its_edge(stage: Tab) -> None:
+    grid = {"kind": "grid", "cells": 4, "size": 1, "color": "#ffffff", "alpha": 1}
+    panel = view(stage, grid)
+
+    def brightness() -> list[int]:
+        image = pixels(panel)
+        near = [[pixel(image, x, y / 100)[0] for y in range(-3, 4)] for x in (0.2, 1.3, 1.9)]
+        return [max(each) for each in near]
+
+    def fades() -> bool:
+        middle, way, edge = brightness()
+        return middle > way + 30 and way > edge + 30
+
+    until(fades, told=brightness)

@@ -2,7 +2,7 @@
 // A text that faces the camera.
 
 import { CanvasTexture, Color, Sprite, SpriteMaterial, SRGBColorSpace } from "../../vendor/three.js";
-import { isLight } from "./stage.js";
+import { isLight } from "./color.js";
 
 const PIXELS = 48;
 const FONT = `${PIXELS * 0.75}px system-ui, sans-serif`;

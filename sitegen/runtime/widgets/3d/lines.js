@@ -20,7 +20,7 @@ export class Lines {
    * Show other segments.
    * @param {Float32Array} points x, y and z of both ends of each segment, in metres
    * @param {{color?: any, colors?: Float32Array, width?: number, opacity?: number}} style one colour, or r, g and b
-   *   (linear, 0 to 1) of both ends of each segment; the width in metres, or 0 for one pixel
+   *   (linear, 0 to 1) of both ends of each segment, of thin ones also alpha; the width in metres, or 0 for one pixel
    */
   show(points, { color = new Color(0xffffff), colors, width = 0, opacity = 1 }) {
     if (!points.length || (this.#object && this.#wide !== width > 0)) this.clear();
@@ -42,7 +42,7 @@ export class Lines {
     material.vertexColors = Boolean(colors);
     material.color.set(colors ? 0xffffff : color);
     material.opacity = opacity;
-    material.transparent = opacity < 1;
+    material.transparent = opacity < 1 || partsOf(points, colors) === 4;
     if (this.#wide) material.linewidth = width;
   }
 
@@ -86,8 +86,13 @@ function wideGeometry(points, colors) {
 function thinGeometry(points, colors) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
-  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, 3));
+  if (colors) geometry.setAttribute("color", new BufferAttribute(colors, partsOf(points, colors)));
   return geometry;
+}
+
+/** Return how many numbers a colour has: 3, or 4 with alpha. @param {Float32Array} points @param {Float32Array} [colors] */
+function partsOf(points, colors) {
+  return colors ? (3 * colors.length) / points.length : 3;
 }
 
 /**

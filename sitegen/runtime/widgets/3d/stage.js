@@ -3,10 +3,11 @@
 
 import {
   Box3, Color, DirectionalLight, Group, HemisphereLight, MOUSE, OrbitControls, OrthographicCamera, PerspectiveCamera,
-  Raycaster, Scene, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
+  Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer,
 } from "../../vendor/three.js";
 import { create } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
+import { isLight } from "./color.js";
 
 /** @typedef {{top: boolean, eye: number[], target: number[], zoom: number}} View where the camera is and looks (m) */
 
@@ -14,6 +15,10 @@ import { say } from "../../ui/words.js";
 const ANGLE = 45;
 // Most content does not fill the sphere around it, so a part of that may be out of view.
 const FILLED = 0.8;
+// Seen from above, content fills this part of the width or the height.
+const MARGIN = 0.9;
+// Smaller content is not magnified (m).
+const SMALL = 0.2;
 const START = new Vector3(-4, -4, 4);
 // Width by height of what RViz shows, in the window that it opens.
 const USUAL = 4 / 3;
@@ -239,12 +244,12 @@ export class Stage {
     const box = new Box3().setFromObject(this.content);
     if (box.isEmpty() || ![...box.min.toArray(), ...box.max.toArray()].every(Number.isFinite)) return;
     const middle = box.getCenter(new Vector3());
-    const radius = Math.max(box.getSize(new Vector3()).length() / 2, 0.1);
+    const radius = Math.max(box.getSize(new Vector3()).length(), SMALL) / 2;
     const size = this.#renderer.getSize(new Vector2());
     const narrow = Math.min(1, size.x / size.y);
     if (this.#isTop) {
       this.#top.position.set(middle.x, middle.y, box.max.z + 10);
-      this.#top.zoom = narrow / radius;
+      this.#top.zoom = this.#topZoom(box.getSize(new Vector3()));
     } else {
       const towards = this.#perspective.position.clone().sub(this.#orbit.target).normalize();
       const away = (FILLED * radius) / Math.sin((ANGLE * Math.PI) / 360) / narrow;
@@ -256,6 +261,12 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     this.#controls.update();
     this.redraw();
+  }
+
+  /** Return the zoom at which all of a box is in view from above. @param {InstanceType<typeof Vector3>} size of the box */
+  #topZoom({ x, y }) {
+    const { right, top } = this.#top;
+    return MARGIN * Math.min((2 * right) / Math.max(x, SMALL), (2 * top) / Math.max(y, SMALL));
   }
 
   /**
@@ -373,17 +384,6 @@ export class Stage {
     this.#controls.update();
     this.redraw();
   }
-}
-
-/** Whether black is read better on a colour than white. @param {InstanceType<typeof Color>} color */
-export function isLight({ r, g, b }) {
-  // The luminance of WCAG, of which 0.18 has the same contrast to both.
-  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.18;
-}
-
-/** Return a colour of ROS, whose parts are from 0 to 1. @param {{r: number, g: number, b: number}} color */
-export function colorOf({ r, g, b }) {
-  return new Color().setRGB(r, g, b, SRGBColorSpace);
 }
 
 /** Return a Stage, or the reason why there is none. @param {string} label @returns {Stage | string} */

@@ -3,10 +3,10 @@
 
 import { shape, toggle } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
+import { obstacle } from "./parts/bluetooth.js";
 import { obey, TWIST } from "./parts/commands.js";
 import { createFloor } from "./parts/floor.js";
 import { describe, drive } from "./parts/motion.js";
-import { obstacle } from "./parts/moveHub.js";
 import { createSenses } from "./parts/senses.js";
 import { Connection } from "./vernie/connection.js";
 import { Light, STRING } from "./vernie/light.js";

@@ -1,5 +1,6 @@
 // Publishers, subscriptions, services and clients: the parts that do not depend on message types.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "endpoint_qos.hpp"
@@ -53,6 +54,8 @@ namespace detail
 namespace
 {
 
+// A gid is the number of the process times this, plus that of the endpoint: gidOf in protocol.js.
+constexpr double kProcess = 4294967296.0;
 // Larger buffers (bytes) are released after use.
 constexpr std::size_t kLarge = 1024 * 1024;
 
@@ -84,6 +87,11 @@ std::size_t Endpoint::matched() const {return static_cast<std::size_t>(ros_match
 
 rmw_gid_t Endpoint::gid() const {return rmw_gid(ros_gid(id_));}
 
+bool Endpoint::is_local(double gid) const
+{
+  return std::floor(gid / kProcess) == std::floor(ros_gid(id_) / kProcess);
+}
+
 bool Receiver::execute_one()
 {
   SerializedMessage bytes;
@@ -103,9 +111,11 @@ bool Receiver::is_ready() const
 bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer_gid)
 {
   ros_message_info from;
-  const std::int32_t size = ros_next(id(), &from);
-  if (size < 0) {return false;}
-  ros_take(id(), bytes.resize(static_cast<std::size_t>(size)));
+  do {
+    const std::int32_t size = ros_next(id(), &from);
+    if (size < 0) {return false;}
+    ros_take(id(), bytes.resize(static_cast<std::size_t>(size)));
+  } while (ignores_local_ && is_local(from.writer_gid));
   info = {};
   info.source_timestamp = detail::nanoseconds(from.source_timestamp);
   info.received_timestamp = detail::nanoseconds(from.received_timestamp);
@@ -238,6 +248,7 @@ SubscriptionBase::SubscriptionBase(
   intra_process_(options.use_intra_process_comm)
 {
   refuse_network_flow(options.require_unique_network_flow_endpoints, "subscription");
+  ignores_local_ = options.ignore_local_publications;
   share(intra_process_ == IntraProcessSetting::Enable);
   if (!options.content_filter_options.filter_expression.empty()) {
     filter(options.content_filter_options, "could not create subscription");

@@ -1,5 +1,5 @@
 // @ts-check
-// The floor of the scene: a grid.
+// The floor of the scene: a grid that fades towards its edge.
 
 import { Color } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
@@ -8,6 +8,10 @@ import { Lines } from "../lines.js";
 /** @import { Kind } from "../shown.js" */
 
 const MOST = 1000;
+// A line of the floor has this many parts at most, so that it can fade along its length.
+const PARTS = 20;
+// Where fading begins, as a part of the way from the middle to the edge.
+const CLEAR = 0.3;
 
 /** @type {Kind} */
 export const kind = {
@@ -22,16 +26,39 @@ export const kind = {
       set({ cells: wanted, size, color, alpha, plane, width }) {
         const cells = Math.max(1, Math.min(MOST, Math.round(wanted)));
         const half = (cells * size) / 2;
-        const points = [];
-        for (let index = 0; index <= cells; index++) {
-          const at = index * size - half;
-          points.push([-half, at], [half, at], [at, -half], [at, half]);
-        }
+        // Wide lines have no opacity of their own at each end, and somebody has chosen their width to see them.
+        const points = width ? gridPoints(cells, 1) : gridPoints(cells, Math.min(cells, PARTS));
         const order = plane === "XZ" ? [0, 2, 1] : plane === "YZ" ? [2, 0, 1] : [0, 1, 2];
-        const flat = points.flatMap(([x = 0, y = 0]) => order.map((axis) => [x, y, 0][axis] ?? 0));
-        lines.show(new Float32Array(flat), { color: new Color(color), opacity: alpha, width });
+        const flat = points.flatMap(([x, y]) => order.map((axis) => half * ([x, y, 0][axis] ?? 0)));
+        const { r, g, b } = new Color(color);
+        const colors = points.flatMap(([x, y]) => [r, g, b, fade(Math.hypot(x, y))]);
+        const look = width ? { color: new Color(color), width } : { colors: new Float32Array(colors) };
+        lines.show(new Float32Array(flat), { ...look, opacity: alpha });
       },
       frame: () => options.frame || world.fixed,
     };
   },
 };
+
+/**
+ * Return both ends of each part of each line, from -1 to 1 in both directions.
+ * @param {number} cells @param {number} parts of each line
+ */
+function gridPoints(cells, parts) {
+  /** @type {[number, number][]} */
+  const points = [];
+  for (let line = 0; line <= cells; line++) {
+    const at = (2 * line) / cells - 1;
+    for (let part = 0; part < parts; part++) {
+      const [from, to] = [(2 * part) / parts - 1, (2 * (part + 1)) / parts - 1];
+      points.push([from, at], [to, at], [at, from], [at, to]);
+    }
+  }
+  return points;
+}
+
+/** Return the opacity of a point of the floor: it has no edge. @param {number} away from the middle; 1 is the edge */
+function fade(away) {
+  const part = Math.min(Math.max((away - CLEAR) / (1 - CLEAR), 0), 1);
+  return 1 - part * part * (3 - 2 * part);
+}

@@ -2,6 +2,7 @@
 // A LEGO Move Hub over Web Bluetooth, with the LEGO Wireless Protocol 3.
 
 import { say } from "../../../ui/words.js";
+import { obstacle } from "./bluetooth.js";
 
 const SERVICE = "00001623-1212-efde-1623-785feabcde23";
 const CHARACTERISTIC = "00001624-1212-efde-1623-785feabcde23";
@@ -41,19 +42,6 @@ const FAREWELL = 500;
  * }} Listener
  * @typedef {Awaited<ReturnType<typeof connect>>} MoveHub
  */
-
-/** Return why this page cannot connect to a hub, or "". */
-export function obstacle() {
-  if (!window.isSecureContext) {
-    return say("Browsers allow Bluetooth only on https:// pages and on this computer. " +
-      "Open this page at such an address to connect a robot.");
-  }
-  if (!navigator.bluetooth) {
-    return say("This browser does not support Web Bluetooth. " +
-      "Chrome and Edge do, on computers and on Android. The simulated robot works without it.");
-  }
-  return "";
-}
 
 /**
  * Let the visitor choose a hub, and connect to it. Browsers allow this only in a click handler. Rejects with an Error

@@ -1,9 +1,10 @@
 // @ts-check
 // The connection to a real Vernie, which the visitor starts and ends by a button.
 
+import { place } from "../../../place.js";
 import { button, setText } from "../../../ui/elements.js";
 import { say } from "../../../ui/words.js";
-import { connect, obstacle } from "../parts/moveHub.js";
+import { obstacle } from "../parts/bluetooth.js";
 
 /** @import { Listener, MoveHub } from "../parts/moveHub.js" */
 
@@ -41,6 +42,9 @@ export class Connection {
     this.#update();
     try {
       const lost = say("The connection was lost: the hub is off or too far away. Connect again.");
+      // Few visitors have such a robot.
+      /** @type {typeof import("../parts/moveHub.js")} */
+      const { connect } = await import(place("widgets/robots/parts/moveHub.js"));
       const hub = await connect({ ...this.#sensors, lost: () => this.#end(lost) });
       if (this.#closed) {
         hub.disconnect();

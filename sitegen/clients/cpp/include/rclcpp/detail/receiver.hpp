@@ -36,6 +36,8 @@ public:
   std::int32_t id() const {return id_;}
   /// Its gid, as received with its messages.
   rmw_gid_t gid() const;
+  /// Whether the endpoint with this gid is of this process.
+  bool is_local(double gid) const;
   /// The number of matching endpoints.
   std::size_t matched() const;
 
@@ -67,6 +69,9 @@ protected:
   /// Read `bytes` into `message`; if they are not of its type, log an error and return false.
   bool decode(
     const MessageMembers & type, const SerializedMessage & bytes, void * message) const;
+
+  /// Drop what publishers in this process send, which is one context.
+  bool ignores_local_ = false;
 
 private:
   std::uint64_t received_ = 0;

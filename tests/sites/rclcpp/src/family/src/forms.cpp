@@ -112,6 +112,28 @@ void filter(const rclcpp::Node::SharedPtr & node)
   say_all();
 }
 
+void ignore_own(const rclcpp::Node::SharedPtr & node)
+{
+  rclcpp::SubscriptionOptions options;
+  options.ignore_local_publications = true;
+  std::string heard;
+  auto deaf = node->create_subscription<String>(
+    "own", 20, [&](const String & word) {heard += " own " + word.data;}, options);
+  auto plain = node->create_subscription<String>(
+    "own", 20, [&](const String & word) {heard += " " + word.data;});
+  auto publisher = node->create_publisher<String>("own", 20);
+  for (const char * word : {"one", "two"}) {
+    String message;
+    message.data = word;
+    publisher->publish(message);
+  }
+  while (heard.find("two") == std::string::npos) {rclcpp::spin_some(node);}
+  String message;
+  rclcpp::MessageInfo info;
+  const bool took = deaf->take(message, info);
+  std::printf("own:%s, %d, %zu\n", heard.c_str(), took, deaf->get_publisher_count());
+}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -150,6 +172,7 @@ int main(int argc, char ** argv)
   std::printf("%s\n", rcpputils::join(heard, ", ").c_str());
 
   filter(node);
+  ignore_own(node);
   load_plugins();
   use_files();
 
