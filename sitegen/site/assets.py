@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from sitegen.model import Artifact, Page, Programs, Site, Widget
+from sitegen.model import Artifact, Page, Programs, Python, Site, Widget
 from sitegen.nodes.python import pyodide
 from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
 from sitegen.site import bundles
@@ -27,6 +27,11 @@ def takes_part(site: Site, page: Page) -> bool:
     if page.script or site.messages_from:
         return is_live(page)
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
+
+
+def isolates(site: Site, page: Page) -> bool:
+    """Return whether `page` requests cross-origin isolation, which only Python nodes need."""
+    return bool(site.isolate) and any(isinstance(n.kind, Python) for n in page.nodes.values())
 
 
 def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Artifact]:
@@ -112,7 +117,7 @@ def _start(site: Site, page: Page) -> list[str]:
     names += (name for name in kinds if name in bundles.bundles())
     robots = (widget for widget in widgets if widget.kind == "robot")
     names += (f"widgets/robots/{robot.options['kind']}.js" for robot in robots)
-    if site.isolate:
+    if isolates(site, page):
         names.append("page/isolation.js")
     if any(widget.options.get("captions") for widget in widgets):
         names.append("ui/caption.js")

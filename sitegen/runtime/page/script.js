@@ -12,10 +12,10 @@ const PATIENCE = 3000;
  */
 export function runScript({ file, module }, base) {
   const address = module.startsWith("sitegen:") ? place(module) : new URL(module, base).href;
-  const run = import(address).catch(async (error) => {
+  const run = import(address).catch((error) => {
     console.error(error);
-    const { notify } = await import(place("page/notice.js"));
-    notify(`${file}: ${error}`);
+    // Not waited for: nodes start in any case, also where this module cannot be loaded.
+    import(place("page/notice.js")).then(({ notify }) => notify(`${file}: ${error}`));
   });
   return Promise.race([run, new Promise((resolve) => setTimeout(resolve, PATIENCE))]);
 }

@@ -8,7 +8,7 @@ from dataclasses import asdict, fields
 from functools import partial
 from typing import Any
 
-from sitegen.model import Effect, Handler, Launch, Page, Programs, Python, Site, Widget
+from sitegen.model import Effect, Handler, Launch, Page, Programs, Site, Widget
 from sitegen.site import assets
 from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.ownpanels import OwnPanels
@@ -95,7 +95,7 @@ def page_entry(
         entry["launch"] = _launch(page.launch, pressed)
     if page.start_from_links:
         entry["startFromLinks"] = True
-    if site.isolate and any(isinstance(node.kind, Python) for node in page.nodes.values()):
+    if assets.isolates(site, page):
         entry["isolate"] = address(page, "sw.js")
     return entry
 

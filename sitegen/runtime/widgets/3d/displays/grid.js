@@ -31,8 +31,9 @@ export const kind = {
         const order = plane === "XZ" ? [0, 2, 1] : plane === "YZ" ? [2, 0, 1] : [0, 1, 2];
         const flat = points.flatMap(([x, y]) => order.map((axis) => half * ([x, y, 0][axis] ?? 0)));
         const { r, g, b } = new Color(color);
-        const colors = points.flatMap(([x, y]) => [r, g, b, fade(Math.hypot(x, y))]);
-        const look = width ? { color: new Color(color), width } : { colors: new Float32Array(colors) };
+        const look = width ? { color: new Color(color), width } : {
+          colors: new Float32Array(points.flatMap(([x, y]) => [r, g, b, fade(Math.hypot(x, y))])),
+        };
         lines.show(new Float32Array(flat), { ...look, opacity: alpha });
       },
       frame: () => options.frame || world.fixed,
