@@ -11,20 +11,20 @@ import { say } from "../ui/words.js";
  * @returns {() => void} close the notice, unless other sentences are in it
  */
 export function notify(sentence, action) {
+  const act = action && button(action.label, "ros-act", () => {
+    act?.parentElement?.remove();
+    action.press();
+  });
   const shown = document.querySelector(".ros-word");
   if (shown) {
     shown.firstElementChild?.append(` ${sentence}`);
+    if (act) shown.firstElementChild?.after(act);
     return () => {};
   }
   const close = button("", "ros-close", () => notice.remove());
   close.setAttribute("aria-label", say("Close"));
   const notice = create("div", "ros-word", create("span", "", sentence));
-  if (action) {
-    notice.append(button(action.label, "ros-act", () => {
-      notice.remove();
-      action.press();
-    }));
-  }
+  if (act) notice.append(act);
   notice.append(close);
   notice.setAttribute("role", "status");
   document.body.append(notice);

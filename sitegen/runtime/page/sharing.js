@@ -200,9 +200,12 @@ export class Sharing {
   }
 }
 
-/** Few visitors see a notice. @returns {Promise<typeof import("./notice.js")>} */
+/** @type {Promise<typeof import("./notice.js")> | undefined} */
+let loading;
+
+/** Few visitors see a notice. There is one promise, so that sentences come in the order in which they were said. */
 function loadNotice() {
-  return import(place("page/notice.js"));
+  return loading ??= /** @type {Promise<typeof import("./notice.js")>} */ (import(place("page/notice.js")));
 }
 
 /** Return the link that this tab has noted as its own, if any. */

@@ -261,3 +261,18 @@ def test_nothing_moves_when_widgets_come_and_nothing_stays_when_they_go(page: Ta
     assert page.evaluate("left.textContent") == "stopped"
     assert page.locator(".ros-widget > *").count() == 0
     assert page.evaluate(measure) == mounted
+
+
+def test_a_notice_that_says_more_has_the_button_for_it(stage: Tab) -> None:
+    stage.evaluate(
+        """async () => {
+          const { notify } = await import("./runtime/page/notice.js");
+          notify("First.");
+          notify("Second.", { label: "Start", press: () => void (window.pressed = true) });
+        }"""
+    )
+    notice = stage.locator(".ros-word")
+    expect(notice).to_contain_text("First. Second.")
+    notice.get_by_role("button", name="Start").click()
+    expect(notice).to_have_count(0)
+    assert stage.evaluate("window.pressed")
