@@ -50,7 +50,8 @@ def make(
     bundles.refresh(report)
 
     # Load site.yaml into a Site and scan the workspace that it names.
-    site = config.load(folder / "site.yaml")
+    with report.during("site.yaml", "reading it, and the workspace"):
+        site = config.load(folder / "site.yaml")
     if options.live:
         site = replace(site, offline=None)
     if options.version:
@@ -70,17 +71,20 @@ def make(
     site = bags.with_views(site)
 
     # Render Markdown pages to HTML, each with its page.json.
-    renderer = pages.Renderer(site, programs)
-    rendered = renderer.every_page()
-    artifacts = renderer.site_artifacts(rendered)
+    with report.during("pages", f"rendering {len(site.pages)}"):
+        renderer = pages.Renderer(site, programs)
+        rendered = renderer.every_page()
+        artifacts = renderer.site_artifacts(rendered)
     notes = [*site.notes, *(note for page in rendered for note in page.notes)]
     site = replace(site, notes=tuple(dict.fromkeys(notes)))
 
     # These artifacts, and the files that they refer to, make up the site.
     others = assets.runtime(site, programs, debug=options.debug)
     others += assets.search(site)
-    others += jupyter.artifacts(site, cache_folder())
-    others += [] if options.live else renderer.index(rendered)
+    others += jupyter.artifacts(site, cache_folder(), report)
+    if not options.live:
+        with report.during("search", "writing the index"):
+            others += renderer.index(rendered)
     others += {file.path: file for one in programs.values() for file in one.files}.values()
     others.append(Artifact(MARKER, b"written by sitegen\n"))
     if site.deploy.cname:

@@ -7,6 +7,8 @@ import re
 import shutil
 import sys
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal, TextIO
 
@@ -39,11 +41,25 @@ class Report:
         """Show that `name` is now at the step `what`."""
         with self._lock:
             self._live[name] = what
-            if self._out.isatty():
+            if self._moves:
                 self._erase()
                 self._draw()
             else:
                 print(f"{name}: {what}", file=self._out, flush=True)
+
+    def showing(self, name: str, what: str) -> None:
+        """Show on a terminal that `name` is now at the step `what`; say nothing elsewhere."""
+        if self._moves:
+            self.doing(name, what)
+
+    @contextmanager
+    def during(self, name: str, what: str) -> Iterator[None]:
+        """Show a step on a terminal while the body of a `with` statement runs."""
+        self.showing(name, what)
+        try:
+            yield
+        finally:
+            self.done(name)
 
     def done(self, name: str) -> None:
         """Remove the line of the task `name`."""
@@ -52,13 +68,18 @@ class Report:
             self._live.pop(name, None)
             self._draw()
 
+    @property
+    def _moves(self) -> bool:
+        """Whether the output is a terminal on which lines can change."""
+        return self._out.isatty() and os.environ.get("TERM") != "dumb"
+
     def _erase(self) -> None:
         if self._drawn:
             self._out.write(f"\x1b[{self._drawn}A\x1b[J")
             self._drawn = 0
 
     def _draw(self) -> None:
-        if not self._out.isatty():
+        if not self._moves:
             return
         lines = [f"  {name}: {what}" for name, what in self._live.items()]
         if len(lines) > LIVE:

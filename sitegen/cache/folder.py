@@ -11,7 +11,7 @@ from pathlib import Path
 from platformdirs import user_cache_path
 
 # Entries that can be built again from the workspace. Downloads are never removed.
-MADE = ("descriptions", "nodes", "work")
+MADE = ("descriptions", "durations", "nodes", "work")
 # The time in seconds after which an unused entry is removed.
 KEPT = 60 * 24 * 3600
 
@@ -34,4 +34,4 @@ def forget_old(cache: Path) -> None:
     for kept in (each for name in MADE for each in (cache / name).glob("*")):
         with contextlib.suppress(OSError):
             if kept.stat().st_mtime < limit:
-                shutil.rmtree(kept)
+                shutil.rmtree(kept) if kept.is_dir() else kept.unlink()

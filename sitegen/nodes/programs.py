@@ -31,7 +31,7 @@ def programs_of(
     nodes = nodes_of(site)
     # Errors in a Python program are reported before the minutes that compiling takes.
     ros2wasm = ros2wasm_programs(site, nodes, cache=cache)
-    python = python_programs(site, nodes, cache=cache, say=report.say)
+    python = python_programs(site, nodes, cache=cache, report=report)
 
     engines = engines_of(site, options)
     own = compiler.compile_nodes(

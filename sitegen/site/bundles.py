@@ -61,8 +61,10 @@ def refresh(report: Report) -> None:
     with FileLock(folder / "bundles.lock"):
         if not is_current():
             report.doing("runtime", "its modules have changed; bundling them again")
-            make()
-            report.done("runtime")
+            try:
+                make()
+            finally:
+                report.done("runtime")
 
 
 def make() -> None:

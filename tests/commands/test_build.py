@@ -129,7 +129,11 @@ def test_pages_may_share_a_file(tmp_path: Path) -> None:
     assert (tmp_path / "dist" / "demo" / "data.csv").read_text() == "1,2\n"
 
 
-def test_a_terminal_gets_a_live_line_for_each_thing_under_way() -> None:
+def test_a_terminal_gets_a_live_line_for_each_thing_under_way(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+
     class Terminal(io.StringIO):
         def isatty(self) -> bool:
             return True
@@ -140,6 +144,24 @@ def test_a_terminal_gets_a_live_line_for_each_thing_under_way() -> None:
     report.doing("listener", "compiling")
     report.done("talker")
     assert screen.getvalue().endswith("\x1b[2A\x1b[J  listener: compiling\n")
+
+
+def test_a_terminal_shows_the_stages_of_a_build_and_keeps_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    screen = Terminal()
+    site = notes(tmp_path, "      - markdown: Hello\n")
+    build(site, output=tmp_path / "dist", report=Report(screen))
+    written = screen.getvalue()
+    for stage in ("site.yaml: reading it, and the workspace", "pages: rendering 1"):
+        assert f"  {stage}\n\x1b[1A\x1b[J" in written
+    assert "pages: rendering" not in written.rpartition("\x1b[J")[2]
 
 
 def test_sizes_are_written_for_people() -> None:

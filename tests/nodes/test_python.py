@@ -184,7 +184,7 @@ def names(data: bytes) -> set[str]:
 def test_archives_hold_what_a_package_uses(package: Path, tmp_path: Path) -> None:
     (package / "setup.py").write_text(SETUP_PY)
     site = config.load(package.parents[1] / "site.yaml")
-    bundles = archives.bundle(site, nodes_of(site), cache=tmp_path / "cache")
+    bundles = archives.bundle(site, nodes_of(site), cache=tmp_path / "cache", report=Report())
     common = names(bundles.archives["nodes/ros.zip"])
     assert {"python/rclpy/_rclpy_pybind11.py", "python/rclpy/action/client.py"} <= common
     # Imported though package.xml does not name it, with what it nests; nothing else.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import shutil
 import subprocess
@@ -14,6 +15,7 @@ from sitegen.config import load
 from sitegen.errors import SiteError
 from sitegen.nodes.programs import nodes_of
 from sitegen.nodes.python import archives, dependencies, imports
+from sitegen.report import Report
 
 SHA256 = "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0"
 REQUIREMENT = f"sortedcontainers==2.4.0 --hash=sha256:{SHA256}\n"
@@ -54,7 +56,7 @@ def write(site: Path, files: dict[str, str]) -> None:
 def problems(site: Path, tmp_path: Path) -> list[str]:
     loaded = load(site / "site.yaml")
     with pytest.raises(SiteError) as caught:
-        archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+        archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", report=Report())
     return caught.value.lines
 
 
@@ -109,9 +111,9 @@ def test_what_only_some_runs_import_is_left_out_with_a_note(site: Path, tmp_path
     text = "def main(show):\n    if show:\n        import matplotlib.pyplot as plt\n"
     write(site, {"run.py": text})
     loaded = load(site / "site.yaml")
-    said: list[str] = []
-    archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", say=said.append)
-    assert said == [
+    report = Report(io.StringIO())
+    archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", report=report)
+    assert report.said == [
         "src/mine/run.py:3: import matplotlib: 'matplotlib' needs a build for Pyodide; "
         "give the location of the Pyodide distribution in 'pyodide: {packages: …}' "
         "(skipped: imported only conditionally)"
@@ -155,7 +157,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     write(site, {"run.py": "import sortedcontainers\n"})
     (site / "site.yaml").write_text(SITE + "pyodide: {packages: shelf}\n")
     loaded = load(site / "site.yaml")
-    bundles = archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+    bundles = archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", report=Report())
     path = f"nodes/wheels/{wheel.name}.zip"
     assert bundles.needed["mine", "run.py"] == (
         "nodes/ros.zip",
@@ -164,7 +166,7 @@ def test_compiled_packages_come_from_where_the_author_says(
     )
     # Of another content it is not taken, and what was taken before needs it no more.
     wheel.write_bytes(b"something else")
-    assert archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache")
+    assert archives.bundle(loaded, nodes_of(loaded), cache=tmp_path / "cache", report=Report())
     shutil.rmtree(tmp_path / "cache")
     [line] = problems(site, tmp_path)
     assert "import sortedcontainers: " in line

@@ -9,8 +9,13 @@ from paths import ROOT
 READ = re.compile(r"""(?:read_text\((?:encoding=)?|parser\.read\(.*?encoding=)["']utf-8["']""")
 # The modules whose texts were written by sitegen or by a program, not by an author.
 OWN = {
-    *("cache/unchanged.py", "commands/new.py", "commands/schema.py", "commands/single.py"),
-    *("commands/types.py", "commands/versions/build.py", "commands/versions/listed.py"),
+    *("cache/durations.py", "cache/unchanged.py", "commands/new.py", "commands/schema.py"),
+    *(
+        "commands/single.py",
+        "commands/types.py",
+        "commands/versions/build.py",
+        "commands/versions/listed.py",
+    ),
     *("config/displays.py", "gateway/native/descriptions.py", "gateway/native/types.py"),
     *("interfaces/declarations.py", "nodes/cpp/cmake.py", "nodes/cpp/diagnosis.py"),
     *("nodes/cpp/sourcemap.py", "nodes/python/archives.py", "site/bundles.py", "site/engine.py"),

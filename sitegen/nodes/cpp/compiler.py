@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 from filelock import FileLock
 
 from sitegen.cache.digest import digest_of
+from sitegen.cache.durations import Durations
 from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
-from sitegen.interfaces import generator, messages
+from sitegen.interfaces import generator
 from sitegen.model import BROWSERS, Build, Package
-from sitegen.nodes.cpp import sourcemap
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
+from sitegen.nodes.cpp.progress import Progress, counted, plan
+from sitegen.nodes.cpp.store import keep
 from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
@@ -167,6 +168,7 @@ class Compiler:
         self._debug = options.debug
         self._draft = options.draft and not options.debug
         self._base = digest_of(sources(), tools.identity)
+        self._cache = cache
         self._nodes = cache / "nodes"
         self._work = work_folder(tools, cache)
         self._digests: dict[Path, str] = {}
@@ -252,8 +254,9 @@ class Compiler:
         for name in sorted(strict):
             self._report.say(f"{name}: -Werror has no effect in builds for the browser")
 
-    def _cmake(self, engine: str) -> CMake:
-        return CMake(self._tools, self._work, engine, self._debug, self._draft)
+    def _cmake(self, engine: str, watch: Callable[[str], None] | None = None) -> CMake:
+        tools = replace(self._tools, watch=watch)
+        return CMake(tools, self._work, engine, self._debug, self._draft)
 
     def _write_ros(self) -> None:
         complete = self._work / "ros.complete"
@@ -263,11 +266,11 @@ class Compiler:
             complete.touch()
 
     def _compile_library(self, engine: str) -> None:
-        cmake = self._cmake(engine)
+        name, what = f"rclcpp ({BROWSERS[engine]})", "compiling the library (once for all nodes)"
+        cmake = self._cmake(engine, counted(self._report, name, what))
         if cmake.library.exists():
             return
-        name = f"rclcpp ({BROWSERS[engine]})"
-        self._report.doing(name, "compiling the library (once for all nodes)")
+        self._report.doing(name, what)
         done = cmake.make_library()
         self._report.done(name)
         if done.returncode:
@@ -306,11 +309,12 @@ class Compiler:
     def _prepare_package(
         self, engine: str, package: Package, needs: Sequence[Package], failed: Failures
     ) -> None:
-        cmake = self._cmake(engine)
+        name = f"{package.name} ({BROWSERS[engine]})"
+        what = "compiling the libraries that other packages use"
+        cmake = self._cmake(engine, counted(self._report, name, what))
         if self._is_prepared(cmake, package, needs):
             return
-        name = f"{package.name} ({BROWSERS[engine]})"
-        self._report.doing(name, "compiling the libraries that other packages use")
+        self._report.doing(name, what)
         try:
             self._configure(cmake, package, needs, failed)
             made = cmake.make(package, "sitegen_libraries")
@@ -349,7 +353,9 @@ class Compiler:
     def _configure_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
-            self._configure(cmake, job.package, job.needs, failed[engine])
+            name = f"{job.package.name} ({BROWSERS[engine]})"
+            with self._report.during(name, "configuring with CMake"):
+                self._configure(cmake, job.package, job.needs, failed[engine])
 
     def _compile_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
@@ -359,7 +365,10 @@ class Compiler:
         for name in names.values():
             self._report.doing(name, "compiling")
         outputs: dict[str, str] = {}
-        done = cmake.make_programs(package, *job.executables)
+        what = f"{package.path} {engine} {'draft' if self._draft else ''}"
+        planned, durations = plan(cmake, package, names), Durations(self._cache, what)
+        progress = Progress(self._report, names, planned, durations)
+        done = self._cmake(engine, progress.watch).make_programs(package, *job.executables)
         # If anything failed, build each program alone, to attribute the output to it.
         again = bool(done.returncode) and len(job.executables) > 1
         for executable, name in names.items():
@@ -374,23 +383,9 @@ class Compiler:
                     one for one in (*job.needs, package) if not one.path.is_relative_to(PACKAGE)
                 ]
                 shown = list(map(self._shown, theirs))
-                self._keep(program, prefixes, shown, self.build(job, executable, engine))
+                keep(program, prefixes, shown, self.build(job, executable, engine))
+                progress.note(executable)
             self._report.done(name)
         if outputs:
             diagnosis = Diagnosis(self._root, package, job.needs)
             raise SiteError(diagnosis.of_builds(outputs, cmake.tree(package), failed[engine]))
-
-    def _keep(
-        self, program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: Build
-    ) -> None:
-        build.wasm.parent.mkdir(parents=True, exist_ok=True)
-        types = messages.types_of(program.with_suffix(".wasm"), prefixes)
-        build.types.write_text(json.dumps(types))
-        if build.lines:
-            lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
-            build.lines.write_text(json.dumps(lines, separators=(",", ":")))
-        shutil.copyfile(program.with_suffix(".js"), build.script)
-        # Last, and in one step: the presence of this folder means that the program is complete.
-        draft = build.wasm.with_suffix(".draft")
-        shutil.copyfile(program.with_suffix(".wasm"), draft)
-        draft.replace(build.wasm)

@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 import sysconfig
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
@@ -18,6 +18,8 @@ from sitegen.cache.digest import digest_of
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
 # The folders of Eigen in Debian, after `make install`, and in Homebrew.
 EIGEN = [Path(root, "share/eigen3/cmake") for root in ("/usr", "/usr/local", "/opt/homebrew")]
+# The interval at which a tool that runs is watched (s).
+TICK = 1
 
 
 class ToolMissingError(Exception):
@@ -28,7 +30,8 @@ class ToolMissingError(Exception):
 class Toolchain:
     """The tools that compile C++ for the page, and the identity of the compiler.
 
-    `eigen` is the folder with the CMake package of Eigen, if its headers are installed.
+    `eigen` is the folder with the CMake package of Eigen, if its headers are installed. `watch` is
+    called every second with what the tool that runs has printed so far.
     """
 
     compiler: Path
@@ -36,6 +39,7 @@ class Toolchain:
     ninja: Path
     identity: str
     eigen: Path | None = None
+    watch: Callable[[str], None] | None = None
 
     @staticmethod
     def find() -> Toolchain:
@@ -60,15 +64,31 @@ class Toolchain:
         env |= variables or {}
         if flags:
             env["EMCC_CFLAGS"] = f"{env.get('EMCC_CFLAGS', '')} {flags}"
-        return subprocess.run(
-            [str(word) for word in command],
+        words = [str(word) for word in command]
+        with subprocess.Popen(
+            words,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
             errors="replace",
             env=env,
-        )
+        ) as process:
+            output = self._output(process)
+        return subprocess.CompletedProcess(words, process.returncode, output)
+
+    def _output(self, process: subprocess.Popen[str]) -> str:
+        """Return the output of a tool when it ends."""
+        while True:
+            try:
+                return process.communicate(timeout=TICK if self.watch else None)[0]
+            except subprocess.TimeoutExpired as so_far:
+                if self.watch:
+                    # These are bytes, whatever the output is; on Windows, there are none.
+                    self.watch((so_far.output or b"").decode(errors="replace"))
+            except BaseException:  # an interrupt ends the tool, too
+                process.kill()
+                raise
 
     @property
     def platform_file(self) -> Path:

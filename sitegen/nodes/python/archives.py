@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,6 +18,7 @@ from sitegen.model import Node, Package, Python, Site
 from sitegen.nodes.python import bytecode, dependencies, imports, ipython, syntax
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
+from sitegen.report import Report
 from sitegen.shipped import INTERFACES, ROS
 
 KINDS = ("msg", "srv", "action")
@@ -75,13 +76,13 @@ class Bundles:
 
 
 def python_programs(
-    site: Site, nodes: Sequence[Node], *, cache: Path, say: Callable[[str], None]
+    site: Site, nodes: Sequence[Node], *, cache: Path, report: Report
 ) -> dict[tuple[str, ...], PythonProgram]:
     """Return the Python programs among `nodes`.
 
     Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
     """
-    bundles = bundle(site, nodes, cache=cache, say=say)
+    bundles = bundle(site, nodes, cache=cache, report=report)
     archives = {path: Archive(path, data) for path, data in bundles.archives.items()}
     found = {}
     for node in nodes:
@@ -97,9 +98,7 @@ def python_programs(
     return found
 
 
-def bundle(
-    site: Site, nodes: Iterable[Node], *, cache: Path, say: Callable[[str], None] = lambda _: None
-) -> Bundles:
+def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) -> Bundles:
     """Return the archives of the Python programs among `nodes`.
 
     Raises: SiteError if interface definitions or the syntax of a program are wrong, or modules are
@@ -124,11 +123,11 @@ def bundle(
     small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
     for program in small:
         del missing[program]["numpy"]
-    collected = dependencies.collect(site, missing, cache=cache, say=say)
+    collected = dependencies.collect(site, missing, cache=cache, report=report)
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
     for package, executable in sorted(small):
-        say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
+        report.say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed, own = {}, {}
     for package, executable in sorted(programs):

@@ -6,7 +6,8 @@ import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
 from sitegen.nodes.python.wheel import Wheel, opened
+from sitegen.report import Report
 from sitegen.shipped import VENDOR
 
 # The index of the Pyodide distribution: its packages and their hashes.
@@ -36,16 +38,25 @@ POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: â
 Program = tuple[str, str]
 
 
+@dataclass(frozen=True)
+class Shelf:
+    """Where wheels come from: the Pyodide distribution at `origin`, and the folder `cache`."""
+
+    origin: str | Path
+    cache: Path
+    report: Report
+
+
 def collect(
     site: Site,
     wanted: Mapping[Program, Mapping[str, Import]],
     *,
     cache: Path,
-    say: Callable[[str], None],
+    report: Report,
 ) -> dict[Program, list[Wheel]]:
     """Return the wheels that each program needs.
 
-    `wanted` maps each program to the modules that it imports from elsewhere. `say` reports modules
+    `wanted` maps each program to the modules that it imports from elsewhere. `report` names modules
     that are imported only conditionally and cannot be found.
 
     Raises: SiteError if modules or wheels cannot be found, with the line of each import.
@@ -53,30 +64,31 @@ def collect(
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     origins = {module: name for name, each in lock.items() for module in each["imports"]}
     problems, notes = Problems(site.root), Problems(site.root)
-    pinned = _pinned(site, lock, problems, cache / "wheels")
+    shelf = Shelf(site.pyodide.packages, cache / "wheels", report)
+    pinned = _pinned(site, lock, problems, shelf)
     given = {module for wheel in pinned for module in wheel.modules}
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
         for module, (location, sure) in modules.items():
-            report = problems if sure else notes
+            wrong = problems if sure else notes
             if module in given:
                 # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
-                report.add(location, f"import {module}", _unavailable(module, origins, lock))
+                wrong.add(location, f"import {module}", _unavailable(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
                 try:
-                    wheels = [_of_distribution(site, lock[n], cache / "wheels") for n in others]
+                    wheels = [_of_distribution(shelf, lock[name]) for name in others]
                     wheels += pinned if len(others) < len(names) else []
                     found[program] |= {wheel.name: wheel for wheel in wheels}
                 except FetchError as error:
-                    report.add(location, f"import {module}", str(error))
+                    wrong.add(location, f"import {module}", str(error))
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
-        say(f"{line} (skipped: imported only conditionally)")
+        report.say(f"{line} (skipped: imported only conditionally)")
     return {program: list(wheels.values()) for program, wheels in found.items()}
 
 
@@ -94,12 +106,12 @@ def _unavailable(module: str, origins: Mapping[str, str], lock: Mapping[str, Any
     return f"'{origins[module]}' needs a build for Pyodide; {POINT}"
 
 
-def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path) -> list[Wheel]:
+def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, shelf: Shelf) -> list[Wheel]:
     """Return the wheels that the author pinned, and those of the distribution that they need."""
     file = site.pyodide.requirements
     if file is None:
         return []
-    wheels = requirements.pinned(file, site.root, cache=cache)
+    wheels = requirements.pinned(file, site.root, cache=shelf.cache, report=shelf.report)
     there = {wheel.package for wheel in wheels}
     names: list[str] = []
     for wheel in wheels:
@@ -116,7 +128,7 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, cache: Path
     for name in _with_needs(names, lock):
         if name not in there:
             try:
-                wheels.append(_of_distribution(site, lock[name], cache))
+                wheels.append(_of_distribution(shelf, lock[name]))
             except FetchError as error:
                 problems.add(Location(file, 1), name, str(error))
     return wheels
@@ -140,13 +152,13 @@ def _with_needs(names: Iterable[str], lock: Mapping[str, Any]) -> list[str]:
     return list(found)
 
 
-def _of_distribution(site: Site, entry: Mapping[str, Any], cache: Path) -> Wheel:
+def _of_distribution(shelf: Shelf, entry: Mapping[str, Any]) -> Wheel:
     """Return a package of the Pyodide distribution.
 
     Raises: FetchError if it cannot be downloaded or read, or if its hash is wrong.
     """
-    name, sha256, origin = entry["file_name"], entry["sha256"], site.pyodide.packages
-    kept = cache / sha256
+    name, sha256, origin = entry["file_name"], entry["sha256"], shelf.origin
+    kept = shelf.cache / sha256
     if not kept.exists():
         kept.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=kept.parent) as temporary:
@@ -154,7 +166,8 @@ def _of_distribution(site: Site, entry: Mapping[str, Any], cache: Path) -> Wheel
             if isinstance(origin, Path):
                 _copy(origin / name, sha256, file)
             else:
-                fetch(f"{origin}{name}", sha256, file, largest=LARGEST)
+                with shelf.report.during(name, "downloading"):
+                    fetch(f"{origin}{name}", sha256, file, largest=LARGEST)
             file.replace(kept)
     return opened(name, kept)
 

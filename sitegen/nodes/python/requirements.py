@@ -12,6 +12,7 @@ from sitegen.cache.digest import digest_of
 from sitegen.errors import SiteError
 from sitegen.nodes.python import pyodide
 from sitegen.nodes.python.wheel import Wheel, opened
+from sitegen.report import Report
 
 PIP = [
     *(sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input"),
@@ -20,7 +21,7 @@ PIP = [
 NONE = re.compile(r"No matching distribution found for (\S+)")
 
 
-def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
+def pinned(file: Path, root: Path, *, cache: Path, report: Report) -> list[Wheel]:
     """Return the wheels that `file` lists: pure Python, or compiled for Pyodide.
 
     Raises: SiteError with the message of pip if it fails.
@@ -35,7 +36,8 @@ def pinned(file: Path, root: Path, *, cache: Path) -> list[Wheel]:
         with tempfile.TemporaryDirectory(dir=cache) as temporary:
             fresh = Path(temporary) / "wheels"
             command = [*PIP, *words, f"--dest={fresh}", f"--requirement={file}"]
-            done = subprocess.run(command, text=True, capture_output=True)
+            with report.during(file.name, "downloading what it lists, with pip"):
+                done = subprocess.run(command, text=True, capture_output=True)
             if done.returncode:
                 tag = f"{python}-{python}-{platform}"
                 raise SiteError(_said_by_pip(file.relative_to(root), done.stderr, tag))

@@ -17,6 +17,7 @@ from filelock import FileLock
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Page, Site, Widget
 from sitegen.nodes.python.ipython import MISSING
+from sitegen.report import Report
 from sitegen.site.jupyter import contents
 
 KIND = "jupyter"
@@ -52,7 +53,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 }
 
 
-def artifacts(site: Site, cache: Path) -> list[Artifact]:
+def artifacts(site: Site, cache: Path, report: Report) -> list[Artifact]:
     """Return the files of JupyterLite and of the notebooks; none if no page shows them.
 
     Raises: SiteError if JupyterLite is not installed or cannot be built, or if two notebooks have
@@ -61,7 +62,7 @@ def artifacts(site: Site, cache: Path) -> list[Artifact]:
     shown = [(page, widget) for page in site.pages for widget in _widgets(page)]
     if not shown:
         return []
-    lab = _lab(cache)
+    lab = _lab(cache, report)
     found = [
         Artifact(f"{FOLDER}/{name}", _with_policy(file) if file.suffix == ".html" else file)
         for file in sorted(lab.rglob("*"))
@@ -98,7 +99,7 @@ def _configure(config: dict[str, Any], page: Page, widget: Widget) -> None:
     }
 
 
-def _lab(cache: Path) -> Path:
+def _lab(cache: Path, report: Report) -> Path:
     """Return a folder with JupyterLite, built once for each of its versions.
 
     Raises: SiteError if it is not installed or cannot be built.
@@ -111,8 +112,12 @@ def _lab(cache: Path) -> Path:
     target.parent.mkdir(parents=True, exist_ok=True)
     with FileLock(target.with_name(f"{version}.lock")):
         if not target.is_dir():
+            report.doing("JupyterLite", f"building version {version} (once for all sites)")
             with tempfile.TemporaryDirectory(dir=target.parent) as temporary:
-                _build(Path(temporary) / "lab")
+                try:
+                    _build(Path(temporary) / "lab")
+                finally:
+                    report.done("JupyterLite")
                 (Path(temporary) / "lab").rename(target)
     return target
 
