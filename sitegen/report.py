@@ -30,9 +30,13 @@ class Report:
         self._lock = threading.Lock()
 
     def say(self, line: str, style: Style = "") -> None:
-        """Write a permanent line."""
+        """Write a permanent line, which a build that finds nothing changed repeats."""
+        self.said.append(line)
+        self.say_once(line, style)
+
+    def say_once(self, line: str, style: Style = "") -> None:
+        """Write a permanent line about this build only."""
         with self._lock:
-            self.said.append(line)
             self._erase()
             print(paint(line, style, colour=self._colour), file=self._out, flush=True)
             self._draw()

@@ -164,5 +164,14 @@ def test_a_terminal_shows_the_stages_of_a_build_and_keeps_none(
     assert "pages: rendering" not in written.rpartition("\x1b[J")[2]
 
 
+def test_what_is_said_once_is_not_said_of_a_build_without_changes() -> None:
+    out = io.StringIO()
+    report = Report(out)
+    report.say("numpy is missing")
+    report.say_once("optimizing 2 nodes")
+    assert out.getvalue() == "numpy is missing\noptimizing 2 nodes\n"
+    assert report.said == ["numpy is missing"]
+
+
 def test_sizes_are_written_for_people() -> None:
     assert [size(68_971), size(1_250_000)] == ["69 kB", "1.2 MB"]

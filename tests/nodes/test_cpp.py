@@ -199,17 +199,21 @@ def wasm(made: Made, package: str, executable: str) -> bytes:
 def test_a_draft_is_only_linked_otherwise(workspace: Workspace) -> None:
     workspace.package("quick", "add_executable(quick src/main.cpp)", main="int main() {}\n")
     workspace.site("quick/quick")
+    said: list[str] = []
 
     def program(*, draft: bool) -> tuple[set[str], bytes]:
         before = workspace.compiled()
-        said = io.StringIO()
-        made = make(workspace.folder, Report(said), options=Options(draft=draft))
+        out = io.StringIO()
+        made = make(workspace.folder, Report(out), options=Options(draft=draft))
+        said.append(out.getvalue())
         return workspace.changed(before), wasm(made, "quick", "quick")
 
     compiled, draft = program(draft=True)
     assert compiled == {"main.cpp.o"}
+    assert "for publication" not in said[-1]
     compiled, published = program(draft=False)
     assert compiled == set()
+    assert "optimizing 1 node for publication (up to half the size); " in said[-1]
     assert len(published) < len(draft)
     # What is there as it is published is no worse for whoever edits.
     assert program(draft=True) == (set(), published)

@@ -18,6 +18,7 @@ from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator
 from sitegen.model import BROWSERS, Build, Package
+from sitegen.nodes.cpp import drafts
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
 from sitegen.nodes.cpp.progress import Progress, counted, plan
@@ -95,6 +96,8 @@ def compile_nodes(
     ]
     faults: dict[tuple[str, str], str] = {}
     if missing:
+        if line := drafts.reason([compiler.builds(job, [engine]) for job, engine in missing]):
+            report.say_once(line)
         told = compiler.compile(missing)
         problems = list(dict.fromkeys(line for lines in told for line in lines))
         if problems and not options.keep_going:
@@ -193,7 +196,7 @@ class Compiler:
             folder = self._nodes / self._digest(job.package, job.needs)
             wanted = [folder / f"{name}.{engine}.wasm" for name in job.executables]
             drafted = self._draft and not all(wasm.exists() for wasm in wanted)
-            self._folders[key] = folder.with_name(f"{folder.name}-draft") if drafted else folder
+            self._folders[key] = drafts.draft_of(folder) if drafted else folder
         return self._folders[key]
 
     def _digest(self, package: Package, needs: Sequence[Package]) -> str:
