@@ -9,10 +9,13 @@ from typing import NamedTuple
 
 from sitegen.config import parameters, prebuilt, ros2wasm
 from sitegen.config.document import Value
+from sitegen.config.files import locate
 from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Location, Problems, nearest
+from sitegen.launch import published_description
 from sitegen.model import Container, Cpp, Fault, Node, Package, Python
+from sitegen.rclyaml import written
 from sitegen.workspace import containers
 
 BUILD_TYPES = ("ament_cmake", "ament_python")
@@ -147,6 +150,18 @@ def with_kind(node: Node, packages: Mapping[str, Package]) -> Node:
     return node
 
 
+def with_description(node: Node, packages: Mapping[str, Package], problems: Problems) -> Node:
+    """Return `node` with the robot description in its `urdf` file as a parameter."""
+    if not node.urdf:
+        return node
+    try:
+        text = published_description(node.urdf, packages)
+    except ValueError as error:
+        problems.add(node.location, "urdf", str(error))
+        return node
+    return replace(node, parameters={**node.parameters, "robot_description": written(text)})
+
+
 def _setup_faults(package: Package, executable: str) -> tuple[Fault, ...]:
     """Return the faults in build files that matter to a program: it is Python, or not found."""
     setup = package.setup
@@ -168,6 +183,7 @@ def _has_executable(package: Package, executable: str) -> bool:
 def _node(name: str, section: Section, problems: Problems) -> Node:
     remap, arguments = section.get("remap"), section.get("arguments")
     given = section.get("parameters")
+    urdf = section.get("urdf") if section.keys is NODE else None
     return Node(
         name=name,
         package=section.text("package"),
@@ -178,6 +194,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         parameters=parameters.read(given, problems) if given else {},
         arguments=parameters.arguments(arguments, problems) if arguments else (),
         group=section.text("group") if section.keys is NODE else "",
+        urdf=locate(urdf, problems) if urdf else None,
     )
 
 

@@ -260,6 +260,7 @@ NODE = (
     Key("package", "text", "package in the workspace", "package: cpp_pubsub", True),
     Key("executable", "text", "executable or component of the package", "executable: talker", True),
     *_HOW,
+    Key("urdf", "path", "parameter `robot_description`: URDF or xacro", "urdf: src/arm/arm.urdf"),
     Key("group", "text", "Python nodes of a group share an interpreter", "group: robot"),
     _NEEDS,
 )

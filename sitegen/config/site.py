@@ -16,7 +16,7 @@ from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
-from sitegen.config.nodes import Declared, check_package, declare, with_kind
+from sitegen.config.nodes import Declared, check_package, declare, with_description, with_kind
 from sitegen.config.page import PageReader
 from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
@@ -84,7 +84,7 @@ def _site(file: Section, problems: Problems) -> Site:
         workspace.report_outside(folder, problems if problems.found else reader.notes)
         note_setups((node for node, _ in reader.declared), packages, reader.notes)
         _note_replaced(scanned(), packages, reader.notes)
-    pages = tuple(_with_kinds(page, packages) for page in pages)
+    pages = tuple(_with_kinds(page, packages, problems) for page in pages)
     nav = file.get("nav")
     return Site(
         root=root,
@@ -233,8 +233,10 @@ def _note_replaced(
             notes.add(Location(scanned[name].path / "package.xml", 1), "package", message)
 
 
-def _with_kinds(page: Page, packages: Mapping[str, Package]) -> Page:
-    return replace(page, nodes={name: with_kind(n, packages) for name, n in page.nodes.items()})
+def _with_kinds(page: Page, packages: Mapping[str, Package], problems: Problems) -> Page:
+    nodes = {name: with_kind(node, packages) for name, node in page.nodes.items()}
+    described = {name: with_description(n, packages, problems) for name, n in nodes.items()}
+    return replace(page, nodes=described)
 
 
 def _notes(pages: Sequence[Page], declared: Sequence[Declared], root: Path) -> tuple[str, ...]:

@@ -83,7 +83,8 @@ class Node:
 
     A ROS2WASM program has no package and no executable; a prebuilt program gets them when its
     archive has been read. Python nodes with the same `group` share an interpreter. `needs` names
-    the nodes without which it only waits.
+    the nodes without which it only waits. `urdf` is the file with the robot description among its
+    `parameters`.
     """
 
     name: str
@@ -97,6 +98,7 @@ class Node:
     environment: Mapping[str, str] = field(default_factory=dict)
     group: str = ""
     needs: tuple[str, ...] = ()
+    urdf: Path | None = None
     kind: Kind = Cpp()
 
     @property

@@ -56,7 +56,7 @@ def _write_site(folder: Path, report: Report) -> None:
     workspace.report_outside(root, links)
     found = runs(root, packages)
     found = replace(found, faults=[*found.faults, *links.lines])
-    if not found.programs and not found.launches:
+    if not found.programs and not found.launches and not found.robots:
         raise SiteError([_nothing(root, packages), *found.faults])
     shown = pages(found, packages)
     text = siteyaml.text(root, shown, packages.values(), found.faults)

@@ -18,7 +18,8 @@ from sitegen.model import Node, Package
 class Member:
     """A program as a node of a page: `name` is that of the node, `told` has full names.
 
-    `source` is the language of its source file, "" if the file is not in the workspace.
+    `source` is the language of its source file, "" if the file is not in the workspace; `urdf` is
+    the file with the robot description that it is given.
     """
 
     name: str
@@ -26,6 +27,7 @@ class Member:
     executable: str
     told: Program
     source: str = ""
+    urdf: str = ""
 
     @property
     def key(self) -> tuple[str, str]:

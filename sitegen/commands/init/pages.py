@@ -1,4 +1,4 @@
-"""Decide on the pages of a site: one for partners, and one for each launch file."""
+"""Decide on the pages of a site: one for partners, for each launch file and for each robot."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen.commands.init.members import Member
-from sitegen.commands.init.panels import Item, panels, views
+from sitegen.commands.init.panels import Item, panels, robot_panels, robot_views, views
 from sitegen.commands.init.partners import together
+from sitegen.commands.init.robots import Robot
 from sitegen.commands.init.runs import Launched, Runs
 from sitegen.commands.init.turtle import KEY
 from sitegen.config.paths import segment
@@ -46,13 +47,19 @@ class Page:
         """The executables that it runs, in words; those of other packages come last."""
         own = self.members[-1].package
         ordered = sorted(self.members, key=lambda member: member.package != own)
-        return _listed([member.executable for member in ordered])
+        return _listed([Path(one.urdf).name if one.urdf else one.executable for one in ordered])
+
+    @property
+    def autostart(self) -> bool:
+        """Whether its nodes start with it."""
+        return bool(self.launch) or any(member.urdf for member in self.members)
 
 
 def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
     """Return the pages of a site; if there is only one, it is the home page."""
     found = list(_package_pages(runs, packages))
     found += _launch_pages(runs.launches, found, packages)
+    found += list(_robot_pages(runs.robots, [page.path for page in found]))
     if len(found) == 1:
         return [replace(found[0], path="")]
     titles = Counter(page.title for page in found)
@@ -93,6 +100,24 @@ def _launch_pages(
         also = tuple(each.package.path / each.file for each in group[1:])
         found.append(replace(page, also=also))
     return found
+
+
+def _robot_pages(robots: Sequence[Robot], taken: Collection[str]) -> Iterator[Page]:
+    """Yield a page for each robot; it has the path of its package if nothing else has."""
+    counts = Counter(robot.package.name for robot in robots)
+    used = {*taken}
+    for robot in robots:
+        folder = f"{segment(robot.package.name)}/"
+        alone = counts[robot.package.name] == 1 and not any(
+            path.startswith(folder) for path in used
+        )
+        title, text = _introduction(robot.package) if alone else (robot.name, "")
+        name = segment(robot.file.name.partition(".")[0])
+        paths = (f"{folder}{name}{'-' * number}/" for number in range(len(robots) + 1))
+        path = folder if alone else next(path for path in paths if path not in used)
+        used.add(path)
+        members = [robot.member]
+        yield Page(path, title, text, members, robot_views(robot), robot_panels(robot))
 
 
 def _told_apart(page: Page) -> Page:

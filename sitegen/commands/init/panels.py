@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from sitegen.commands.init.fields import numbers
 from sitegen.commands.init.members import Member
 from sitegen.commands.init.partners import COMMANDS, waiting
+from sitegen.commands.init.robots import Robot
 from sitegen.commands.init.turtle import KEY, TURTLE, TURTLESIM
 from sitegen.commands.wiring.endpoint import (
     ACTION,
@@ -96,6 +97,17 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
         yield "lifecycle", None
     if len(page) > 1 and any(known):
         yield "graph", None
+
+
+def robot_views(robot: Robot) -> list[Item]:
+    """Return what shows and moves a robot that only its description is known of."""
+    return [("3d", None), *([("joints", None)] if robot.moves else [])]
+
+
+def robot_panels(robot: Robot) -> list[Item]:
+    """Return what tells of the joints and frames of such a robot."""
+    joints: list[Item] = [("topics", {"echo": _JOINTS})] if robot.moves else []
+    return [*joints, ("tf", None)]
 
 
 def _uses(page: Sequence[Member], use: str) -> bool:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from sitegen import workspace
 from sitegen.commands.init.members import Member, member
+from sitegen.commands.init.robots import Robot, name_of, robots
 from sitegen.config.nodes import Declared, check_package
 from sitegen.errors import Location, Problems, relative
 from sitegen.launch import Window, launched
@@ -39,11 +40,13 @@ class Launched:
 class Runs:
     """The parts of a workspace that can run on pages.
 
-    `faults` has a line for each part that cannot run, with the reason.
+    `robots` are those that no launch file starts. `faults` has a line for each part that cannot
+    run, with the reason.
     """
 
     programs: Sequence[Member]
     launches: Sequence[Launched]
+    robots: Sequence[Robot]
     faults: Sequence[str]
 
 
@@ -52,6 +55,7 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     programs: list[Member] = []
     launches: list[Launched] = []
     faults: list[str] = []
+    described: set[str] = set()
     missing = {name: unsupported_libraries(package) for name, package in packages.items()}
     there = {**workspace.shipped_packages(), **packages}
     for name, package in packages.items():
@@ -79,7 +83,9 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
                 continue
             members = [member(node, there, packages) for node in started]
             launches.append(Launched(package, file, members, bool(windows), not handlers))
-    return Runs(programs, launches, faults)
+            described |= {name_of(node) for node in started}
+    shown, unclear = robots(root, packages, there, described)
+    return Runs(programs, launches, shown, [*faults, *unclear])
 
 
 def files(package: Package, patterns: Iterable[str]) -> list[str]:

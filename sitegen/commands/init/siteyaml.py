@@ -14,12 +14,12 @@ from sitegen.commands.init.members import Member
 from sitegen.commands.init.pages import Page
 from sitegen.commands.init.panels import Item
 from sitegen.commands.init.partners import needed
+from sitegen.commands.init.robots import PATTERNS
 from sitegen.commands.init.runs import files
 from sitegen.commands.wiring.endpoint import OPTIONS
 from sitegen.errors import relative
 from sitegen.model import Package
 
-ROBOTS = ("urdf/**/*.urdf", "urdf/**/*.xacro")
 # At most this many of each kind are listed.
 LISTED = 12
 # More panels than this are in tabs, of which there are at most eight.
@@ -99,6 +99,8 @@ def _nodes(members: Sequence[Member], *, explains: bool) -> Iterator[str]:
             # Numbers that are as good as any.
             values = [str(position) for position in range(1, max(read) + 1)]
             keys += f", arguments: {json.dumps(values)}"
+        if member.urdf:
+            keys += f", urdf: {_name(member.urdf)}"
         if others := [other.name for other in needed(member, members)]:
             keys += f", needs: [{', '.join(others)}]"
         if OPTIONS in member.told.uses or (read and not all(read.values())):
@@ -140,7 +142,7 @@ def _stage(page: Page) -> Iterator[str]:
     """Yield the robot with the buttons and the consoles of its nodes, and then the sources."""
     yield "      - stage:"
     yield f"          nodes: [{', '.join(member.name for member in page.members)}]"
-    if page.launch:
+    if page.autostart:
         yield "          autostart: true"
     yield "          consoles: beside"
     yield f"          show: {_items([_item(item) for item in page.views])}"
@@ -181,7 +183,7 @@ def _value(value: object) -> str:
 
 def _also(packages: Collection[Package], faults: Sequence[str]) -> Iterator[str]:
     """Yield comments about the parts of the workspace that do not run."""
-    robots = {package.name: files(package, ROBOTS) for package in packages}
+    robots = {package.name: files(package, PATTERNS) for package in packages}
     interfaces = {package.name: sorted(package.interfaces) for package in packages}
     if faults:
         yield from ("", "# Skipped, because it cannot run in the browser as it is:")
