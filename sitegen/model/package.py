@@ -39,7 +39,8 @@ class Package:
     """A ROS package of the workspace, as described by its `package.xml` and its build files.
 
     `executables` is None if only CMake can tell their names; `sources` maps executables to their
-    source files, where these are known. `plugins` names the packages that it provides plugins for,
+    source files, where these are known, and `libraries` to the source files of libraries of the
+    package that they are linked to. `plugins` names the packages that it provides plugins for,
     and `linked` the packages whose plugins are linked into its programs. A `windowed` package needs
     Qt, which pages do not have.
     """
@@ -53,6 +54,7 @@ class Package:
     version: str = ""
     description: str = ""
     sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    libraries: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     setup: Setup | None = None
     plugins: tuple[str, ...] = ()
     linked: tuple[str, ...] = ()

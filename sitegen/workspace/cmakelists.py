@@ -17,6 +17,7 @@ from sitegen.workspace.cmakeinstalls import (
     of_interest,
     unescaped,
 )
+from sitegen.workspace.cmakelibraries import COMMANDS, Libraries
 from sitegen.workspace.cmakescript import INCLUDES, PREFIX, VARIABLE, Script
 from sitegen.workspace.presence import exists, is_file
 
@@ -59,11 +60,17 @@ class Listing:
     faults: list[Fault] = field(default_factory=list)
     notes: list[Fault] = field(default_factory=list)
     absent: Absent = field(default_factory=Absent)
+    libraries: Libraries = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.libraries = Libraries(self.folder)
 
     def add(self, name: str, words: list[str]) -> None:
         """Process one command and its arguments."""
         if is_maker(name, words):
             self.absent.makers.append((name, self.script.values(words)))
+        if name in COMMANDS:
+            self.libraries.add(name, self.script.values(words), self.script.folder)
         if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):
             self._add_executable(words[0])
             self._add_sources(words)
@@ -217,6 +224,7 @@ class Listing:
             else:
                 self.executables[self.executables.index(target)] = name
                 self.sources[name] = self.sources.pop(target, [])
+                self.libraries.rename(target, name)
 
     def _add_component(self, words: list[str]) -> None:
         executable = words[words.index("EXECUTABLE") + 1]

@@ -96,6 +96,11 @@ def _package(path: Path, problems: Problems) -> Package | None:
         version=manifest.version,
         description=manifest.description,
         sources={name: tuple(files) for name, files in sources.items()},
+        libraries={
+            name: tuple(files)
+            for name in executables or ()
+            if (files := listing.libraries.of(name))
+        },
         setup=setup,
         plugins=tuple(dict.fromkeys(listing.plugins)),
         windowed=any(each.lower().startswith("qt") for each in listing.finds),

@@ -11,7 +11,7 @@ from sitegen.commands.wiring import programs
 from sitegen.commands.wiring.endpoint import OPPOSITE, Endpoint, Program
 from sitegen.commands.wiring.names import resolved
 from sitegen.commands.wiring.pages import is_common
-from sitegen.model import Node, Package
+from sitegen.model import Container, Node, Package
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,9 @@ class Member:
 
 def member(node: Node, packages: Mapping[str, Package], own: Mapping[str, Package]) -> Member:
     """Return the program of a node of `packages`; `own` are those of the workspace."""
+    if isinstance(node.kind, Container):
+        told = programs.read_container(node.kind, packages)
+        return Member(node.name, node.package, node.executable, told)
     package = packages.get(node.package)
     told = programs.read(package, node.executable) if package else Program(open=True)
     if (node.package, node.executable) == KEY:

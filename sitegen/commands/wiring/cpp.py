@@ -22,6 +22,7 @@ from sitegen.commands.wiring.endpoint import (
 from sitegen.errors import Location
 from sitegen.model import Package
 from sitegen.shipped import INTERFACES, PACKAGES, ROS
+from sitegen.workspace import components
 
 _CREATE = re.compile(
     r"(?P<scope>\brclcpp(?:_action)?\s*::\s*)?"
@@ -61,6 +62,7 @@ _HARMLESS = re.compile(
     r"|sys)/.+|\w+_msgs/.+|\w+/(msg|srv|action)/.+|[\w.]+"
 )
 _SOURCES = (".cpp", ".cc", ".cxx", ".c++", ".c")
+_HEADERS = (".hpp", ".h", ".hh", ".hxx")
 
 
 def read(package: Package, executable: str) -> Program:
@@ -73,17 +75,50 @@ def read(package: Package, executable: str) -> Program:
     for name in names:
         # Of sources that several programs share, one program may use only a part.
         _take(package.path / name, package, program, seen, sure=name not in shared)
+    _take_libraries(package, executable, program, seen)
     told = {package.path / name for used in package.sources.values() for name in used}
-    # These may be in a library that the program is linked to.
+    # The program may be linked to these in a way that only CMake knows.
     others = Program()
     for file in sorted(package.path.rglob("*")):
         if file.suffix in _SOURCES and file not in told and not _is_test(file, package):
             _take(file, package, others, seen, sure=False)
     others.endpoints = [replace(endpoint, foreign=True) for endpoint in others.endpoints]
     program.take(replace(others, uses=set(), arguments={}))
+    return _with_known_types(program, package)
+
+
+def read_component(package: Package, plugin: str) -> Program:
+    """Return what the source that registers a component tells, with its headers."""
+    program, seen = Program(), set[Path]()
+    files = components.sources(package.path, {plugin: plugin}).get(plugin, [])
+    program.open = not files
+    for name in files:
+        _take(package.path / name, package, program, seen, sure=False)
+    return _with_known_types(program, package)
+
+
+def _with_known_types(program: Program, package: Package) -> Program:
     known = {package.name, *package.depends, *_interface_packages()}
     program.endpoints = [_with_known_type(endpoint, known) for endpoint in program.endpoints]
     return program
+
+
+def _take_libraries(package: Package, executable: str, program: Program, seen: set[Path]) -> None:
+    """Add what the libraries of the package that a program is linked to tell of it.
+
+    Of a library that several programs are linked to, these are the sources of the headers that the
+    program includes.
+    """
+    others = {name for one, used in package.libraries.items() if one != executable for name in used}
+    left = [*package.libraries.get(executable, ())]
+    while True:
+        included = {file.stem for file in seen if file.suffix in _HEADERS}
+        chosen = [name for name in left if name not in others or Path(name).stem in included]
+        if not chosen:
+            return
+        left = [name for name in left if name not in chosen]
+        for name in chosen:
+            _take(package.path / name, package, program, seen, sure=False)
 
 
 def _with_known_type(endpoint: Endpoint, packages: Collection[str]) -> Endpoint:
