@@ -46,7 +46,8 @@ def note(
     `since`, the time in ns when the build began: it may have been read before that.
     """
     roots = sorted(set(roots))
-    files = (file for root in (folder, *roots) for file in _files(root, output.resolve()))
+    within = (root.resolve() for root in (folder, *roots))
+    files = (file for root in within for file in _files(root, output.resolve()))
     if any(about.st_ctime_ns > since for _, about in files):
         return
     record = {

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from sitegen.__main__ import main
 from sitegen.commands.build import build
 from sitegen.commands.serve.live import LiveSite
 from sitegen.report import Report, Style
@@ -62,6 +63,16 @@ def test_a_second_build_does_nothing(site: Path, run: Run) -> None:
     before = (site / "dist/index.html").stat().st_ino
     assert run().startswith("nothing changed")
     assert (site / "dist/index.html").stat().st_ino == before
+
+
+def test_a_second_build_in_the_current_folder_does_nothing(
+    site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("SITEGEN_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(site)
+    for last in ("built 2 pages", "nothing changed"):
+        assert main(["build"]) == 0
+        assert capsys.readouterr().out.splitlines()[-1].startswith(last)
 
 
 @pytest.mark.parametrize(
