@@ -4,10 +4,14 @@
 import { watchColours } from "../../ui/colours.js";
 import { create } from "../../ui/elements.js";
 import { uPlot } from "../../vendor/uplot.js";
-import { emptyOutline, extentOf, outlineAgainst, outlineTime } from "./outline.js";
+import { empty, include } from "./extents.js";
+import { emptyOutline, outlineTime } from "./outline.js";
+import { dot, prepare } from "./pen.js";
+import { Trail } from "./trail.js";
 
 /** @import { Curve } from "./curve.js" */
 /** @import { Outline } from "./outline.js" */
+/** @import { Look } from "./pen.js" */
 
 /**
  * @typedef {{left: number, right: number, low: number, high: number}} View what the axes show; `low` and `high` are
@@ -17,10 +21,10 @@ import { emptyOutline, extentOf, outlineAgainst, outlineTime } from "./outline.j
 export const COLOURS = 8;
 /** The lines of curves whose colour is used already (px). */
 const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 2]];
-const WIDTH = 1.75;
-const RADIUS = 2.75;
 // How much of its height a chart leaves free above and below the curves.
 const MARGIN = 0.06;
+// By which share of its length an axis against x may differ from this: while it stays, curves need not be drawn again.
+const SLACK = 0.04;
 const FONT = '12px system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
 export class Chart {
@@ -33,6 +37,12 @@ export class Chart {
   #drawn = [];
   /** @type {Map<Curve, Outline>} */
   #outlines = new Map();
+  /** What the axes against x followed the curves to. @type {View | undefined} */
+  #kept;
+  /** The curves against x. @type {Curve[] | undefined} */
+  #against;
+  /** @type {Trail | undefined} */
+  #trail;
   #colours = { ink: "", line: "", curves: /** @type {string[]} */ ([]) };
   #redraw;
   #resized = new ResizeObserver(() => this.#resize());
@@ -83,15 +93,16 @@ export class Chart {
 
   /** Draw curves against x. @param {Curve[]} curves @param {View} view all of it may be NaN */
   drawAgainst(curves, view) {
-    const extents = curves.map(({ trace }) => extentOf(trace));
-    const least = (/** @type {"left" | "low"} */ side) => Math.min(...extents.map((one) => one[side]));
-    const most = (/** @type {"right" | "high"} */ side) => Math.max(...extents.map((one) => one[side]));
-    const [left, right] = padded(least("left"), most("right"), view.left, view.right);
-    const [low, high] = padded(least("low"), most("high"), view.low, view.high);
-    const { width, height } = this.#plot.bbox;
-    this.#drawn = this.#outlined(curves, ({ trace }, outline) =>
-      outlineAgainst(trace, (right - left) / Math.max(width, 1), (high - low) / Math.max(height, 1), outline));
-    this.#show(left, right, low, high);
+    const extent = empty();
+    for (const { trace } of curves) include(extent, trace.extents.whole);
+    const [left, right] = padded(extent.left, extent.right, view.left, view.right);
+    const [low, high] = padded(extent.low, extent.high, view.low, view.high);
+    const wanted = { left, right, low, high };
+    // What a visitor has selected is shown as it is.
+    this.#kept = Number.isNaN(view.left) ? steady(wanted, this.#kept) : undefined;
+    this.#against = curves;
+    const shown = this.#kept ?? wanted;
+    this.#show(shown.left, shown.right, shown.low, shown.high);
   }
 
   /** @param {Curve[]} curves @param {(curve: Curve, outline: Outline) => void} fill */
@@ -117,37 +128,21 @@ export class Chart {
   /** Draw the curves above the grid. */
   #paint() {
     const { ctx, bbox } = this.#plot;
-    const ratio = uPlot.pxRatio;
     const { left, right, low, high } = this.view;
-    const [scaleX, scaleY] = [bbox.width / (right - left), bbox.height / (high - low)];
+    const look = {
+      left, high, scaleX: bbox.width / (right - left), scaleY: bbox.height / (high - low), ratio: uPlot.pxRatio,
+      points: this.points, colours: this.#colours.curves, dashes: DASHES,
+    };
     ctx.save();
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    ctx.lineJoin = "round";
-    ctx.lineWidth = WIDTH * ratio;
-    for (const { curve: { number }, outline: { xs, ys, count } } of this.#drawn) {
-      ctx.strokeStyle = ctx.fillStyle = this.#colours.curves[number % COLOURS] ?? "";
-      ctx.setLineDash((DASHES[Math.floor(number / COLOURS)] ?? []).map((length) => length * ratio));
-      ctx.beginPath();
-      let joined = false;
-      const dots = new Path2D();
-      for (let index = 0; index < count; index++) {
-        const y = bbox.top + (high - /** @type {number} */ (ys[index])) * scaleY;
-        const x = bbox.left + (/** @type {number} */ (xs[index]) - left) * scaleX;
-        const there = !Number.isNaN(y);
-        if (there && joined) ctx.lineTo(x, y);
-        else if (there) ctx.moveTo(x, y);
-        // A sample between two gaps is a point.
-        const alone = there && !joined && !(index + 1 < count && !Number.isNaN(ys[index + 1] ?? NaN));
-        if (there && (this.points || alone)) {
-          dots.moveTo(x + RADIUS * ratio, y);
-          dots.arc(x, y, RADIUS * ratio, 0, 2 * Math.PI);
-        }
-        joined = there;
-      }
-      ctx.stroke();
-      ctx.fill(dots);
+    if (this.#against) {
+      this.#trail ??= new Trail();
+      this.#trail.paint(ctx, this.#against, bbox, look);
+    } else {
+      ctx.translate(bbox.left, bbox.top);
+      for (const { curve, outline } of this.#drawn) paintOutline(ctx, curve, outline, look);
     }
     ctx.restore();
   }
@@ -213,6 +208,43 @@ export class Chart {
       },
     };
   }
+}
+
+/**
+ * Draw a curve against the time.
+ * @param {CanvasRenderingContext2D} paper @param {Curve} curve @param {Outline} outline @param {Look} look
+ */
+function paintOutline(paper, curve, { xs, ys, count }, look) {
+  prepare(paper, curve, look);
+  paper.beginPath();
+  let joined = false;
+  const dots = new Path2D();
+  for (let index = 0; index < count; index++) {
+    const y = (look.high - /** @type {number} */ (ys[index])) * look.scaleY;
+    const x = (/** @type {number} */ (xs[index]) - look.left) * look.scaleX;
+    const there = !Number.isNaN(y);
+    if (there && joined) paper.lineTo(x, y);
+    else if (there) paper.moveTo(x, y);
+    // A sample between two gaps is a point.
+    const alone = there && !joined && !(index + 1 < count && !Number.isNaN(ys[index + 1] ?? NaN));
+    if (there && (look.points || alone)) dot(dots, x, y, look);
+    joined = there;
+  }
+  paper.stroke();
+  paper.fill(dots);
+}
+
+/**
+ * What the axes show: what is wanted, or else what they showed before, if that is nearly the same.
+ * @param {View} wanted @param {View | undefined} before @returns {View}
+ */
+function steady(wanted, before) {
+  if (!before) return wanted;
+  const across = (wanted.right - wanted.left) * SLACK;
+  const along = (wanted.high - wanted.low) * SLACK;
+  const stays = Math.abs(wanted.left - before.left) <= across && Math.abs(wanted.right - before.right) <= across &&
+    Math.abs(wanted.low - before.low) <= along && Math.abs(wanted.high - before.high) <= along;
+  return stays ? before : wanted;
 }
 
 /**

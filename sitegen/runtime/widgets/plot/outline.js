@@ -1,5 +1,5 @@
 // @ts-check
-// The points of a curve that make a difference at the width of a chart.
+// The points of a curve against the time that make a difference at the width of a chart.
 
 /** @import { Trace } from "./trace.js" */
 
@@ -13,7 +13,7 @@
 const LARGEST = 1e30;
 
 /** Whether a value is drawn; others are gaps. @param {number} value */
-function isDrawn(value) {
+export function isDrawn(value) {
   return value > -LARGEST && value < LARGEST;
 }
 
@@ -76,39 +76,6 @@ function outlineColumn(trace, index, end, until, outline) {
   const shown = isDrawn(trace.value(first)) && isDrawn(trace.value(last));
   if (gap && shown) add(outline, trace.time(last), NaN);
   return index;
-}
-
-/**
- * Outline all samples of a curve against x. Points that are less than a pixel from the last one are left out.
- * @param {Trace} trace @param {number} pixelX the size of a pixel @param {number} pixelY @param {Outline} outline
- */
-export function outlineAgainst(trace, pixelX, pixelY, outline) {
-  outline.count = 0;
-  let [beforeX, beforeY] = [NaN, NaN];
-  for (let index = 0; index < trace.size; index++) {
-    const [x, y] = [trace.x(index), trace.value(index)];
-    const gap = !isDrawn(x) || !isDrawn(y);
-    const far = !(Math.abs(x - beforeX) < pixelX && Math.abs(y - beforeY) < pixelY);
-    if (!gap && !far && index < trace.size - 1) continue;
-    if (outline.count === outline.xs.length) enlarge(outline);
-    outline.xs[outline.count] = x;
-    outline.ys[outline.count++] = gap ? NaN : y;
-    [beforeX, beforeY] = [x, y];
-  }
-}
-
-/** The smallest and the largest x and y of a curve against x. @param {Trace} trace */
-export function extentOf(trace) {
-  const extent = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
-  for (let index = 0; index < trace.size; index++) {
-    const [x, y] = [trace.x(index), trace.value(index)];
-    if (!isDrawn(x) || !isDrawn(y)) continue;
-    extent.left = Math.min(extent.left, x);
-    extent.right = Math.max(extent.right, x);
-    extent.low = Math.min(extent.low, y);
-    extent.high = Math.max(extent.high, y);
-  }
-  return extent;
 }
 
 /** @param {Outline} outline @param {number} time @param {number} value */

@@ -1,6 +1,8 @@
 // @ts-check
 // The samples of one curve, the oldest of which are overwritten.
 
+import { Extents } from "./extents.js";
+
 // A curve starts with room for so many samples, and has at most MOST: two minutes at 1 kHz.
 const FIRST = 1024;
 export const MOST = 131_072;
@@ -13,10 +15,18 @@ export class Trace {
   #xs;
   #start = 0;
   size = 0;
+  /** How many samples have been forgotten. With it, samples have numbers that stay: `first` is that of index 0. */
+  first = 0;
+  extents = new Extents(this);
 
   /** @param {boolean} against whether samples have an `x` */
   constructor(against = false) {
     if (against) this.#xs = new Float64Array(FIRST);
+  }
+
+  /** The number of the sample that comes next. */
+  get end() {
+    return this.first + this.size;
   }
 
   /** @param {number} time @param {number} value @param {number} [x] */
@@ -31,14 +41,11 @@ export class Trace {
 
   /** Forget the samples before a time. @param {number} time */
   dropBefore(time) {
-    const count = this.find(time);
-    this.#start = this.#place(count);
-    this.size -= count;
+    this.#forget(this.find(time));
   }
 
   clear() {
-    this.#start = 0;
-    this.size = 0;
+    this.#forget(this.size);
   }
 
   /** The number of samples before a time. @param {number} time */
@@ -72,10 +79,16 @@ export class Trace {
     return (this.#start + index) & (this.#times.length - 1);
   }
 
+  /** @param {number} count */
+  #forget(count) {
+    this.#start = this.#place(count);
+    this.size -= count;
+    this.first += count;
+  }
+
   #grow() {
     if (this.size === MOST) {
-      this.#start = this.#place(1);
-      this.size--;
+      this.#forget(1);
       return;
     }
     this.#times = this.#doubled(this.#times);
