@@ -40,6 +40,7 @@ const ALONE = [
   "ui/keyboard.js",
   "ui/lineTools.js",
   "widgets/buttons/options.js",
+  "widgets/image/decode.js",
   "widgets/robots/parts/moveHub.js",
   "workers/bag/bagNode.js",
   "workers/cpp/cppNode.js",

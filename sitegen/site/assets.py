@@ -74,6 +74,9 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if any(widget.kind == "parameters" for widget in _widgets(site.pages)):
         # Loaded by visitors who load a file of parameters.
         names.add("messages/parameters/fileReader.js")
+    if any(widget.kind == "3d" for widget in _widgets(site.pages)):
+        # Loaded when a visitor adds a camera.
+        names.add("widgets/image/decode.js")
     if any(widget.kind in ("console", "prompt") for widget in _widgets(site.pages)):
         # Loaded when a visitor wants to find, copy or save lines.
         names.add("ui/lineTools.js")

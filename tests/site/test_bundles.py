@@ -117,3 +117,20 @@ def test_a_debug_build_has_the_modules_for_the_tools_of_browsers() -> None:
         if name.endswith("page/nodeProcess.js")
     )
     assert text == (RUNTIME / "page/nodeProcess.js").read_text()
+
+
+def test_only_pages_that_show_images_load_what_decodes_them() -> None:
+    decoder = "widgets/image/decode.js"
+    known = bundles.bundles()
+    assert decoder in known["widgets/image.js"].modules
+    assert [name for name, one in known.items() if decoder in one.modules] == [
+        decoder,
+        "widgets/image.js",
+    ]
+    # A camera in a 3D view asks for it.
+    site = load(ROOT / "demos/demo10/site.yaml")
+    programs = programs_of(
+        site, {}, options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
+    )
+    paths = {artifact.path for artifact in assets.runtime(site, programs)}
+    assert f"runtime/{decoder}" in paths

@@ -259,6 +259,90 @@ def test_only_the_newest_image_is_decoded(camera: Tab) -> None:
     assert subscribed(camera) == ["/raw"]
 
 
+# Count what is drawn in each frame, while each look at the clock takes a millisecond.
+SLOW = """() => {
+  let time = 0;
+  performance.now = () => time++;
+  window.drawn = [0];
+  const next = () => {
+    drawn.push(0);
+    requestAnimationFrame(next);
+  };
+  requestAnimationFrame(next);
+  const put = CanvasRenderingContext2D.prototype.putImageData;
+  CanvasRenderingContext2D.prototype.putImageData = function (...image) {
+    drawn[drawn.length - 1]++;
+    put.apply(this, image);
+  };
+}"""
+SHOWN = """([width, value]) => {
+  const canvas = document.querySelector("canvas");
+  if (canvas.width !== width) return false;
+  return canvas.getContext("2d").getImageData(width - 1, canvas.height - 1, 1, 1).data[0] === value;
+}"""
+
+
+def test_a_large_image_is_decoded_over_several_frames(camera: Tab) -> None:
+    panel = show(camera, "image", {"topic": "/raw"})
+    camera.evaluate(SLOW)
+    camera.evaluate(
+        """() => {
+          const data = Uint8Array.from({ length: 2000 * 1500 }, (_, at) => at % 250);
+          for (let row = 0; row < 1500; row++) data[row * 2000] = row % 200;
+          ros.emit("/raw", { encoding: "mono8", width: 2000, height: 1500, step: 0, data });
+        }"""
+    )
+    camera.wait_for_function(SHOWN, arg=[2000, 249])
+    counts = [count for count in camera.evaluate("drawn") if count]
+    assert len(counts) > 5
+    assert max(counts) < 12
+    for row in (0, 15, 16, 17, 800, 1499):
+        assert pixel(panel, 0, row) == grey(row % 200)[0]
+        assert pixel(panel, 777, row) == grey(27)[0]
+    expect(panel).to_contain_text("2000 \u00d7 1500, mono8")
+    name, content = saved(panel.get_by_role("button", name="Save"))
+    assert (name, content[:4]) == ("image.png", b"\x89PNG")
+    # It has the place of the one before, and so has a small one.
+    box = panel.locator("canvas").bounding_box()
+    area = panel.get_by_role("img").bounding_box()
+    assert box
+    assert area
+    assert box["height"] == pytest.approx(min(area["height"], area["width"] * 3 / 4), abs=2)
+    camera.evaluate("send('mono8', 1, 1, [9])")
+    assert pixel(panel) == grey(9)[0]
+
+
+def test_only_the_newest_of_large_images_is_decoded(camera: Tab) -> None:
+    show(camera, "image", {"topic": "/raw"})
+    camera.evaluate(SLOW)
+    camera.evaluate(
+        """async () => {
+          window.large = (value) => ros.emit("/raw", { encoding: "16UC1", width: 1000, height: 1000,
+            step: 0, data: new Uint8Array(2_000_000).fill(value).fill(1, 0, 2) });
+          large(2);
+          await frames(2);
+          for (let value = 3; value <= 9; value++) large(value);
+        }"""
+    )
+    camera.wait_for_function(SHOWN, arg=[1000, 255])
+    whole = 32
+    camera.wait_for_function("(whole) => drawn.reduce((a, b) => a + b) >= 2 * whole", arg=whole)
+    camera.evaluate("frames(10)")
+    # The first, and the last of those that came while it was decoded.
+    assert sum(camera.evaluate("drawn")) == 2 * whole
+    # In another range, it is drawn again.
+    camera.get_by_label("depth that is white").fill("60000")
+    camera.get_by_label("depth that is white").dispatch_event("change")
+    camera.wait_for_function(SHOWN, arg=[1000, round(255 * (9 * 257 - 257) / (60000 - 257))])
+    # It is given up when nobody looks.
+    before = sum(camera.evaluate("drawn"))
+    camera.evaluate("large(11)")
+    camera.evaluate("frames(2)")
+    camera.evaluate("unmount()")
+    camera.evaluate("frames(10)")
+    assert sum(camera.evaluate("drawn")) < before + whole
+
+
 def test_visitors_choose_the_topic_and_the_range(camera: Tab) -> None:
     add(camera, "publisher", "/talker", "/chatter", "std_msgs/msg/String")
     panel = show(camera, "image")

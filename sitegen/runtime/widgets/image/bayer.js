@@ -6,15 +6,15 @@
 const PARTS = "rgb";
 
 /**
- * Write the pixels of an image: the colour that a pixel sees is its own, the others are the means of its neighbours.
- * @param {Rows} rows @param {string} pattern the colours of a square of four, such as "rggb"
+ * Write the pixels of some rows of an image: the colour that a pixel sees is its own, the others are the means of its neighbours.
+ * @param {Rows} rows @param {string} pattern the colours of a square of four, such as "rggb" @param {number} from a row @param {number} until
  * @param {Uint8ClampedArray} pixels
  */
-export function demosaic({ width, height, step, data }, pattern, pixels) {
+export function demosaic({ width, height, step, data }, pattern, from, until, pixels) {
   const seen = [...pattern].map((colour) => PARTS.indexOf(colour));
   const sums = [0, 0, 0];
   const counts = [0, 0, 0];
-  for (let row = 0, to = 0; row < height; row++) {
+  for (let row = from, to = 0; row < until; row++) {
     for (let column = 0; column < width; column++, to += 4) {
       sums.fill(0);
       counts.fill(0);

@@ -10,7 +10,6 @@ import { demosaic } from "./bayer.js";
  * @typedef {{data: Uint8ClampedArray<ArrayBuffer>, low: number, high: number}} Pixels red, green, blue and alpha of each pixel;
  *   `low` and `high` are the ends of a range of depth, else NaN
  * @typedef {{low: number, high: number}} Range NaN for the smallest and the largest value of the image
- * @typedef {(rows: Rows, pixels: Uint8ClampedArray<ArrayBuffer>) => void} Decode
  * @typedef {{width: number, height: number, step: number, data: Uint8Array}} Rows
  */
 
@@ -60,23 +59,86 @@ export function hasRange(encoding) {
  * @param {Image} image @param {Range} range @returns {Pixels}
  */
 export function decode(image, range) {
-  const { width, height, encoding } = image;
-  if (!ENCODINGS.includes(encoding)) {
-    throw new Error(say("The encoding '{}' is not supported; use one of {}", encoding.slice(0, 40), ENCODINGS.join(", ")));
-  }
-  if (!(width > 0 && height > 0)) throw new Error(say("The image is empty: {} × {} pixels", width, height));
-  if (width * height > MOST) throw new Error(say("The image is too large: {} × {} pixels", width, height));
-  const numbers = NUMBERS[encoding];
-  const bytes = numbers?.[0] ?? COLOURS[encoding]?.[0] ?? (YUV[encoding] ? 2 : 1);
-  if (YUV[encoding] && width % 2) throw new Error(say("{} needs an even width, not {}", encoding, width));
-  const rows = rowsOf(image, bytes);
+  const decoder = new Decoder(image, range);
+  const { width, height } = image;
   const pixels = new Uint8ClampedArray(4 * width * height);
-  if (numbers) return { data: pixels, ...drawNumbers(rows, numbers, Boolean(image.is_bigendian), range, pixels) };
-  const [colours, yuv, bayer] = [COLOURS[encoding], YUV[encoding], BAYER[encoding]];
-  if (colours) drawColours(rows, colours, pixels);
-  else if (yuv) drawYuv(rows, yuv, pixels);
-  else if (bayer) demosaic(rows, bayer, pixels);
-  return { data: pixels, low: NaN, high: NaN };
+  if (decoder.isMeasured) decoder.measure(0, height);
+  decoder.draw(0, height, pixels);
+  return { data: pixels, ...decoder.range };
+}
+
+/** Decodes an image in parts: some rows at a time. */
+export class Decoder {
+  #encoding;
+  #big;
+  #wanted;
+  #rows;
+  #least = Infinity;
+  #most = -Infinity;
+
+  /** Throws an Error that says what is wrong with the image. @param {Image} image @param {Range} range */
+  constructor(image, range) {
+    const { width, height, encoding } = image;
+    if (!ENCODINGS.includes(encoding)) {
+      throw new Error(say("The encoding '{}' is not supported; use one of {}", encoding.slice(0, 40), ENCODINGS.join(", ")));
+    }
+    if (!(width > 0 && height > 0)) throw new Error(say("The image is empty: {} × {} pixels", width, height));
+    if (width * height > MOST) throw new Error(say("The image is too large: {} × {} pixels", width, height));
+    if (YUV[encoding] && width % 2) throw new Error(say("{} needs an even width, not {}", encoding, width));
+    this.#encoding = encoding;
+    this.#big = Boolean(image.is_bigendian);
+    this.#wanted = range;
+    this.#rows = rowsOf(image, NUMBERS[encoding]?.[0] ?? COLOURS[encoding]?.[0] ?? (YUV[encoding] ? 2 : 1));
+  }
+
+  /** Whether all rows must be measured before the first is drawn. */
+  get isMeasured() {
+    return hasRange(this.#encoding);
+  }
+
+  /** The range of what is measured; NaN if nothing is. @returns {Range} */
+  get range() {
+    if (!(this.#least <= this.#most)) return { low: NaN, high: NaN };
+    const { low, high } = this.#wanted;
+    return { low: Number.isNaN(low) ? this.#least : low, high: Number.isNaN(high) ? this.#most : high };
+  }
+
+  /** Find the smallest and the largest value. @param {number} from a row @param {number} until */
+  measure(from, until) {
+    eachNumber(this.#rows, this.#numbers, this.#big, from, until, (value) => {
+      if (value < this.#least && value > -Infinity) this.#least = value;
+      if (value > this.#most && value < Infinity) this.#most = value;
+    });
+  }
+
+  /** Draw rows at the beginning of `pixels`. @param {number} from @param {number} until @param {Uint8ClampedArray} pixels */
+  draw(from, until, pixels) {
+    const [colours, yuv, bayer] = [COLOURS[this.#encoding], YUV[this.#encoding], BAYER[this.#encoding]];
+    if (colours) drawColours(this.#rows, colours, from, until, pixels);
+    else if (yuv) drawYuv(this.#rows, yuv, from, until, pixels);
+    else if (bayer) demosaic(this.#rows, bayer, from, until, pixels);
+    else this.#drawNumbers(from, until, pixels);
+  }
+
+  get #numbers() {
+    return /** @type {[number, boolean]} */ (NUMBERS[this.#encoding]);
+  }
+
+  /**
+   * Draw numbers in grey, from the smallest in black to the largest in white. A depth that is missing is transparent.
+   * @param {number} from @param {number} until @param {Uint8ClampedArray} pixels
+   */
+  #drawNumbers(from, until, pixels) {
+    const { low, high } = this.range;
+    let to = 0;
+    eachNumber(this.#rows, this.#numbers, this.#big, from, until, (value) => {
+      const there = Number.isFinite(value);
+      const grey = high > low ? (255 * (value - low)) / (high - low) : 128;
+      pixels[to] = pixels[to + 1] = pixels[to + 2] = there ? grey : 0;
+      pixels[to + 3] = there ? 255 : 0;
+      to += 4;
+    });
+  }
 }
 
 /** Check that all rows are there. @param {Image} image @param {number} bytes of a pixel @returns {Rows} */
@@ -95,29 +157,36 @@ function rowsOf({ width, height, step, encoding, data }, bytes) {
   return { width, height, step: apart, data };
 }
 
-/** @param {Rows} rows @param {[number, number, number, number, number]} colours @param {Uint8ClampedArray} pixels */
-function drawColours({ width, height, step, data }, [bytes, red, green, blue, alpha], pixels) {
+/**
+ * @param {Rows} rows @param {[number, number, number, number, number]} colours @param {number} from @param {number} until
+ * @param {Uint8ClampedArray} pixels
+ */
+function drawColours({ width, step, data }, [bytes, red, green, blue, alpha], from, until, pixels) {
   let to = 0;
-  for (let row = 0; row < height; row++) {
-    let from = row * step;
-    for (let column = 0; column < width; column++, from += bytes, to += 4) {
-      pixels[to] = byte(data, from + red);
-      pixels[to + 1] = byte(data, from + green);
-      pixels[to + 2] = byte(data, from + blue);
-      pixels[to + 3] = alpha < 0 ? 255 : byte(data, from + alpha);
+  for (let row = from; row < until; row++) {
+    let at = row * step;
+    for (let column = 0; column < width; column++, at += bytes, to += 4) {
+      pixels[to] = byte(data, at + red);
+      pixels[to + 1] = byte(data, at + green);
+      pixels[to + 2] = byte(data, at + blue);
+      pixels[to + 3] = alpha < 0 ? 255 : byte(data, at + alpha);
     }
   }
 }
 
-/** As in video: brightness from 16 to 235. @param {Rows} rows @param {[number, number, number, number]} places @param {Uint8ClampedArray} pixels */
-function drawYuv({ width, height, step, data }, [first, second, blue, red], pixels) {
+/**
+ * As in video: brightness from 16 to 235.
+ * @param {Rows} rows @param {[number, number, number, number]} places @param {number} from @param {number} until
+ * @param {Uint8ClampedArray} pixels
+ */
+function drawYuv({ width, step, data }, [first, second, blue, red], from, until, pixels) {
   let to = 0;
-  for (let row = 0; row < height; row++) {
-    for (let from = row * step; from < row * step + 2 * width; from += 4) {
-      const u = byte(data, from + blue) - 128;
-      const v = byte(data, from + red) - 128;
+  for (let row = from; row < until; row++) {
+    for (let at = row * step; at < row * step + 2 * width; at += 4) {
+      const u = byte(data, at + blue) - 128;
+      const v = byte(data, at + red) - 128;
       for (const place of [first, second]) {
-        const y = 1.164 * (byte(data, from + place) - 16);
+        const y = 1.164 * (byte(data, at + place) - 16);
         pixels[to] = y + 1.596 * v;
         pixels[to + 1] = y - 0.813 * v - 0.391 * u;
         pixels[to + 2] = y + 2.018 * u;
@@ -129,33 +198,19 @@ function drawYuv({ width, height, step, data }, [first, second, blue, red], pixe
 }
 
 /**
- * Draw numbers in grey, from the smallest in black to the largest in white. A depth that is missing is transparent.
- * @param {Rows} rows @param {[number, boolean]} numbers @param {boolean} big endian @param {Range} range
- * @param {Uint8ClampedArray} pixels @returns {{low: number, high: number}} the range
+ * Call `take` for each number in some rows; NaN is a depth that is missing.
+ * @param {Rows} rows @param {[number, boolean]} numbers @param {boolean} big endian @param {number} from
+ * @param {number} until @param {(value: number) => void} take
  */
-function drawNumbers({ width, height, step, data }, [bytes, depth], big, range, pixels) {
+function eachNumber({ width, step, data }, [bytes, depth], big, from, until, take) {
   const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
-  const values = new Float32Array(width * height);
-  let [least, most] = [Infinity, -Infinity];
-  for (let row = 0, at = 0; row < height; row++) {
-    for (let from = row * step; from < row * step + width * bytes; from += bytes) {
-      let value = bytes === 2 ? view.getUint16(from, !big) : view.getFloat32(from, !big);
-      if (depth && bytes === 2 && value === 0) value = NaN;
-      values[at++] = value;
-      if (value < least && value > -Infinity) least = value;
-      if (value > most && value < Infinity) most = value;
+  for (let row = from; row < until; row++) {
+    const end = row * step + width * bytes;
+    for (let at = row * step; at < end; at += bytes) {
+      const value = bytes === 2 ? view.getUint16(at, !big) : view.getFloat32(at, !big);
+      take(depth && bytes === 2 && value === 0 ? NaN : value);
     }
   }
-  const low = Number.isNaN(range.low) ? least : range.low;
-  const high = Number.isNaN(range.high) ? most : range.high;
-  for (let at = 0; at < values.length; at++) {
-    const value = values[at] ?? NaN;
-    if (!Number.isFinite(value)) continue;
-    const grey = high > low ? (255 * (value - low)) / (high - low) : 128;
-    pixels[4 * at] = pixels[4 * at + 1] = pixels[4 * at + 2] = grey;
-    pixels[4 * at + 3] = 255;
-  }
-  return least <= most ? { low, high } : { low: NaN, high: NaN };
 }
 
 /** @param {Uint8Array} data @param {number} at @returns {number} */

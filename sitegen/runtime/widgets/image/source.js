@@ -3,7 +3,8 @@
 
 import { TopicReader } from "../../messages/topicReader.js";
 import { say } from "../../ui/words.js";
-import { decode } from "./decode.js";
+import { decode, Decoder } from "./decode.js";
+import { decodeInSlices } from "./slices.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Image, Range } from "./decode.js" */
@@ -12,10 +13,12 @@ export const RAW = "sensor_msgs/msg/Image";
 export const COMPRESSED = "sensor_msgs/msg/CompressedImage";
 // Images are large, and only the newest counts.
 const DEPTH = 2;
+// Larger images (pixels) are decoded in several frames: those of a Bayer pattern take 100 ns for each pixel.
+const LARGE = 2 ** 17;
 
 /**
- * @typedef {{image: ImageData | ImageBitmap, encoding: string, low: number, high: number}} Picture `low` and `high` are
- *   the range of depth, NaN if there is none
+ * @typedef {{image: ImageData | ImageBitmap | HTMLCanvasElement, encoding: string, low: number, high: number}} Picture
+ *   `low` and `high` are the range of depth, NaN if there is none
  */
 
 export class ImageSource {
@@ -26,6 +29,8 @@ export class ImageSource {
   #newest;
   #frame = 0;
   #decoding = false;
+  /** Whether to decode again: the range has changed meanwhile, or there is a newer image. */
+  #again = false;
   #closed = false;
   /** @type {Range} */
   range = { low: NaN, high: NaN };
@@ -76,26 +81,38 @@ export class ImageSource {
 
   async #draw() {
     this.#frame = 0;
+    this.#again = this.#decoding;
     if (this.#decoding) return;
     this.#decoding = true;
     const message = this.#newest;
     let picture;
     let fault = "";
     try {
-      picture = this.#reader.type === COMPRESSED ? await decompress(message) : this.#decode(message);
+      if (this.#reader.type === COMPRESSED) picture = await decompress(message);
+      // What is not awaited is shown in this frame.
+      else if (message.width * message.height > LARGE) picture = await this.#decodeLarge(message);
+      else picture = this.#decode(message);
     } catch (error) {
       fault = error instanceof Error ? error.message : String(error);
     }
     this.#decoding = false;
     if (!this.#closed) this.#show(picture, fault);
     if (picture?.image instanceof ImageBitmap) picture.image.close();
-    if (message !== this.#newest) this.redraw();
+    if (this.#again) this.redraw();
   }
 
   /** @param {Image} message @returns {Picture} */
   #decode(message) {
     const { data, low, high } = decode(message, this.range);
     return { image: new ImageData(data, message.width, message.height), encoding: message.encoding, low, high };
+  }
+
+  /** @param {Image} message @returns {Promise<Picture | undefined>} */
+  async #decodeLarge(message) {
+    const { width, height, encoding } = message;
+    const decoder = new Decoder(message, this.range);
+    const image = await decodeInSlices(decoder, width, height, () => !this.#closed);
+    return image && { image, encoding, ...decoder.range };
   }
 }
 

@@ -38,13 +38,14 @@ export class ImageView {
     this.#resized.observe(this.element);
   }
 
-  /** Draw an image. @param {ImageData | ImageBitmap} image */
+  /** Draw an image. A canvas takes the place of the one before. @param {ImageData | ImageBitmap | HTMLCanvasElement} image */
   draw(image) {
     const { width, height } = image;
-    if (this.canvas.width !== width || this.canvas.height !== height) {
-      [this.canvas.width, this.canvas.height] = [width, height];
-      this.#fit();
-    }
+    const resized = this.canvas.width !== width || this.canvas.height !== height;
+    if (image instanceof HTMLCanvasElement) this.#replace(image);
+    else if (resized) [this.canvas.width, this.canvas.height] = [width, height];
+    if (resized) this.#fit();
+    if (image instanceof HTMLCanvasElement) return;
     const paper = this.canvas.getContext("2d");
     if (image instanceof ImageData) {
       paper?.putImageData(image, 0, 0);
@@ -61,6 +62,15 @@ export class ImageView {
 
   close() {
     this.#resized.disconnect();
+  }
+
+  /** @param {HTMLCanvasElement} canvas */
+  #replace(canvas) {
+    canvas.style.cssText = this.canvas.style.cssText;
+    this.canvas.replaceWith(canvas);
+    // Its memory is large, and would be freed some time later.
+    this.clear();
+    this.canvas = canvas;
   }
 
   #refit() {

@@ -4,8 +4,8 @@
 import {
   BufferAttribute, BufferGeometry, CanvasTexture, Color, DoubleSide, Group, Mesh, MeshBasicMaterial, SRGBColorSpace,
 } from "../../../vendor/three.js";
+import { place } from "../../../place.js";
 import { say } from "../../../ui/words.js";
-import { decode } from "../../image/decode.js";
 import { Lines } from "../lines.js";
 import { dispose } from "../shapes.js";
 
@@ -126,6 +126,9 @@ class Camera {
   /** @param {any} message @param {string} type @returns {Promise<ImageData | ImageBitmap>} */
   async #decode(message, type) {
     if (type === COMPRESSED) return createImageBitmap(new Blob([message.data]));
+    // Few views have a camera.
+    /** @type {typeof import("../../image/decode.js")} */
+    const { decode } = await import(place("widgets/image/decode.js"));
     const { data } = decode(message, AUTOMATIC);
     return new ImageData(data, message.width, message.height);
   }
