@@ -6,21 +6,31 @@ import { watchColours } from "../ui/colours.js";
 import { fullScreenButton } from "../ui/fullScreen.js";
 import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
-import { Plus, X } from "../vendor/icons.js";
+import { ArrowDown, ArrowUp, Plus, X } from "../vendor/icons.js";
 import { Bags } from "../terminal/bags.js";
 import { History } from "../terminal/line/history.js";
 import { Session } from "../terminal/session.js";
 import { offerCommands } from "./terminal/offers.js";
 
 /** @import { Ros } from "../protocol.js" */
+/** @import { Icon } from "../ui/toolbar.js" */
 
 /** The terminals of one widget, at most. */
 const MOST = 8;
-/** Keys that a phone's keyboard lacks, and what a terminal sends for them. @type {[string, string, string][]} */
+/**
+ * Keys that a phone's keyboard lacks: what is on them, what they do, and what a terminal sends for them.
+ * @type {[string | Icon, string, string][]}
+ */
 const KEYS = [
-  ["Tab", say("Complete"), "\t"], ["Ctrl-C", say("Interrupt"), "\x03"], ["↑", say("Earlier line"), "\x1b[A"],
-  ["↓", say("Later line"), "\x1b[B"], ["←", say("Cursor left"), "\x1b[D"], ["→", say("Cursor right"), "\x1b[C"],
+  ["Tab", say("Complete"), "\t"], ["Ctrl-C", say("Interrupt"), "\x03"],
+  [ArrowUp, say("Earlier line"), "\x1b[A"], [ArrowDown, say("Later line"), "\x1b[B"],
+  [turned(ArrowUp, -90), say("Cursor left"), "\x1b[D"], [turned(ArrowUp, 90), say("Cursor right"), "\x1b[C"],
 ];
+
+/** @param {Icon} icon @param {number} degrees clockwise @returns {Icon} */
+function turned(icon, degrees) {
+  return icon.map(([tag, attributes]) => [tag, { ...attributes, transform: `rotate(${degrees} 12 12)` }]);
+}
 
 /**
  * @param {HTMLElement} element
@@ -76,11 +86,10 @@ class Terminals {
     });
     loud.title = say("Screen readers read the output. Press Esc, then Tab to leave the terminal.");
     const controls = create("div", "ros-controls", this.#add, this.#close, fullScreenButton(element));
-    const keys = create("div", "ros-keys", ...KEYS.map(([label, title, data]) => {
-      const key = button(label, "", () => this.#shown?.session.press(data));
-      key.title = title;
-      // Arrows need a name, and words are their own.
-      if (label.length === 1) key.setAttribute("aria-label", title);
+    const keys = create("div", "ros-keys", ...KEYS.map(([sign, name, data]) => {
+      const press = () => this.#shown?.session.press(data);
+      const key = typeof sign === "string" ? button(sign, "", press) : tool(name, sign, press);
+      key.title = name;
       // The keyboard of the phone stays where it is.
       key.addEventListener("pointerdown", (event) => event.preventDefault());
       return key;

@@ -155,6 +155,22 @@ def test_tools_of_a_view_lie_over_it(stage: Tab) -> None:
     )
 
 
+def test_keys_of_a_terminal_are_drawn(stage: Tab) -> None:
+    stage.set_viewport_size(PHONE)
+    panel = show(stage, "terminal")
+    names = ["Earlier line", "Later line", "Cursor left", "Cursor right"]
+    keys = [panel.get_by_role("button", name=name, exact=True) for name in names]
+    drawings = set()
+    for key in keys:
+        drawings.add(key.locator("svg").inner_html())
+        box = key.bounding_box()
+        assert box
+        assert box["height"] >= 44
+    # Each has its own drawing.
+    assert len(drawings) == len(names)
+    assert not set("\u2190\u2191\u2192\u2193") & set(panel.locator(".ros-keys").inner_text())
+
+
 def test_tools_say_what_they_do(stage: Tab) -> None:
     panel = view(stage)
     goal = panel.get_by_role("button", name="Goal", exact=True)
