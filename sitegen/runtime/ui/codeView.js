@@ -27,6 +27,12 @@ const LOOK = EditorView.theme({
   "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground": {
     background: "color-mix(in srgb, var(--accent) 28%, transparent)",
   },
+  // All lines, whole.
+  "@media print": {
+    "&": { height: "auto" },
+    ".cm-scroller": { overflow: "visible" },
+    ".cm-content": { whiteSpace: "pre-wrap", overflowWrap: "anywhere", minWidth: "0", flexShrink: "1" },
+  },
   ".cm-wrong": { backgroundColor: "color-mix(in srgb, var(--danger) 22%, transparent)" },
 });
 

@@ -9,27 +9,31 @@
  * @returns {() => void} stop observing
  */
 export function whileSeen(element, begin) {
-  return observe(element, begin, {});
+  return observe(element, begin, {}, false);
 }
 
 /**
  * Like whileSeen, but already within a screen of the visible part, so that a panel has its content before one scrolls
- * to it.
+ * to it; and wherever it is while the page is printed.
  * @param {Element} element
  * @param {() => () => void} begin
  * @returns {() => void} stop observing
  */
 export function whileNear(element, begin) {
-  return observe(element, begin, { rootMargin: "100% 0px" });
+  return observe(element, begin, { rootMargin: "100% 0px" }, true);
 }
 
-/** @param {Element} element @param {() => () => void} begin @param {IntersectionObserverInit} options */
-function observe(element, begin, options) {
+/**
+ * @param {Element} element @param {() => () => void} begin @param {IntersectionObserverInit} options
+ * @param {boolean} onPaper
+ */
+function observe(element, begin, options, onPaper) {
   let inView = false;
+  let printed = false;
   /** @type {(() => void) | undefined} */
   let end;
   const look = () => {
-    const seen = inView && document.visibilityState === "visible";
+    const seen = (inView || printed) && document.visibilityState === "visible";
     if (seen && !end) {
       end = begin();
     } else if (!seen && end) {
@@ -41,12 +45,20 @@ function observe(element, begin, options) {
     inView = entries.at(-1)?.isIntersecting ?? false;
     look();
   }, options);
+  const print = (/** @type {Event} */ { type }) => {
+    printed = onPaper && type === "beforeprint";
+    look();
+  };
   observer.observe(element);
   document.addEventListener("visibilitychange", look);
+  addEventListener("beforeprint", print);
+  addEventListener("afterprint", print);
   return () => {
     observer.disconnect();
     document.removeEventListener("visibilitychange", look);
-    inView = false;
+    removeEventListener("beforeprint", print);
+    removeEventListener("afterprint", print);
+    inView = printed = false;
     look();
   };
 }

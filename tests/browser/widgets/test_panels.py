@@ -46,6 +46,22 @@ def test_nothing_is_subscribed_while_nobody_looks(stage: Tab, kind: str) -> None
     assert stage.locator("#panel > *").count() == 0
 
 
+@pytest.mark.parametrize("kind", ["topics", "log"])
+def test_panels_that_are_far_away_are_printed(stage: Tab, kind: str) -> None:
+    chatter(stage)
+    show(stage, kind, {"echo": "/chatter"})
+    all_of_it = subscribed(stage)
+    stage.evaluate("main.style.marginTop = '9000px'")
+    stage.wait_for_function("() => ros.subscriptions.length === 0")
+    stage.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert subscribed(stage) == all_of_it
+    stage.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert subscribed(stage) == []
+    stage.evaluate("unmount()")
+    stage.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert subscribed(stage) == []
+
+
 def test_nodes_tell_what_runs_and_what_it_does(stage: Tab) -> None:
     stage.evaluate("ros.addNode('talker', 'cpp_pubsub', 'talker')")
     panel = show(stage, "nodes")

@@ -1,0 +1,27 @@
+"""The editor on paper."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Page as Tab
+
+
+def test_all_lines_are_printed(stage: Tab) -> None:
+    stage.evaluate(
+        """async () => {
+          const { codeView } = await import("./runtime/ui/codeView.js");
+          const main = document.getElementById("main");
+          main.innerHTML = "<div id=code style='margin-block-start: 500vh'></div>";
+          const text = Array.from({ length: 80 }, (_, at) => `line_${at} = ${"x".repeat(300)}`);
+          codeView(document.getElementById("code"), text.join("\\n"), "Source", () => {}, () => {});
+        }"""
+    )
+    stage.emulate_media(media="print")
+    stage.wait_for_function(
+        """() => {
+          const root = document.getElementById("code").shadowRoot;
+          const lines = [...root.querySelectorAll(".cm-line")];
+          const { right } = root.querySelector(".cm-scroller").getBoundingClientRect();
+          const whole = (line) => line.getBoundingClientRect().right <= right + 1;
+          return lines.length === 80 && lines.every(whole);
+        }"""
+    )
