@@ -6,12 +6,15 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-ROS = re.compile(r"(```|~~~)[`~ \t{.]*ros", re.I)
+ROS = re.compile(r"(```|~~~)[`~ \t{.]*(ya?ml[ \t]+)?ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # A fence at any depth: also in a list, a tab or a quotation.
 INNER_FENCE = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # `ros2` is a language: that of commands, which a terminal runs.
 NEARLY_ROS = re.compile(r"[{.]*\s*ros1?[\s}]*(?!\S)", re.I)
+# An example: YAML that the page shows, and the widgets that it describes. Options may follow.
+EXAMPLE = re.compile(r"yaml[ \t]+ros(?!\S)")
+NEARLY_EXAMPLE = re.compile(r"ya?ml\s+ros(?!\S)", re.I)
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 
@@ -73,7 +76,7 @@ def misplaced(text: str) -> Iterator[int]:
             continue
         if not fence:
             fence = match["fence"]
-            if match["info"] == "ros":
+            if match["info"] == "ros" or EXAMPLE.match(match["info"]):
                 yield number
         elif match["fence"].startswith(fence) and not match["info"]:
             fence = ""
@@ -106,7 +109,7 @@ def _prose(lines: list[str], end: int) -> Iterator[Block]:
 
 def _is_ros(info: str) -> bool:
     """Return whether a fence is a `ros` block, or meant to be one: its reader reports the error."""
-    return bool(NEARLY_ROS.match(info))
+    return bool(NEARLY_ROS.match(info) or NEARLY_EXAMPLE.match(info))
 
 
 def _lines(text: str) -> Iterator[_Line]:

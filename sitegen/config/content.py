@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -9,7 +10,7 @@ from pathlib import Path
 from sitegen.config import notebooks, scene
 from sitegen.config.bag import KIND as BAG
 from sitegen.config.bag import bag
-from sitegen.config.blocks import Block, misplaced, split
+from sitegen.config.blocks import EXAMPLE, NEARLY_EXAMPLE, Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
@@ -18,7 +19,7 @@ from sitegen.config.panel import panel
 from sitegen.config.section import Section, check, conforms
 from sitegen.config.widgetkeys import LAYOUTS, MARKDOWN, ROBOTS, WIDGETS
 from sitegen.errors import Location, Problems, nearest
-from sitegen.model import Markdown, Node, Part, Source, Widget
+from sitegen.model import Cell, Layout, Markdown, Node, Part, Source, Widget
 
 
 @dataclass(frozen=True)
@@ -86,20 +87,33 @@ class Reader:
             self.problems.add(fence, "ros", "this block is not closed; close it with ```")
             return
         info = block.info or ""
-        if info.split()[:1] != ["ros"]:
+        example = EXAMPLE.match(info)
+        if not example and info.split()[:1] != ["ros"]:
+            wanted = "```yaml ros" if NEARLY_EXAMPLE.match(info) else "```ros"
             message = (
-                f"a block of widgets begins with ```ros, found '{info}'; "
-                "write ```ros, or choose another language for code"
+                f"a block of widgets begins with {wanted}, found '{info}'; "
+                f"write {wanted}, or choose another language for code"
             )
             self.problems.add(fence, "ros", message)
             return
-        if block.info != "ros":
+        if not example and info != "ros":
             message = (
-                f"a block must begin with 'ros' alone, found '{block.info}'; "
+                f"a block must begin with 'ros' alone, found '{info}'; "
                 "move the rest inside the block"
             )
             self.problems.add(fence, "ros", message)
             return
+        widgets = tuple(self._widgets(block, location))
+        if not example:
+            yield from widgets
+        elif widgets:
+            # A fence that no line of the YAML can close.
+            edge = max(re.findall("`{3,}", block.text), key=len, default="``") + "`"
+            code = f"{edge}yaml{info[example.end() :]}\n{block.text}\n{edge}"
+            cells = (Cell((Markdown(code, self.folder, fence),)), Cell(widgets))
+            yield Layout("example", cells, fence)
+
+    def _widgets(self, block: Block, location: Location) -> Iterator[Part]:
         empty = "this block is empty; add a widget, like 'console: talker'"
         value = parse(block.text, location, self.problems, key="ros", empty=empty)
         widgets = value.items() if value and value.kind == "list" else [value]

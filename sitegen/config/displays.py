@@ -107,7 +107,7 @@ def _setting(key: str, entry: Value, kind: Kind) -> tuple[Setting | None, str]:
     if isinstance(default, int | float):
         return float(text) if NUMBER.fullmatch(text) else None, "a number"
     if default.startswith("#"):
-        return text if FORMS["colour"].fullmatch(text) else None, 'a colour like "#2b4bd8"'
+        return text if FORMS["color"].fullmatch(text) else None, 'a color like "#2b4bd8"'
     if key == "topic":
         return text if FORMS["name"].fullmatch(text) else None, f"a topic like {default}"
     return text if entry.kind in ("text", "number") else None, "text"

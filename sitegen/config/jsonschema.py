@@ -43,7 +43,7 @@ TYPES: dict[str, Json] = {
     "flag": {"type": "boolean"},
     "number": {"type": "integer", "minimum": 1},
     "list of text": {"type": "array", "items": TEXT},
-    "text by name": {"type": "object", "additionalProperties": TEXT},
+    "mapping of texts": {"type": "object", "additionalProperties": TEXT},
     "site": {"$ref": "#/$defs/site"},
     "nodes": {"type": "object", "additionalProperties": {"$ref": "#/$defs/node"}},
     "pages": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/page"}},
@@ -60,13 +60,13 @@ TYPES: dict[str, Json] = {
     "pyodide": {"$ref": "#/$defs/pyodide"},
     "connect": {"$ref": "#/$defs/connect"},
     "names": {"$ref": "#/$defs/names"},
-    "decimal by name": {"type": "object", "additionalProperties": {"type": "number"}},
+    "mapping of decimals": {"type": "object", "additionalProperties": {"type": "number"}},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
 TYPES |= {
     "list of patterns": {"type": "array", "items": TYPES["pattern"]},
     "list of names": {"type": "array", "items": TYPES["name"]},
-    "name by name": {"type": "object", "additionalProperties": TYPES["name"]},
+    "mapping of names": {"type": "object", "additionalProperties": TYPES["name"]},
     "parameters": {"type": ["object", "array"]},
     "data": {"type": "object"},
     "decimal": {"type": "number"},
@@ -74,7 +74,7 @@ TYPES |= {
         "anyOf": [TYPES["message path"], {"type": "array", "items": TYPES["message path"]}]
     },
     "thresholds": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/threshold"}},
-    "interface by name": {"type": "object", "additionalProperties": TYPES["interface"]},
+    "mapping of interfaces": {"type": "object", "additionalProperties": TYPES["interface"]},
 }
 NAV: Json = {
     "anyOf": [

@@ -47,7 +47,7 @@ def _option(section: Section, key: Key, problems: Problems) -> object:
     entry = section.get(key.name)
     if entry and key.type == "decimal":
         return float(entry.text)
-    if entry and key.type == "decimal by name":
+    if entry and key.type == "mapping of decimals":
         return {name: float(each.text) for name, each in entry.entries(problems).items()}
     if entry and key.type == "message paths" and entry.kind == "text":
         return [entry.text]

@@ -74,7 +74,7 @@ def conforms(value: Value, key: Key, problems: Problems) -> bool:
     if value.kind not in kind.split(" or ") or empty:
         problems.add(value.location, value.label, f"expected {name}, {_found(value, key)}")
         return False
-    form = key.type.removeprefix("list of ").removesuffix(" by name").removesuffix("s")
+    form = key.type.removeprefix("list of ").removeprefix("mapping of ").removesuffix("s")
     form = form if form in FORMS else "text"
     parts = _texts(value, key, problems)
     wrong = [part for part in parts if not _fits(part, form)]
@@ -97,7 +97,7 @@ def _texts(value: Value, key: Key, problems: Problems) -> list[Value]:
         return [value]
     if key.type in FORMS:
         return [value]
-    return list(value.entries(problems).values()) if key.type.endswith(" by name") else []
+    return list(value.entries(problems).values()) if key.type.startswith("mapping of ") else []
 
 
 def _found(value: Value, key: Key) -> str:

@@ -113,7 +113,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "description: /arm/robot_description",
             default="/robot_description",
         ),
-        Key("zeros", "decimal by name", "initial positions", "zeros: {elbow: 1.2}"),
+        Key("zeros", "mapping of decimals", "initial positions", "zeros: {elbow: 1.2}"),
     ),
     "teleop": (
         Key("topic", "name", "topic of the commands", "topic: /cmd_vel", default="/cmd_vel"),
@@ -161,13 +161,13 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("top", "flag", "look straight down", "top: true", default=False),
         Key(
             "background",
-            "colour",
+            "color",
             "color of the background; defaults to the theme's",
             'background: "#303030"',
         ),
         Key(
             "tools",
-            "name by name",
+            "mapping of names",
             "topics of the tools `goal`, `estimate` and `point`",
             "tools: {goal: /goal_pose}",
         ),
@@ -219,7 +219,7 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
         Key("from", "decimal", "where playing begins, in seconds from the start", "from: 2.5"),
         Key("to", "decimal", "where playing ends; defaults to the end", "to: 20"),
         Key("clock", "flag", "publish `/clock` while playing", "clock: true", default=False),
-        Key("remap", "name by name", "other names for topics", "remap: {/odom: /old/odom}"),
+        Key("remap", "mapping of names", "other names for topics", "remap: {/odom: /old/odom}"),
         Key("topics", "list of names", "play only these topics", "topics: [/odom, /tf]"),
         Key("exclude", "list of names", "leave out these topics", "exclude: [/rosout]"),
         Key("views", "flag", "add panels for its topics", "views: false"),

@@ -68,9 +68,10 @@ class Cell:
 
 @dataclass(frozen=True)
 class Layout:
-    """Parts of a page arranged as `columns`, `rows`, a `grid`, `tabs` or a `stage`.
+    """Parts of a page arranged as `columns`, `rows`, a `grid`, `tabs`, a `stage` or an `example`.
 
-    The cells of a stage are `nodes`, `show`, and `below` or `beside` for the consoles.
+    The cells of a stage are `nodes`, `show`, and `below` or `beside` for the consoles; those of an
+    example are its YAML and its widgets.
     """
 
     kind: str
@@ -85,11 +86,14 @@ Leaf = Markdown | Widget | Source
 Part = Leaf | Layout
 
 
-def leaves(content: Iterable[Part]) -> Iterator[Leaf]:
-    """Yield the parts of `content` in order, with layouts replaced by what they contain."""
+def leaves(content: Iterable[Part], *, examples: bool = True) -> Iterator[Leaf]:
+    """Yield the parts of `content` in order, with layouts replaced by what they contain.
+
+    Without `examples`, those and what they contain are left out.
+    """
     for part in content:
-        if isinstance(part, Layout):
-            for cell in part.cells:
-                yield from leaves(cell.content)
-        else:
+        if not isinstance(part, Layout):
             yield part
+        elif examples or part.kind != "example":
+            for cell in part.cells:
+                yield from leaves(cell.content, examples=examples)

@@ -214,6 +214,48 @@ def test_a_page_may_be_a_markdown_file(tmp_path: Path) -> None:
     assert "console: an example" in after.text
 
 
+def test_an_example_is_its_yaml_and_its_widgets(tmp_path: Path) -> None:
+    page = load_text(
+        tmp_path,
+        "site: {title: Robot}\npages: [{path: /, file: page.md}]\n",
+        {
+            "page.md": dedent(
+                """\
+                ---
+                title: T
+                nodes:
+                  talker: {package: cpp_pubsub, executable: talker}
+                ---
+                ```yaml ros title="page.md"
+                - console: talker
+                - grid:
+                  - markdown: |
+                      ````
+                      text
+                      ````
+                  - buttons: talker
+                ```
+                """
+            )
+        },
+    ).pages[0]
+    [example] = page.content
+    assert isinstance(example, Layout) and example.kind == "example"
+    code, widgets = (cell.content for cell in example.cells)
+    assert isinstance(code[0], Markdown) and code[0].location == Location(tmp_path / "page.md", 6)
+    lines = code[0].text.split("\n")
+    # Longer than each fence in the YAML.
+    assert (lines[0], lines[1], lines[-1]) == (
+        '`````yaml title="page.md"',
+        "- console: talker",
+        "`````",
+    )
+    assert [part.kind for part in widgets if isinstance(part, Widget | Layout)] == [
+        "console",
+        "grid",
+    ]
+
+
 @pytest.mark.parametrize(
     ("text", "title"),
     [

@@ -26,8 +26,8 @@ WRITING = DOCS.joinpath("writing.md").read_text(encoding="utf-8")
 WIDGET_PAGES = "".join(
     DOCS.joinpath(name).read_text(encoding="utf-8")
     for name in (
-        *("widgets.md", "panels.md", "notebooks.md", "robots.md"),
-        *("terminal.md", "views.md", "plots.md", "bags.md", "gateway.md", "launch.md"),
+        *("widgets.md", "panels.md", "node-panels.md", "notebooks.md", "robots.md", "terminal.md"),
+        *("views.md", "plots.md", "cameras.md", "bags.md", "gateway.md", "launch.md"),
         "own-panels.md",
     )
 )
@@ -59,7 +59,20 @@ def test_the_keys_of_front_matter_are_described() -> None:
 
 
 def test_every_widget_is_described() -> None:
-    assert re.findall(r"^### (\w+)$", WIDGET_PAGES, flags=re.MULTILINE) == list(WIDGETS)
+    assert re.findall(r"^###? ([a-z3]\w*)$", WIDGET_PAGES, flags=re.MULTILINE) == list(WIDGETS)
+
+
+def test_every_widget_is_shown() -> None:
+    blocks = re.findall(r"^```yaml ros\n(.*?)^```$", WIDGET_PAGES, flags=re.MULTILINE | re.DOTALL)
+    shown = {kind for block in blocks for kind in re.findall(r"^- (\w+):", block, re.MULTILINE)}
+    # One needs a gateway, the other is twenty megabytes of JupyterLab.
+    assert set(WIDGETS) - shown == {"connect", "jupyter"}
+
+
+def test_the_panel_that_is_explained_is_the_one_that_is_shown() -> None:
+    text = DOCS.joinpath("own-panels.md").read_text(encoding="utf-8")
+    [code] = re.findall(r'^```js title="panels/height.js"\n(.*?)^```$', text, re.M | re.S)
+    assert code == DOCS.joinpath("panels/height.js").read_text(encoding="utf-8")
 
 
 def test_every_layout_is_described() -> None:

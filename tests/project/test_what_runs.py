@@ -9,7 +9,7 @@ from paths import ROOT
 
 from sitegen import workspace
 
-PAGES = ("what-runs.md", "libraries.md", "launch.md")
+PAGES = ("what-runs.md", "libraries.md", "launch.md", "nodes.md")
 PAGE = "\n".join(ROOT.joinpath("docs", name).read_text(encoding="utf-8") for name in PAGES)
 INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"

@@ -17,7 +17,7 @@ from playwright.sync_api import Browser, expect
 from playwright.sync_api import Page as Tab
 from rendered import render_site
 
-from sitegen.model import Build, Effect, Event, Handler, Launch, Page
+from sitegen.model import Build, Cell, Effect, Event, Handler, Launch, Layout, Page
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.shipped import RUNTIME
 from sitegen.site.pages import render
@@ -245,6 +245,22 @@ def test_widgets_of_one_node_share_a_panel(author: Author) -> None:
         ["buttons", "console"],
         ["buttons", "console"],
     ]
+
+
+def test_an_example_shows_its_yaml_beside_its_widgets(author: Author) -> None:
+    location = author.location()
+    code = author.text("```yaml\n- log:\n```")
+    cells = (Cell((code,)), Cell((author.widget("log", ""),)))
+    author.page("", "Text", Layout("example", cells, location))
+    author.page("b/", "Text", author.widget("log", ""))
+    built = author.built()
+    html = built["index.html"]
+    example = html[html.index('class="example"') : html.index("</main>")]
+    assert example.index('class="code"') < example.index('data-ros-widget="log"')
+    # The page is still one to read.
+    assert '<body class="live"' not in html and 'class="level"' not in html
+    assert '<body class="live"' in built["b/index.html"]
+    assert 'class="level"' in built["b/index.html"]
 
 
 def test_tables_keep_their_alignment_without_style_attributes(author: Author) -> None:

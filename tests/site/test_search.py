@@ -221,7 +221,7 @@ ASKED = {
     "columns": "docs/layouts/",
     "editor": "docs/widgets/",
     "console": "docs/widgets/",
-    "parameters": "docs/panels/",
+    "parameters": "docs/node-panels/",
     "packages from pypi": "docs/python/",
     "numpy": "docs/python/",
     "isolated pages": "docs/python/",

@@ -10,7 +10,7 @@ from paths import ROOT
 from rendered import render_site
 
 from sitegen.errors import Location, SiteError
-from sitegen.model import Artifact, Markdown, Node, Page, Site, Widget
+from sitegen.model import Artifact, Markdown, Node, Page, Part, Site, Widget
 
 THEME = ROOT / "themes/default"
 
@@ -35,9 +35,7 @@ class Author:
         path = self.root / file
         return Markdown(text, path.parent, Location(path, line))
 
-    def page(
-        self, path: str, *content: Markdown | Widget | str, title: str = "", level: str = ""
-    ) -> Page:
+    def page(self, path: str, *content: Part | str, title: str = "", level: str = "") -> Page:
         parts = tuple(self.text(part) if isinstance(part, str) else part for part in content)
         targets = dict.fromkeys(part.target for part in parts if isinstance(part, Widget))
         nodes = {name: self.node(name) for name in targets}

@@ -29,11 +29,13 @@ from sitegen.gateway import schema
 
 # The widgets of one node; all others are panels.
 OF_NODES = ("buttons", "console", "source", "prompt", "editor")
+OF_GRAPH = ("topics", "services", "actions", "publish", "tf")
+ABOUT_NODES = ("parameters", "lifecycle", "diagnostics", "log")
 # Those that move a robot.
 ROBOTS = ("joints", "teleop", "robot")
-# Those that show what nodes measure.
-VIEWS = ("3d", "plot", "value", "image", "camera")
-PLOTS = VIEWS[1:]
+# Those that show what nodes measure, and what cameras see.
+PLOTS = ("plot", "value")
+IMAGES = ("image", "camera")
 NOTEBOOKS = ("notebook", "jupyter")
 BAGS = ("bag",)
 # Those that an author writes.
@@ -66,16 +68,14 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
     },
     "widgets.md": {kind: WIDGETS[kind] for kind in OF_NODES},
     "layouts.md": {"stage": STAGE, "columns": COLUMN, "rows": ROW},
-    "panels.md": {
-        kind: keys
-        for kind, keys in WIDGETS.items()
-        if keys and kind not in (*OF_NODES, *ROBOTS, *VIEWS, *NOTEBOOKS, *BAGS, *OWN, "terminal")
-    },
+    "panels.md": {kind: WIDGETS[kind] for kind in OF_GRAPH},
+    "node-panels.md": {kind: WIDGETS[kind] for kind in ABOUT_NODES},
     "notebooks.md": {kind: WIDGETS[kind] for kind in NOTEBOOKS},
     "robots.md": {kind: WIDGETS[kind] for kind in ROBOTS},
     "terminal.md": {"terminal": WIDGETS["terminal"]},
     "views.md": {"3d": WIDGETS["3d"]},
     "plots.md": {**{kind: WIDGETS[kind] for kind in PLOTS}, "A threshold": THRESHOLD},
+    "cameras.md": {kind: WIDGETS[kind] for kind in IMAGES},
     "bags.md": {kind: WIDGETS[kind] for kind in BAGS},
     "own-panels.md": {kind: WIDGETS[kind] for kind in OWN},
 }

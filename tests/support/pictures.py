@@ -38,6 +38,7 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo12": (["Play"], "0:09.", ".columns"),
     "demo13": (["Run all"], "y 5.", ".columns"),
     "demo14": (TUTORIAL, "linear_velocity", ".columns"),
+    "demo15": (["Start", "configure", "activate"], "49.", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 

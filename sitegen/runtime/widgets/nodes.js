@@ -43,7 +43,12 @@ export function mount(element, ros) {
     arrange(list, [...entries.values()].map((entry) => entry.element));
   };
   gather();
-  element.replaceChildren(bar, create("div", "ros-list", list));
+  const frame = create("div", "ros-list", list);
+  // Without a mouse, it is scrolled by keys, and nothing in it takes them.
+  frame.tabIndex = 0;
+  frame.setAttribute("role", "group");
+  frame.setAttribute("aria-label", say("Nodes"));
+  element.replaceChildren(bar, frame);
 
   const look = () => {
     gather();

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sitegen.model import Page, Widget
+from sitegen.model import Page, Widget, leaves
 
 # What widgets let visitors do, the most important first; with other widgets, they can "watch". The
 # words are in the texts of themes.
@@ -37,7 +37,11 @@ MOST = 3
 
 
 def abilities(page: Page) -> list[str]:
-    """Return the names of what visitors of `page` can do, at most MOST; none without widgets."""
-    shown = {widget.kind for widget in page.leaves if isinstance(widget, Widget)}
+    """Return the names of what visitors of `page` can do, at most MOST; none without widgets.
+
+    Examples are there to be read.
+    """
+    parts = leaves(page.content, examples=False)
+    shown = {part.kind for part in parts if isinstance(part, Widget)}
     found = [name for name, kinds in ABILITIES.items() if kinds & shown]
     return found[:MOST] or (["watch"] if shown else [])

@@ -15,7 +15,7 @@ from markupsafe import Markup
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, nearest
 from sitegen.interfaces.catalogue import as_json, catalogue
-from sitegen.model import Artifact, Page, Programs, Site
+from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site.bags import bags
 from sitegen.site.ownpanels import own_panels
 from sitegen.site.pages import app, discovery, preview, search, tags
@@ -287,6 +287,7 @@ class Renderer:
         own_fonts = any(isinstance(font, Path) for font in fonts)
         return {
             "live": live,
+            "wide": any(isinstance(p, Widget) for p in leaves(page.content, examples=False)),
             "share": live and not alone,
             "runtime": address(page, "runtime/"),
             "modules": modules(self.site, page, self._programs, entry),

@@ -245,6 +245,32 @@ def test_demo06_has_python_and_cpp_on_one_graph(page: Page, url: str, engine: st
     listener.stop()
 
 
+def test_demo15_watches_a_hot_plate(page: Page, url: str) -> None:
+    page.goto(f"{url}demo15/")
+    camera = Panel(page, "camera")
+    camera.start()
+    for transition in ("configure", "activate"):
+        page.get_by_role("button", name=transition, exact=True).click()
+    camera.wait_for("Looking")
+    expect(page.locator(".ros-managed-state")).to_have_text("active")
+    gauge = page.locator(".ros-value")
+    expect(gauge).to_contain_text(re.compile(r"5\d\.\d"))
+    heating = page.get_by_role("region", name="Parameters").get_by_label("heating").last
+    heating.fill("100")
+    heating.press("Enter")
+    camera.wait_for("Too hot: ")
+    expect(gauge).to_contain_text("too hot")
+    status = page.locator(".ros-diagnostic").filter(has_text="Part").last
+    status.scroll_into_view_if_needed()
+    expect(status).to_contain_text("ERROR")
+    expect(page.get_by_role("region", name="Log")).to_contain_text("Too hot")
+    page.get_by_role("button", name="deactivate", exact=True).click()
+    camera.wait_for("Paused")
+    status.scroll_into_view_if_needed()
+    expect(status).to_contain_text("STALE")
+    camera.stop()
+
+
 def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     page.goto(url)
     # A turtle draws at once, and says what.
@@ -261,7 +287,7 @@ def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     expect(page).to_have_url(f"{url}demo03/")
 
 
-@pytest.mark.parametrize("demo", [f"demo0{n}" for n in range(1, 10)])
+@pytest.mark.parametrize("demo", [*(f"demo0{n}" for n in range(1, 10)), "demo15"])
 def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
     build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
     assert (tmp_path / "dist" / "index.html").exists()

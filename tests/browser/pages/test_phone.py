@@ -197,9 +197,17 @@ def demo14(visitor: Visitor) -> None:
     expect(screen).to_contain_text("ros2 service")
 
 
+def demo15(visitor: Visitor) -> None:
+    page = visitor.page
+    visitor.start("camera", page.locator(".ros-state").first, "running")
+    state = page.locator(".ros-managed-state")
+    for transition, becomes in [("configure", "inactive"), ("activate", "active")]:
+        visitor.press(page.get_by_role("button", name=transition, exact=True), state, becomes)
+
+
 VISITS = (
     *(demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09, demo10, demo11),
-    *(demo12, demo13, demo14),
+    *(demo12, demo13, demo14, demo15),
 )
 
 

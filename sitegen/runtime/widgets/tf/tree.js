@@ -21,6 +21,10 @@ export class FrameTree {
   element = this.#drawing.element;
   tools = this.#drawing.tools;
 
+  constructor() {
+    this.#drawing.svg.setAttribute("aria-label", say("no frames"));
+  }
+
   close() {
     this.#drawing.close();
   }
