@@ -129,15 +129,17 @@ def test_pages_may_share_a_file(tmp_path: Path) -> None:
     assert (tmp_path / "dist" / "demo" / "data.csv").read_text() == "1,2\n"
 
 
+class Terminal(io.StringIO):
+    """What a terminal is sent."""
+
+    def isatty(self) -> bool:
+        return True
+
+
 def test_a_terminal_gets_a_live_line_for_each_thing_under_way(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setenv("TERM", "xterm")
-
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
     screen = Terminal()
     report = Report(screen)
     report.doing("talker", "compiling")
@@ -150,11 +152,6 @@ def test_a_terminal_shows_the_stages_of_a_build_and_keeps_none(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("TERM", "xterm")
-
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
     screen = Terminal()
     site = notes(tmp_path, "      - markdown: Hello\n")
     build(site, output=tmp_path / "dist", report=Report(screen))

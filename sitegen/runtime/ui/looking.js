@@ -46,18 +46,17 @@ function observe(element, begin, options, onPaper) {
     look();
   }, options);
   const print = (/** @type {Event} */ { type }) => {
-    printed = onPaper && type === "beforeprint";
+    printed = type === "beforeprint";
     look();
   };
   observer.observe(element);
-  document.addEventListener("visibilitychange", look);
-  addEventListener("beforeprint", print);
-  addEventListener("afterprint", print);
+  const stopped = new AbortController();
+  const { signal } = stopped;
+  document.addEventListener("visibilitychange", look, { signal });
+  if (onPaper) for (const type of ["beforeprint", "afterprint"]) addEventListener(type, print, { signal });
   return () => {
     observer.disconnect();
-    document.removeEventListener("visibilitychange", look);
-    removeEventListener("beforeprint", print);
-    removeEventListener("afterprint", print);
+    stopped.abort();
     inView = printed = false;
     look();
   };

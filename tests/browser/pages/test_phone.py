@@ -200,9 +200,13 @@ def demo14(visitor: Visitor) -> None:
 def demo15(visitor: Visitor) -> None:
     page = visitor.page
     visitor.start("camera", page.locator(".ros-state").first, "running")
-    state = page.locator(".ros-managed-state")
-    for transition, becomes in [("configure", "inactive"), ("activate", "active")]:
-        visitor.press(page.get_by_role("button", name=transition, exact=True), state, becomes)
+    # What can be done next takes the place of what was pressed.
+    for transition, then in [("configure", "activate"), ("activate", "deactivate")]:
+        button, next_one = (
+            page.get_by_role("button", name=n, exact=True) for n in (transition, then)
+        )
+        visitor.press(button, next_one)
+    expect(page.locator(".ros-managed-state")).to_have_text("active")
 
 
 VISITS = (
