@@ -25,7 +25,7 @@ const BUNDLES = {
     export { tags } from "@lezer/highlight";`,
   icons: `
     export {
-      ArrowDown, ArrowUp, Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, LocateFixed, Map, MapPin, Maximize2, Pause,
+      ArrowDown, ArrowUp, Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, ListFilter, LocateFixed, Map, MapPin, Maximize2, Pause,
       Play, Plus, RotateCcw, RotateCw, Ruler, Scan, SlidersHorizontal, X, ZoomIn, ZoomOut,
     } from "lucide";`,
   idiomorph: 'export { Idiomorph } from "idiomorph";',
@@ -36,7 +36,7 @@ const BUNDLES = {
       Float32BufferAttribute, Group, HemisphereLight, InstancedBufferAttribute, InstancedMesh, Line, LineBasicMaterial, LineSegments,
       LoadingManager, Material, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MOUSE, NearestFilter, Object3D,
       OrthographicCamera, PerspectiveCamera, Plane, PlaneGeometry, Points, PointsMaterial, Quaternion, Raycaster,
-      RedFormat, RingGeometry, Scene, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
+      RedFormat, RingGeometry, Scene, ShadowMaterial, SphereGeometry, Sprite, SpriteMaterial, SRGBColorSpace, TOUCH, Vector2, Vector3, WebGLRenderer,
     } from "three";
     export { OrbitControls } from "three/addons/controls/OrbitControls.js";
     export { LineMaterial } from "three/addons/lines/LineMaterial.js";

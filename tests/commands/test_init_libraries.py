@@ -30,13 +30,17 @@ RCLCPP_COMPONENTS_REGISTER_NODE(robot::Camera)
 """
 
 
-def written(root: Path, cmake: str, files: Mapping[str, str]) -> dict[str, Page]:
-    """The pages of the site that init writes for a package, by path."""
+def write(root: Path, cmake: str, files: Mapping[str, str]) -> None:
     package = {"package.xml": MANIFEST, "CMakeLists.txt": f"project(robot)\n{cmake}"}
     for name, text in {**package, **files}.items():
         file = root / "src/robot" / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, encoding="utf-8")
+
+
+def written(root: Path, cmake: str, files: Mapping[str, str]) -> dict[str, Page]:
+    """The pages of the site that init writes for a package, by path."""
+    write(root, cmake, files)
     assert main(["init", str(root)]) == 0
     return {page.path: page for page in config.load(root / "site.yaml").pages}
 
@@ -127,3 +131,12 @@ def test_components_of_a_launch_file_have_panels_under_their_names(tmp_path: Pat
     shown = panels(written(tmp_path, cmake, files)[""])
     assert shown["image"].options["topic"] == "/left/image"
     assert shown["publish"].options["topic"] == "/words"
+    # On the home page of a larger site, the container is called by its components.
+    write(
+        tmp_path / "two",
+        cmake,
+        {**files, "launch/other.launch.xml": launch.replace("left", "right")},
+    )
+    assert main(["init", str(tmp_path / "two")]) == 0
+    home = (tmp_path / "two/site.yaml").read_text(encoding="utf-8")
+    assert "- [All](robot/all/) Camera\n" in home

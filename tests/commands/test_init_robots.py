@@ -101,6 +101,37 @@ def test_a_package_has_pages_for_its_nodes_and_its_robot(tmp_path: Path) -> None
     }
 
 
+def test_the_page_of_a_robot_runs_the_programs_that_move_it(tmp_path: Path) -> None:
+    source = (
+        '#include "rclcpp/rclcpp.hpp"\n#include "sensor_msgs/msg/joint_state.hpp"\n'
+        "int main() {{\n"
+        '  auto node = std::make_shared<rclcpp::Node>("{0}");\n'
+        '  auto joints = node->create_publisher<sensor_msgs::msg::JointState>("{1}", 10);\n}}\n'
+    )
+    files = {
+        "urdf/fox.urdf": urdf("fox", "revolute"),
+        "CMakeLists.txt": "project(fox)\nadd_executable(wag src/wag.cpp)\n"
+        "add_executable(other src/other.cpp)\n",
+        "src/wag.cpp": source.format("wag", "joint_states"),
+        "src/other.cpp": source.format("other", "commands"),
+    }
+    # One page for both programs, and one for the robot.
+    site = written(tmp_path / "both", files)
+    page = site.pages[-1]
+    assert [*page.nodes] == ["robot_state_publisher", "wag"]
+    shown = widgets(page)
+    # Sliders would work against the program.
+    assert "3d" in shown
+    assert "joints" not in shown
+    assert shown["topics"].options["echo"] == "/joint_states"
+    assert [*site.pages[1].nodes] == ["wag", "other"]
+    # A program that is on the page of the robot has no other page.
+    del files["src/other.cpp"]
+    files["CMakeLists.txt"] = "project(fox)\nadd_executable(wag src/wag.cpp)\n"
+    [page] = written(tmp_path / "one", files).pages
+    assert [*page.nodes] == ["robot_state_publisher", "wag"]
+
+
 def test_parts_of_robots_have_no_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     macro = '<xacro:macro name="leg" params="n"><link name="leg${n}"/></xacro:macro>'
     include = '<xacro:include filename="$(find fox)/urdf/leg.xacro"/>'

@@ -19,7 +19,8 @@ class Member:
     """A program as a node of a page: `name` is that of the node, `told` has full names.
 
     `source` is the language of its source file, "" if the file is not in the workspace; `urdf` is
-    the file with the robot description that it is given.
+    the file with the robot description that it is given. `components` are the classes that a
+    component container loads.
     """
 
     name: str
@@ -28,6 +29,14 @@ class Member:
     told: Program
     source: str = ""
     urdf: str = ""
+    components: tuple[str, ...] = ()
+
+    @property
+    def shown(self) -> str:
+        """What it runs, for lists of programs."""
+        if self.components:
+            return ", ".join(each.rpartition("::")[2] for each in self.components)
+        return Path(self.urdf).name if self.urdf else self.executable
 
     @property
     def key(self) -> tuple[str, str]:
@@ -52,7 +61,8 @@ def member(node: Node, packages: Mapping[str, Package], own: Mapping[str, Packag
     """Return the program of a node of `packages`; `own` are those of the workspace."""
     if isinstance(node.kind, Container):
         told = programs.read_container(node.kind, packages)
-        return Member(node.name, node.package, node.executable, told)
+        classes = tuple(component.plugin for component in node.kind.components)
+        return Member(node.name, node.package, node.executable, told, components=classes)
     package = packages.get(node.package)
     told = programs.read(package, node.executable) if package else Program(open=True)
     if (node.package, node.executable) == KEY:

@@ -11,7 +11,7 @@ from pathlib import Path
 from sitegen.commands.init.members import Member
 from sitegen.commands.init.panels import Item, panels, robot_panels, robot_views, views
 from sitegen.commands.init.partners import together
-from sitegen.commands.init.robots import Robot
+from sitegen.commands.init.robots import Robot, moving
 from sitegen.commands.init.runs import Launched, Runs
 from sitegen.commands.init.turtle import KEY
 from sitegen.config.paths import segment
@@ -47,7 +47,7 @@ class Page:
         """The executables that it runs, in words; those of other packages come last."""
         own = self.members[-1].package
         ordered = sorted(self.members, key=lambda member: member.package != own)
-        return _listed([Path(one.urdf).name if one.urdf else one.executable for one in ordered])
+        return _listed([member.shown for member in ordered])
 
     @property
     def autostart(self) -> bool:
@@ -57,20 +57,30 @@ class Page:
 
 def pages(runs: Runs, packages: Mapping[str, Package]) -> list[Page]:
     """Return the pages of a site; if there is only one, it is the home page."""
-    found = list(_package_pages(runs, packages))
+    robots = [(robot, moving(robot, runs.programs, packages)) for robot in runs.robots]
+    found = list(_package_pages(runs, {one.key for _, own in robots for one in own}, packages))
     found += _launch_pages(runs.launches, found, packages)
-    found += list(_robot_pages(runs.robots, [page.path for page in found]))
+    found += list(_robot_pages(robots, [page.path for page in found], packages))
     if len(found) == 1:
         return [replace(found[0], path="")]
     titles = Counter(page.title for page in found)
     return [_told_apart(page) if titles[page.title] > 1 else page for page in found]
 
 
-def _package_pages(runs: Runs, packages: Mapping[str, Package]) -> Iterator[Page]:
-    """Yield the pages of packages; those of a large package are named by their first programs."""
+def _package_pages(
+    runs: Runs, shown: Collection[tuple[str, str]], packages: Mapping[str, Package]
+) -> Iterator[Page]:
+    """Yield the pages of packages; those of a large package are named by their first programs.
+
+    Pages of `shown` programs alone are left out: they are on the page of a robot.
+    """
     folders = {name: package.path for name, package in packages.items()}
     groups = together(runs.programs, folders)
-    groups = [group for group in groups if not _shown(group, runs.launches)]
+    groups = [
+        group
+        for group in groups
+        if not _shown(group, runs.launches) and not {member.key for member in group} <= {*shown}
+    ]
     counts = Counter(group[-1].package for group in groups)
     for group in groups:
         owner, members = group[-1].package, list(_named(group))
@@ -102,11 +112,18 @@ def _launch_pages(
     return found
 
 
-def _robot_pages(robots: Sequence[Robot], taken: Collection[str]) -> Iterator[Page]:
-    """Yield a page for each robot; it has the path of its package if nothing else has."""
-    counts = Counter(robot.package.name for robot in robots)
+def _robot_pages(
+    robots: Sequence[tuple[Robot, Sequence[Member]]],
+    taken: Collection[str],
+    packages: Mapping[str, Package],
+) -> Iterator[Page]:
+    """Yield a page for each robot with the programs that move it.
+
+    It has the path of its package if nothing else has.
+    """
+    counts = Counter(robot.package.name for robot, _ in robots)
     used = {*taken}
-    for robot in robots:
+    for robot, movers in robots:
         folder = f"{segment(robot.package.name)}/"
         alone = counts[robot.package.name] == 1 and not any(
             path.startswith(folder) for path in used
@@ -116,8 +133,9 @@ def _robot_pages(robots: Sequence[Robot], taken: Collection[str]) -> Iterator[Pa
         paths = (f"{folder}{name}{'-' * number}/" for number in range(len(robots) + 1))
         path = folder if alone else next(path for path in paths if path not in used)
         used.add(path)
-        members = [robot.member]
-        yield Page(path, title, text, members, robot_views(robot), robot_panels(robot))
+        members = [*_named([robot.member, *movers])]
+        top, end = robot_views(robot, movers), robot_panels(robot, movers, packages)
+        yield Page(path, title, text, members, top, end)
 
 
 def _told_apart(page: Page) -> Page:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from sitegen.commands.init.fields import numbers
 from sitegen.commands.init.members import Member
 from sitegen.commands.init.partners import COMMANDS, waiting
-from sitegen.commands.init.robots import Robot
+from sitegen.commands.init.robots import JOINTS, Robot
 from sitegen.commands.init.turtle import KEY, TURTLE, TURTLESIM
 from sitegen.commands.wiring.endpoint import (
     ACTION,
@@ -34,7 +34,7 @@ _TRANSITION = "lifecycle_msgs/msg/TransitionEvent"
 _DIAGNOSTICS = "diagnostic_msgs/msg/DiagnosticArray"
 # A 3D view shows these, too, but other panels show more of them.
 _ELSEWHERE = {_IMAGE, _COMPRESSED, "std_msgs/msg/String"}
-_DESCRIPTION, _JOINTS = "/robot_description", "/joint_states"
+_DESCRIPTION = "/robot_description"
 # At most so many images, curves of a plot, and services or actions by name.
 IMAGES, CURVES, NAMES = 2, 6, 5
 
@@ -52,7 +52,7 @@ def views(page: Sequence[Member]) -> Iterator[Item]:
         if type == _TWIST:
             yield "robot", {"kind": "diffdrive", "twist": topic}
     for topic, type in _waiting(page, SUBSCRIPTION).items():
-        if topic == _JOINTS and described:
+        if topic == JOINTS and described:
             yield "joints", None
         if type in (_TWIST, _STAMPED):
             yield "teleop", {"topic": topic, **({"stamped": True} if type == _STAMPED else {})}
@@ -82,7 +82,7 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
     unasked = {
         topic: type
         for topic, type in _waiting(page, SUBSCRIPTION).items()
-        if type not in (*_DRIVEN, _TRANSITION) and topic != _JOINTS
+        if type not in (*_DRIVEN, _TRANSITION) and topic != JOINTS
     }
     if len(unasked) == 1:
         [(topic, type)] = unasked.items()
@@ -99,15 +99,19 @@ def panels(page: Sequence[Member], packages: Mapping[str, Package]) -> Iterator[
         yield "graph", None
 
 
-def robot_views(robot: Robot) -> list[Item]:
-    """Return what shows and moves a robot that only its description is known of."""
-    return [("3d", None), *([("joints", None)] if robot.moves else [])]
+def robot_views(robot: Robot, movers: Sequence[Member]) -> list[Item]:
+    """Return what shows a robot, with sliders for its joints if no program moves them."""
+    sliders: list[Item] = [("joints", None)] if robot.moves and not movers else []
+    return [("3d", None), *sliders, *(view for view in views(movers) if view[0] != "3d")]
 
 
-def robot_panels(robot: Robot) -> list[Item]:
-    """Return what tells of the joints and frames of such a robot."""
-    joints: list[Item] = [("topics", {"echo": _JOINTS})] if robot.moves else []
-    return [*joints, ("tf", None)]
+def robot_panels(
+    robot: Robot, movers: Sequence[Member], packages: Mapping[str, Package]
+) -> list[Item]:
+    """Return what tells of the joints and frames of a robot, and of the programs that move it."""
+    joints: list[Item] = [("topics", {"echo": JOINTS})] if robot.moves else []
+    others = (panel for panel in panels(movers, packages) if panel[0] != "topics")
+    return [*joints, *others, ("tf", None)]
 
 
 def _uses(page: Sequence[Member], use: str) -> bool:

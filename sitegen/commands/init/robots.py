@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import yaml
 
 from sitegen.commands.init.members import Member, member
+from sitegen.commands.wiring.endpoint import PUBLISHER
 from sitegen.errors import Location, relative
 from sitegen.launch import published_description
 from sitegen.model import Node, Package
@@ -19,7 +20,8 @@ from sitegen.model import Node, Package
 FOLDERS = ("", "description/**/", "robots/**/", "urdf/**/", "xacro/**/")
 PATTERNS = tuple(f"{folder}*.{kind}" for folder in FOLDERS for kind in ("urdf", "xacro"))
 ADVICE = "a launch file can give it what it needs"
-PUBLISHER = "robot_state_publisher"
+STATE_PUBLISHER = "robot_state_publisher"
+JOINTS = "/joint_states"
 # A page for each of many files would hide the other pages; comments list them all.
 MOST = 6
 _INCLUDED = re.compile(r"<xacro:include\b[^>]*\bfilename\s*=\s*[\"']([^\"']+)")
@@ -79,6 +81,23 @@ def robots(
     return found, faults
 
 
+def moving(
+    robot: Robot, programs: Iterable[Member], packages: Mapping[str, Package]
+) -> list[Member]:
+    """Return the programs that publish the joints of a robot.
+
+    They are in its package, or in packages that depend on it.
+    """
+    own = robot.package.name
+    return [
+        program
+        for program in programs
+        if robot.moves
+        and (program.package == own or own in packages[program.package].depends)
+        and any(each.name == JOINTS for each in program.endpoints(PUBLISHER))
+    ]
+
+
 def _files(package: Package) -> Iterator[Path]:
     """Yield the descriptions of a package that no other one includes, URDF before xacro."""
     files = {file for pattern in PATTERNS for file in package.path.glob(pattern)}
@@ -113,8 +132,8 @@ def _robot(package: Package, file: Path, root: Path, there: Mapping[str, Package
         return None
     moves = any(joint.get("type") in _MOVING and joint.find("mimic") is None for joint in joints)
     name = described.get("name") or file.name.partition(".")[0]
-    node = member(Node(PUBLISHER, PUBLISHER, PUBLISHER, Location(file, 1)), there, {})
-    publisher = replace(node, urdf=relative(file, root))
+    node = Node(STATE_PUBLISHER, STATE_PUBLISHER, STATE_PUBLISHER, Location(file, 1))
+    publisher = replace(member(node, there, {}), urdf=relative(file, root))
     return Robot(package, file, name, moves, publisher)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import shutil
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 from browser import Built, Serve
 from panel import Panel
 from paths import ROOT
+from PIL import Image
 from playwright.sync_api import Browser, Page, Route, expect
 
 from sitegen.commands.build import build
@@ -45,6 +47,23 @@ class Editor:
 def editor(tab: Page, serve: Serve, built: Built) -> Editor:
     tab.goto(serve(built(DEMO)))
     return Editor(tab)
+
+
+def test_the_header_of_the_page_is_above_the_ring_of_the_focus(editor: Editor) -> None:
+    page = editor.page
+    header = page.locator(".site").bounding_box()
+    assert header
+    editor.code.focus()
+    page.keyboard.press("Control+Home")
+    top = page.locator(".ros-code").bounding_box()
+    assert top
+    page.evaluate("(top) => scrollBy({ top, behavior: 'instant' })", top["y"] - 20)
+    # The ring goes on behind the header, which lets little of it through.
+    x, y = int(top["x"] + top["width"]) - 1, int(header["height"] / 2)
+    clip = {"x": x - 20, "y": y, "width": 40, "height": 1}
+    with Image.open(io.BytesIO(page.screenshot(clip=clip))) as picture:  # type: ignore[arg-type]
+        beside, ring = (picture.convert("RGB").getpixel((at, 0)) for at in (2, 20))
+    assert all(abs(one - other) < 24 for one, other in zip(beside, ring, strict=True))
 
 
 @pytest.mark.firefox

@@ -179,3 +179,49 @@ def test_tools_say_what_they_do(stage: Tab) -> None:
     )
     # Drawings, which each browser has, and no letters of its fonts.
     expect(goal.locator("svg")).to_have_attribute("aria-hidden", "true")
+
+
+# The middles of what is in the bar of the log, the fields among them.
+BAR = """(bar) => [...bar.querySelectorAll(".ros-title, select, input, button")]
+  .filter((one) => one.offsetWidth)
+  .map((one) => one.getBoundingClientRect())
+  .map(({ top, bottom, left, right }) => [(top + bottom) / 2, left, right])"""
+
+
+def rows(panel: Locator, width: int) -> int:
+    """Return how many rows the bar of the log has, in which nothing is cut off."""
+    found = panel.locator(".ros-bar").evaluate(BAR)
+    left = panel.bounding_box()
+    assert left
+    assert all(left["x"] <= start < end <= left["x"] + width for _, start, end in found), found
+    return len({round(middle) for middle, _, _ in found})
+
+
+@pytest.mark.parametrize("width", [260, 330, 390])
+def test_filters_of_a_narrow_log_open_from_a_tool(stage: Tab, width: int) -> None:
+    stage.set_viewport_size({"width": width, "height": 844})
+    panel = show(stage, "log")
+    press = panel.get_by_role("button", name="Filters")
+    severity = panel.get_by_label("severity")
+    expect(severity).to_be_hidden()
+    assert rows(panel, width) == 1
+    press.click()
+    expect(press).to_have_attribute("aria-expanded", "true")
+    panel.get_by_label("text").fill("word")
+    assert rows(panel, width) in (3, 4)
+    # A filter that is not seen is told.
+    press.click()
+    expect(severity).to_be_hidden()
+    expect(panel.get_by_role("button", name="Filters (active)")).to_be_visible()
+    press.click()
+    panel.get_by_label("text").fill("")
+    expect(panel.get_by_role("button", name="Filters", exact=True)).to_be_visible()
+
+
+@pytest.mark.parametrize("width", [560, 800, 1280])
+def test_filters_of_a_wide_log_are_in_its_row(stage: Tab, width: int) -> None:
+    stage.set_viewport_size({"width": width, "height": 800})
+    panel = show(stage, "log")
+    expect(panel.get_by_label("severity")).to_be_visible()
+    expect(panel.get_by_role("button", name="Filters")).to_be_hidden()
+    assert rows(panel, width) == 1

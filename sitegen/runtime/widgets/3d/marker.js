@@ -11,6 +11,7 @@ import { Lines, finite, segments } from "./lines.js";
 import { loadMesh } from "./meshes.js";
 import { createPoints } from "./points.js";
 import { Arrows } from "./shapes.js";
+import { shade } from "./light.js";
 
 /** @typedef {{resource(url: string): string, redraw(): void, say(text: string): void}} Help */
 
@@ -34,6 +35,7 @@ export function drawMarker(group, marker, help) {
   const points = pointsOf(marker);
   if (!finite(points)) throw new Error(say("its points are not finite"));
   draw(group, marker, points, help);
+  shade(group);
 }
 
 /**
@@ -221,6 +223,7 @@ function drawMesh(group, marker, _points, help) {
     });
     mesh.scale.set(marker.scale.x, marker.scale.y, marker.scale.z);
     group.add(mesh);
+    shade(group);
     help.redraw();
   }, (error) => {
     help.say(error.message);

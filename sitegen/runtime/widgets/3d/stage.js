@@ -2,12 +2,13 @@
 // The drawing itself: a WebGL canvas, cameras that visitors move, and light. It draws a frame only when asked.
 
 import {
-  Box3, Color, DirectionalLight, Group, HemisphereLight, MOUSE, OrbitControls, OrthographicCamera, PerspectiveCamera,
+  Box3, Color, Group, MOUSE, OrbitControls, OrthographicCamera, PerspectiveCamera,
   Raycaster, Scene, TOUCH, Vector2, Vector3, WebGLRenderer,
 } from "../../vendor/three.js";
 import { create } from "../../ui/elements.js";
 import { say } from "../../ui/words.js";
 import { isLight } from "./color.js";
+import { Light } from "./light.js";
 
 /** @typedef {{top: boolean, eye: number[], target: number[], zoom: number}} View where the camera is and looks (m) */
 
@@ -52,6 +53,7 @@ export class Stage {
   /** What the author has framed, until the visitor moves the camera. @type {View | undefined} */
   #framed;
   #renderer;
+  #light;
   #perspective = new PerspectiveCamera(ANGLE, 1, 0.01, 1000);
   #top = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
   #orbit;
@@ -71,20 +73,14 @@ export class Stage {
     const context = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
     if (!context) throw new Error("no WebGL");
     this.#renderer = new WebGLRenderer({ canvas: this.canvas, context });
+    this.#renderer.shadowMap.enabled = true;
     this.element.append(this.canvas);
     this.#perspective.up.set(0, 0, 1);
     this.#perspective.position.copy(START);
     this.#top.up.set(0, 1, 0);
     this.#top.position.set(0, 0, 10);
-    const sun = new DirectionalLight(0xffffff, 1.5);
-    sun.position.set(-0.5, 0.6, 1);
-    this.#perspective.add(sun);
-    const above = new DirectionalLight(0xffffff, 1.8);
-    above.position.set(0.3, 0.2, 1);
-    this.#top.add(above);
-    const sky = new HemisphereLight(0xffffff, 0x707888, 1.1);
-    sky.position.set(0, 0, 1);
-    this.scene.add(this.content, this.#perspective, this.#top, sky);
+    this.#light = new Light(this.scene, [this.#perspective, this.#top]);
+    this.scene.add(this.content, this.#perspective, this.#top);
     this.#orbit = this.#control(this.#perspective);
     this.#pan = this.#control(this.#top);
     this.#pan.enableRotate = false;
@@ -229,7 +225,11 @@ export class Stage {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.prepare(now);
-    this.#renderer.render(this.scene, this.camera);
+    const { camera } = this;
+    const { target } = this.#controls;
+    this.#light.follow(target, this.#isTop ? 2 / camera.zoom : camera.position.distanceTo(target));
+    this.#renderer.render(this.scene, camera);
+    if (this.#light.drew(this.#renderer.info.render.triangles)) this.redraw();
   }
 
   /** Stop drawing until the next `redraw`. */

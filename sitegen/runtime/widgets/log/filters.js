@@ -1,30 +1,54 @@
 // @ts-check
-// The filters of the log: least severity, node and text.
+// The filters of the log: least severity, node and text. In a narrow panel, a button opens them.
 
 import { create } from "../../ui/elements.js";
+import { setTool, tool } from "../../ui/toolbar.js";
 import { say } from "../../ui/words.js";
+import { ListFilter } from "../../vendor/icons.js";
 import { LEVELS } from "./entries.js";
 
 /** @import { Shared } from "../../protocol.js" */
 /** @import { Entry } from "./entries.js" */
 
 const FIRST = "info";
+let panels = 0;
 
 export class Filters {
   #severity = create("select", "", ...LEVELS.map(([, name]) => new Option(say("{} and above", name), name)));
   #node = create("select", "", new Option(say("all nodes"), ""));
   #text = create("input", "");
-  controls = [this.#severity, this.#node, this.#text];
+  #fields = create("div", "ros-filter-fields", this.#severity, this.#node, this.#text);
+  #press = tool(say("Filters"), ListFilter, () => this.#open(this.#press.getAttribute("aria-expanded") !== "true"));
+  controls = [this.#press, this.#fields];
 
   /** @param {() => void} changed */
   constructor(changed) {
+    this.#press.classList.add("ros-filter-press");
+    this.#fields.id = `ros-filter-fields-${panels += 1}`;
+    this.#press.setAttribute("aria-controls", this.#fields.id);
+    this.#open(false);
     this.#severity.value = FIRST;
     this.#severity.setAttribute("aria-label", say("severity"));
     this.#node.setAttribute("aria-label", say("node"));
     this.#text.type = "search";
     this.#text.placeholder = say("Find text");
     this.#text.setAttribute("aria-label", say("text"));
-    for (const control of this.controls) control.addEventListener("input", changed);
+    this.#fields.addEventListener("input", () => {
+      this.#mark();
+      changed();
+    });
+  }
+
+  /** @param {boolean} open */
+  #open(open) {
+    this.#press.setAttribute("aria-expanded", String(open));
+  }
+
+  /** Say at the button whether a visitor has set one of the filters. */
+  #mark() {
+    const active = Object.values(this.read()).some(Boolean);
+    this.#press.classList.toggle("ros-active", active);
+    setTool(this.#press, active ? say("Filters (active)") : say("Filters"), ListFilter);
   }
 
   /** Whether all filters admit `entry`. @param {Entry} entry */
@@ -40,7 +64,7 @@ export class Filters {
     const order = LEVELS.map(([, name]) => /** @type {string} */ (name));
     if (order.indexOf(severity) >= order.indexOf(this.#severity.value)) return;
     this.#severity.value = severity;
-    this.#severity.dispatchEvent(new Event("input"));
+    this.#severity.dispatchEvent(new Event("input", { bubbles: true }));
   }
 
   /** Offer to show only the entries of `node`. @param {string} node */
@@ -63,5 +87,6 @@ export class Filters {
       this.#node.value = node;
     }
     this.#text.value = text ?? "";
+    this.#mark();
   }
 }

@@ -11,6 +11,8 @@ export const panels = {
   "Show what {} contains": "Zeigen, was {} enthält",
   "Choose a status to see its values": "Einen Status wählen, um seine Werte zu sehen",
   "hardware: {}": "Hardware: {}",
+  "Filters": "Filter",
+  "Filters (active)": "Filter (aktiv)",
   "Levels": "Stufen",
   "Which messages nodes log": "Welche Meldungen Nodes ausgeben",
   "default": "Standard",

@@ -1,8 +1,9 @@
 // @ts-check
-// The floor of the scene: a grid that fades towards its edge.
+// The floor of the scene: a grid that fades towards its edge, with the shadows of what stands on it.
 
-import { Color } from "../../../vendor/three.js";
+import { Color, Mesh, PlaneGeometry, ShadowMaterial } from "../../../vendor/three.js";
 import { say } from "../../../ui/words.js";
+import { isLight } from "../color.js";
 import { Lines } from "../lines.js";
 
 /** @import { Kind } from "../shown.js" */
@@ -12,6 +13,9 @@ const MOST = 1000;
 const PARTS = 20;
 // Where fading begins, as a part of the way from the middle to the edge.
 const CLEAR = 0.3;
+// How dark shadows are, on a light and on a dark ground.
+const SHADE = 0.22;
+const DARK_SHADE = 0.45;
 
 /** @type {Kind} */
 export const kind = {
@@ -22,6 +26,11 @@ export const kind = {
 
   create({ root, world }, options) {
     const lines = new Lines(root);
+    const shadows = new Mesh(new PlaneGeometry(), new ShadowMaterial({ depthWrite: false }));
+    shadows.receiveShadow = true;
+    // Above a map, which is at the same height, and below what one sees through.
+    shadows.renderOrder = -1;
+    root.add(shadows);
     return {
       set({ cells: wanted, size, color, alpha, plane, width }) {
         const cells = Math.max(1, Math.min(MOST, Math.round(wanted)));
@@ -35,6 +44,10 @@ export const kind = {
           colors: new Float32Array(points.flatMap(([x, y]) => [r, g, b, fade(Math.hypot(x, y))])),
         };
         lines.show(new Float32Array(flat), { ...look, opacity: alpha });
+        shadows.visible = plane === "XY";
+        shadows.scale.set(2 * half, 2 * half, 1);
+        // The ink is light where the ground is dark.
+        shadows.material.opacity = isLight(world.stage.ink) ? DARK_SHADE : SHADE;
       },
       frame: () => options.frame || world.fixed,
     };

@@ -97,6 +97,8 @@ class Sheet {
     };
     this.#material = new MeshBasicMaterial({ map: this.#texture, transparent: true, side: DoubleSide, depthWrite: false });
     const mesh = new Mesh(new PlaneGeometry(width * resolution, height * resolution), this.#material);
+    // Below the shadows on the floor.
+    mesh.renderOrder = -2;
     mesh.position.set((width * resolution) / 2, (height * resolution) / 2, 0);
     put(this.place, poseOf(origin));
     this.place.add(mesh);

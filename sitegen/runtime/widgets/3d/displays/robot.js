@@ -6,6 +6,7 @@ import { say } from "../../../ui/words.js";
 import { shareMaterials } from "../materials.js";
 import { loadMesh, siteAddress } from "../meshes.js";
 import { Axes, dispose } from "../shapes.js";
+import { shade } from "../light.js";
 
 /** @import { Context, Kind } from "../shown.js" */
 
@@ -111,6 +112,7 @@ class Model {
           one.transparent = one.opacity < 1;
         }
       });
+      shade(group);
     }
   }
 
