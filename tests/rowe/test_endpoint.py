@@ -28,7 +28,7 @@ def test_messages_go_both_ways(server: tuple[Endpoint, str]) -> None:
         message = lab.receive(5)
         assert message is not None
         assert message.body == {"battery": 0.7}
-        assert lab.send({"speed": 1}, to=message.peer, time_to_live=2)
+        assert lab.send({"speed": 1}, to=message.peer, ttl=2)
         back = robot.receive(5)
         assert back is not None
         assert (back.body, back.peer) == ({"speed": 1}, "lab")
@@ -87,7 +87,7 @@ def test_invoke_without_a_reply_times_out_and_a_late_reply_is_dropped(
     with Endpoint() as robot:
         robot.connect(url)
         with pytest.raises(TimeoutError, match=r"no reply within 0\.2 s"):
-            robot.invoke({"number": 1}, time_to_live=0.2)
+            robot.invoke({"number": 1}, 0.2)
         lab.send({"next": True})
         following = robot.receive(5)
         assert following is not None
@@ -98,14 +98,14 @@ def test_a_message_expires_at_the_sender() -> None:
     with Endpoint() as robot:
         robot.connect("ws://127.0.0.1:9/")
         begin = time.monotonic()
-        assert not robot.send({"speed": 1}, time_to_live=0.2)
+        assert not robot.send({"speed": 1}, ttl=0.2)
         assert 0.15 < time.monotonic() - begin < 5
 
 
 def test_a_message_expires_that_has_waited_for_a_first_peer() -> None:
     with Endpoint() as robot:
         results: list[bool] = []
-        thread = threading.Thread(target=lambda: results.append(robot.send({}, time_to_live=0.4)))
+        thread = threading.Thread(target=lambda: results.append(robot.send({}, ttl=0.4)))
         thread.start()
         time.sleep(0.1)
         robot.connect("ws://127.0.0.1:9/")
@@ -124,7 +124,7 @@ def test_a_message_that_is_being_sent_fails_with_its_connection() -> None:
 
         def send() -> None:
             while all(results):
-                results.append(robot.send({"data": "x" * 1_000_000}, time_to_live=0.5))
+                results.append(robot.send({"data": "x" * 1_000_000}, ttl=0.5))
 
         thread = threading.Thread(target=send, daemon=True)
         thread.start()
@@ -136,7 +136,7 @@ def test_a_message_expires_at_the_receiver(server: tuple[Endpoint, str]) -> None
     lab, url = server
     with Endpoint() as robot:
         robot.connect(url)
-        assert robot.send({"speed": 1}, time_to_live=0.3)
+        assert robot.send({"speed": 1}, ttl=0.3)
         assert robot.send({"speed": 2})
         time.sleep(0.5)
         message = lab.receive(5)
@@ -173,8 +173,8 @@ def test_one_program_with_several_peers(server: tuple[Endpoint, str]) -> None:
             message = endpoint.receive(5)
             assert message is not None
             assert (message.body, message.peer) == ({"to": name}, "robot")
-            assert endpoint.peers == ["robot"]
-        assert sorted(robot.peers) == ["lab", "other"]
+            assert endpoint.peers() == ["robot"]
+        assert sorted(robot.peers()) == ["lab", "other"]
 
 
 def test_what_waits_for_a_peer_that_left_is_discarded(server: tuple[Endpoint, str]) -> None:
@@ -182,7 +182,7 @@ def test_what_waits_for_a_peer_that_left_is_discarded(server: tuple[Endpoint, st
     with connect(f"{url}?name=arm") as socket:
         socket.send("{}")
         assert lab.receive(5)
-    while lab.peers:
+    while lab.peers():
         time.sleep(0.01)
     with pytest.raises(ValueError, match="there is no peer named 'arm'"):
         lab.send({}, to="arm")

@@ -76,7 +76,7 @@ def test_a_page_invokes(page: Page, lab: Endpoint) -> None:
 def test_messages_expire_on_both_sides(page: Page, lab: Endpoint) -> None:
     alone = "const alone = new Endpoint(); const sent = alone.send({}, { timeToLive: 0.1 });"
     assert page.evaluate(f"async () => {{ {alone} return sent; }}") is False
-    lab.send({"speed": 1}, time_to_live=0.2)
+    lab.send({"speed": 1}, ttl=0.2)
     lab.send({"speed": 2})
     page.wait_for_function("() => robot.peers.length === 1")
     page.wait_for_timeout(400)
