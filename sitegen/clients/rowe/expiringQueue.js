@@ -2,7 +2,7 @@
 // A queue whose items expire.
 
 /** The largest number of items. */
-export const CAPACITY = 10_000;
+const CAPACITY = 10_000;
 // The size of all messages in a queue. It bounds the memory when messages are large.
 const HEAVIEST = 2 ** 26;
 // Items that expire in the same tick (ms) are dropped together.
@@ -24,10 +24,12 @@ export class ExpiringQueue {
   // One iterator for all calls: a new one would pass all places of removed items each time.
   #order = this.#items.entries();
   #dropped;
+  #capacity;
 
-  /** @param {(item: Item) => void} [dropped] called with each item that expired */
-  constructor(dropped = () => {}) {
+  /** @param {(item: Item) => void} [dropped] called with each item that expired @param {number} [capacity] */
+  constructor(dropped = () => {}, capacity = CAPACITY) {
     this.#dropped = dropped;
+    this.#capacity = capacity;
   }
 
   get length() {
@@ -37,7 +39,7 @@ export class ExpiringQueue {
 
   /** Whether an item of this weight has room. @param {number} weight */
   hasRoom(weight) {
-    return this.length === 0 || (this.#items.size < CAPACITY && this.#weight + weight <= HEAVIEST);
+    return this.length === 0 || (this.#items.size < this.#capacity && this.#weight + weight <= HEAVIEST);
   }
 
   /** Throw if an item of this weight has no room. @param {number} weight */

@@ -1,6 +1,7 @@
 // @ts-check
 // rowe in Node: endpoints that accept connections, with the package ws.
 
+// @ts-expect-error ws has no types of its own.
 import { WebSocket, WebSocketServer } from "ws";
 
 import { Endpoint } from "./rowe.js";
