@@ -27,8 +27,8 @@ def rowe(counts: Counts) -> list[Figure]:
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "program"
         sources = [*sorted(SOURCES.glob("*.c")), PROGRAMS / "program.c"]
-        command = ["gcc", "-O2", f"-I{SOURCES}", "-o", program, *sources, *LIBRARIES]
-        subprocess.run(command, check=True)
+        compiler = ["gcc", "-O2", f"-I{SOURCES}", "-o", str(program)]
+        subprocess.run([*compiler, *map(str, sources), *LIBRARIES], check=True)
         commands = {
             "Python": [sys.executable, str(PROGRAMS / "program.py")],
             "JavaScript": ["node", str(PROGRAMS / "program.mjs")],

@@ -133,7 +133,9 @@ class Peer:
         invalid = 0
         async for frame in connection:
             if frame.type == aiohttp.WSMsgType.ERROR:
-                break
+                if getattr(frame.data, "code", 0) == aiohttp.WSCloseCode.MESSAGE_TOO_BIG:
+                    self.note(f"a message is larger than {LONGEST} bytes, so the connection ends")
+                return
             try:
                 if frame.type != aiohttp.WSMsgType.TEXT:
                     raise InvalidMessage("not a text frame")
@@ -148,5 +150,3 @@ class Peer:
                     return
                 continue
             await received(message, len(frame.data))
-        if connection.close_code == aiohttp.WSCloseCode.MESSAGE_TOO_BIG:
-            self.note(f"a message is larger than {LONGEST} bytes, so the connection was closed")

@@ -281,7 +281,12 @@ def test_a_peer_that_vanishes_ends_the_call_to_it(server: tuple[Endpoint, str]) 
         socket.send('{"message_id": "1"}')
         request = lab.receive(5)
         assert request is not None
-        thread = threading.Thread(target=lambda: (socket.recv(5), socket.close()))
+
+        def leave() -> None:
+            socket.recv(5)
+            socket.close()
+
+        thread = threading.Thread(target=leave)
         thread.start()
         with pytest.raises(ConnectionError, match="'arm' left before it replied"):
             lab.invoke({"number": 1}, 20, to="arm")
@@ -374,7 +379,7 @@ def test_what_is_wrong_is_logged_once_for_each_connection(
         time.sleep(0.01)
     assert [record.message for record in caplog.records] == [
         "odd: sent a reply that nobody waits for, or that came too late",
-        "odd: a message is larger than 1048576 bytes, so the connection was closed",
+        "odd: a message is larger than 1048576 bytes, so the connection ends",
     ]
 
 

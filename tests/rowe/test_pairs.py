@@ -36,14 +36,19 @@ EXPECTED = [
 VALGRIND = ["valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--show-leak-kinds=all"]
 
 
+def compiled(folder: Path, name: str) -> Path:
+    """Compile a program beside rowe, and return where it is."""
+    sources = [*sorted(SOURCES.glob("*.c")), PROGRAMS / f"{name}.c"]
+    options = ["-std=c11", "-g", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}"]
+    libraries = ["-lwebsockets", "-ljson-c", "-lpthread", "-lm"]
+    subprocess.run(["gcc", *options, "-o", folder / name, *sources, *libraries], check=True)
+    return folder / name
+
+
 @pytest.fixture(scope="module")
 def commands(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[str]]:
     """The beginning of the command line of each language's program."""
-    program = tmp_path_factory.mktemp("rowe") / "program"
-    sources = [*sorted(SOURCES.glob("*.c")), PROGRAMS / "program.c"]
-    options = ["-std=c11", "-g", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}"]
-    libraries = ["-lwebsockets", "-ljson-c", "-lpthread", "-lm"]
-    subprocess.run(["gcc", *options, "-o", program, *sources, *libraries], check=True)
+    program = compiled(tmp_path_factory.mktemp("rowe"), "program")
     return {
         "python": [sys.executable, str(PROGRAMS / "program.py")],
         "javascript": ["node", str(PROGRAMS / "program.mjs")],
@@ -95,7 +100,7 @@ def play(client_command: list[str], server_command: list[str]) -> tuple[list[obj
         return found, client.wait(20)
 
 
-@pytest.mark.parametrize(("client", "server"), product(LANGUAGES, LANGUAGES))
+@pytest.mark.parametrize(("client", "server"), [*product(LANGUAGES, LANGUAGES)])
 def test_each_language_with_each(commands: dict[str, list[str]], client: str, server: str) -> None:
     assert play(commands[client], commands[server]) == (EXPECTED, 0)
 
@@ -178,3 +183,42 @@ def test_a_peer_that_never_reads_takes_no_memory(
             status = Path(f"/proc/{server.pid}/status").read_text()
             resident = next(line for line in status.splitlines() if line.startswith("VmHWM"))
             assert int(resident.split()[1]) < 400_000
+
+
+def test_the_queue_in_c(tmp_path: Path) -> None:
+    program = str(compiled(tmp_path, "queue_test"))
+    found = subprocess.run([program], check=True, stdout=subprocess.PIPE).stdout
+    agrees, expires, few, many = json.loads(found)
+    assert agrees
+    assert expires
+    # A million items do not fit into the caches of a processor, ten thousand do.
+    assert many < 6 * few, f"{few:.3f} µs and {many:.3f} µs"
+    subprocess.run([*VALGRIND, program, "few"], check=True, stdout=subprocess.DEVNULL)
+
+
+QUEUE = """
+import { ExpiringQueue } from "./sitegen/clients/rowe/expiringQueue.js";
+function microseconds(count) {
+  const queue = new ExpiringQueue(() => {}, count + 1);
+  for (let number = 0; number < count; number += 1) queue.put(number, 100 + (number % 1000));
+  let best = Infinity;
+  for (let turn = 0; turn < 30; turn += 1) {
+    const begun = performance.now();
+    for (let number = 0; number < 1000; number += 1) {
+      queue.put(number, 100 + number);
+      queue.take();
+    }
+    best = Math.min(best, (performance.now() - begun) / 2);
+  }
+  return best;
+}
+microseconds(10_000);
+console.log(JSON.stringify([microseconds(10_000), microseconds(1_000_000)]));
+"""
+
+
+def test_the_queue_in_javascript() -> None:
+    node = ["node", "--input-type=module", "--eval", QUEUE]
+    found = subprocess.run(node, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout
+    few, many = json.loads(found)
+    assert many < 6 * few, f"{few:.3f} µs and {many:.3f} µs"

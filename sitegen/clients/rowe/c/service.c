@@ -255,7 +255,7 @@ static int received(struct peer *peer, struct lws *wsi) {
 static int received_part(struct peer *peer, struct lws *wsi, const void *part, size_t length) {
   if (lws_is_first_fragment(wsi)) peer->length = 0;
   if (peer->length + length > ROWE_LONGEST) {
-    fprintf(stderr, "rowe: %s: a message is larger than %u bytes, so the connection was closed\n", peer->name,
+    fprintf(stderr, "rowe: %s: a message is larger than %u bytes, so the connection ends\n", peer->name,
             ROWE_LONGEST);
     lws_close_reason(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, NULL, 0);
     return 0;
