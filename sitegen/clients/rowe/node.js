@@ -20,7 +20,9 @@ export async function openLocalEndpoint(port = 0, host = "127.0.0.1") {
   await new Promise((resolve, reject) => server.once("listening", resolve).once("error", reject));
   let number = 0;
   server.on("connection", (/** @type {any} */ socket, /** @type {any} */ request) => {
-    const asked = new URL(request.url, "ws://local/").searchParams.get("name")?.slice(0, 100);
+    // Clients may ask for what is not a URL, such as "//".
+    const query = new URLSearchParams(String(request.url).split("?")[1]);
+    const asked = query.get("name")?.slice(0, 100);
     number += 1;
     const name = asked || `${request.socket.remoteAddress}:${number}`;
     keepAlive(socket);

@@ -275,7 +275,7 @@ enum rowe_result rowe_connect(rowe_endpoint *endpoint, const char *url, const ch
   if (find(endpoint, name ? name : url, &other) == ROWE_NO_PEER) peer = rowe_add_peer(endpoint, name ? name : url);
   if (peer) {
     peer->host = strdup(host);
-    if (asprintf(&peer->path, "/%s", path) < 0) peer->path = NULL;
+    if (asprintf(&peer->path, "%s%s", *path == '/' ? "" : "/", path) < 0) peer->path = NULL;
     peer->port = port;
     peer->wanted = 1;
     lws_cancel_service(endpoint->context);
