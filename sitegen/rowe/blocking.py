@@ -7,7 +7,6 @@ import contextlib
 import math
 import threading
 from collections.abc import Callable, Coroutine
-from concurrent.futures import Future
 from typing import Any, Self, TypeVar
 
 from sitegen.rowe.endpoint import AsyncEndpoint
@@ -44,7 +43,7 @@ class Endpoint:
 
     def send(self, body: Body, ttl: float = math.inf, *, to: str = "") -> bool:
         """Block until a message was sent (True) or discarded (False). See `AsyncEndpoint.send`."""
-        return _settled(self._endpoint.put(body, {}, ttl, to), ttl)
+        return _settled(self._endpoint.put(body, {}, ttl, to, True), ttl)
 
     def async_send(self, body: Body, ttl: float = math.inf, *, to: str = "") -> None:
         """Queue a message to be sent, and return at once."""
@@ -73,7 +72,7 @@ class Endpoint:
 
     def reply(self, request: Message, body: Body, ttl: float = math.inf) -> bool:
         """Block until the reply to a request was sent (True) or discarded (False)."""
-        message = self._endpoint.put_reply(request, body, ttl)
+        message = self._endpoint.put_reply(request, body, ttl, True)
         return _settled(message, ttl) if message else False
 
     def async_reply(self, request: Message, body: Body, ttl: float = math.inf) -> None:
@@ -125,7 +124,8 @@ def open_remote_endpoint(host: str, port: int) -> Endpoint:
 
 
 def _settled(message: Outgoing, ttl: float) -> bool:
-    sent: Future[bool] = message.sent
+    sent = message.sent
+    assert sent
     if ttl < math.inf:
         with contextlib.suppress(TimeoutError):
             return sent.result(_seconds(ttl))

@@ -105,7 +105,7 @@ class AsyncEndpoint:
             QueueFull: 10,000 messages, or 64 MB of them, wait for the peer.
             ValueError: `to` is needed since there are several peers, or there is no such peer.
         """
-        return await self._settled(self.put(body, {}, ttl, to), ttl)
+        return await self._settled(self.put(body, {}, ttl, to, True), ttl)
 
     def async_send(self, body: Body, ttl: float = math.inf, *, to: str = "") -> None:
         """Queue a message to be sent. Raises the same errors as `send`."""
@@ -155,7 +155,7 @@ class AsyncEndpoint:
         Raises:
             InvalidMessage: the request has no `message_id`, or the errors of `send`.
         """
-        message = self.put_reply(request, body, ttl)
+        message = self.put_reply(request, body, ttl, True)
         return await self._settled(message, ttl) if message else False
 
     def async_reply(self, request: Message, body: Body, ttl: float = math.inf) -> None:
@@ -192,11 +192,13 @@ class AsyncEndpoint:
 
     # What follows, and `async_send` and `broadcast`, can be called from any thread.
 
-    def put(self, body: Body, fields: dict[str, str], ttl: float, to: str) -> Outgoing:
-        """Queue a message."""
+    def put(
+        self, body: Body, fields: dict[str, str], ttl: float, to: str, waits: bool = False
+    ) -> Outgoing:
+        """Queue a message. If the caller `waits`, it is told whether it was sent."""
         if not ttl >= 0:
             raise ValueError("ttl: must be a number of seconds, 0 or more")
-        message = Outgoing(body, fields)
+        message = Outgoing(body, fields, waits)
         with self._lock:
             if self._closed:
                 raise RuntimeError("the endpoint is closed")
@@ -210,12 +212,15 @@ class AsyncEndpoint:
                 self._unaddressed.put(message, ttl, len(message.text))
         return message
 
-    def put_reply(self, request: Message, body: Body, ttl: float) -> Outgoing | None:
+    def put_reply(
+        self, request: Message, body: Body, ttl: float, waits: bool = False
+    ) -> Outgoing | None:
         """Queue a reply. Return None if the peer is gone, which the program could not know."""
         if request.message_id is None:
             raise InvalidMessage("the request has no message_id, so it expects no reply")
         try:
-            return self.put(body, {"in_reply_to": request.message_id}, ttl, request.peer)
+            fields = {"in_reply_to": request.message_id}
+            return self.put(body, fields, ttl, request.peer, waits)
         except UnknownPeer:
             return None
 
@@ -252,6 +257,7 @@ class AsyncEndpoint:
                 reply.set_exception(ConnectionError(reason))
 
     async def _settled(self, message: Outgoing, ttl: float) -> bool:
+        assert message.sent
         sent = asyncio.wrap_future(message.sent)
         if ttl < math.inf:
             await asyncio.wait([sent], timeout=ttl)

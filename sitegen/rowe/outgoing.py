@@ -10,19 +10,23 @@ from sitegen.rowe.message import Body, encode_fields
 
 
 class Outgoing:
-    """A message to send; `sent` gets whether it was sent or discarded."""
+    """A message to send; `sent` gets whether it was sent or discarded, if somebody waits for it."""
 
-    def __init__(self, body: Body, fields: dict[str, str]) -> None:
+    __slots__ = ("_done", "_lock", "_sending", "sent", "text")
+
+    def __init__(self, body: Body, fields: dict[str, str], waits: bool = False) -> None:
         """Encode a message now, so that the caller may change its body afterwards."""
         self.text = encode_fields(body, fields)
-        self.sent: Future[bool] = Future()
+        # A future takes longer to make than all the rest.
+        self.sent: Future[bool] | None = Future() if waits else None
         self._lock = threading.Lock()
         self._sending = False
+        self._done = False
 
     def begin(self) -> bool:
         """Return whether it may be sent. From now on, it is sent or fails, but does not expire."""
         with self._lock:
-            self._sending = not self.sent.done()
+            self._sending = not self._done
             return self._sending
 
     def failed(self) -> None:
@@ -42,8 +46,10 @@ class Outgoing:
                 self._settle(False)
 
     def _settle(self, sent: bool) -> None:
-        if not self.sent.done():
-            self.sent.set_result(sent)
+        if not self._done:
+            self._done = True
+            if self.sent:
+                self.sent.set_result(sent)
 
 
 def outgoing_queue() -> ExpiringQueue[Outgoing]:

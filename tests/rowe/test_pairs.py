@@ -12,11 +12,10 @@ from pathlib import Path
 
 import pytest
 from paths import ROOT
+from roweprograms import PROGRAMS, compiled
 from websockets.exceptions import ConnectionClosedError, InvalidHandshake
 from websockets.sync.client import ClientConnection, connect
 
-PROGRAMS = Path(__file__).parent / "programs"
-SOURCES = ROOT / "sitegen" / "clients" / "rowe" / "c"
 LANGUAGES = ("python", "javascript", "c")
 EXPECTED = [
     ["sum", 42],
@@ -37,15 +36,6 @@ VALGRIND = [
     *("valgrind", "-q", "--error-exitcode=9", "--leak-check=full", "--show-leak-kinds=all"),
     f"--suppressions={PROGRAMS / 'valgrind.supp'}",
 ]
-
-
-def compiled(folder: Path, name: str) -> Path:
-    """Compile a program beside rowe, and return where it is."""
-    sources = [*sorted(SOURCES.glob("*.c")), PROGRAMS / f"{name}.c"]
-    options = ["-std=c11", "-g", "-O1", "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}"]
-    libraries = ["-lwebsockets", "-ljson-c", "-lpthread", "-lm"]
-    subprocess.run(["gcc", *options, "-o", folder / name, *sources, *libraries], check=True)
-    return folder / name
 
 
 @pytest.fixture(scope="module")
