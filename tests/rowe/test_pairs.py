@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from itertools import product
@@ -221,3 +222,24 @@ def test_the_queue_in_javascript() -> None:
     found = subprocess.run(node, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout
     few, many = json.loads(found)
     assert many < 6 * few, f"{few:.3f} µs and {many:.3f} µs"
+
+
+@pytest.mark.parametrize("language", ["python", "c"])
+def test_more_than_a_queue_holds_waits_in_the_socket(
+    commands: dict[str, list[str]], language: str
+) -> None:
+    """The program rests while twice as many requests arrive as its queue holds."""
+    count = 20_000
+    with serving(commands[language]) as (_, port), connect(f"ws://127.0.0.1:{port}/") as socket:
+        socket.send('{"do": "rest", "seconds": 1}')
+
+        def send() -> None:
+            for number in range(count):
+                request = {"message_id": str(number), "do": "add", "a": number, "b": 0}
+                socket.send(json.dumps(request))
+
+        sending = threading.Thread(target=send)
+        sending.start()
+        sums = [json.loads(socket.recv(30))["sum"] for _ in range(count)]
+        sending.join()
+        assert sums == list(range(count))
