@@ -17,7 +17,7 @@ serve:
 	@echo "http://localhost:$(PORT)/ (Ctrl-C ends it)"
 	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
 
-TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit
+TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit .venv/rowe
 
 RUN := $(BIN)/python tests/support/run.py --at-once $(AT_ONCE) --begun $(shell date +%s)
 
@@ -43,7 +43,7 @@ lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/mypy
 	npm run --silent check
 
-bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs
+bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs .venv/rowe
 	$(BIN)/python -m bench
 
 clean:
@@ -81,6 +81,14 @@ clean:
 .venv/webkit: | .venv/ready
 	@test -x /usr/bin/WebKitWebDriver || ./install webkit2gtk-driver
 	@test -x /usr/bin/Xvfb || ./install xvfb
+	touch $@
+
+# What compiles and checks rowe in C.
+.venv/rowe: | .venv/ready
+	@command -v gcc > /dev/null || ./install gcc
+	@command -v valgrind > /dev/null || ./install valgrind
+	@test -e /usr/include/libwebsockets.h || ./install libwebsockets-dev
+	@test -e /usr/include/json-c/json.h || ./install libjson-c-dev
 	touch $@
 
 node_modules/.package-lock.json: package.json package-lock.json

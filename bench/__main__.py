@@ -26,6 +26,7 @@ from bench import (
     plots,
     prose,
     python,
+    rowe,
     scene,
     terminals,
 )
@@ -50,6 +51,7 @@ PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "python": python.python,
     "notebooks": notebooks.notebooks,
     "gateway": gateway.gateway,
+    "rowe": rowe.rowe,
     "size": pages.size,
     "build": building.build,
     "prose": prose.prose,

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
-from typing import get_args
+from typing import Any, get_args
 from urllib.parse import urlsplit
 
-from sitegen.config.document import Value, parse, read
+import yaml
+
+from sitegen.config.document import Value, parse, read, shortened
 from sitegen.config.schema import Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Location, Problems, SiteError
 from sitegen.gateway.addresses import HERE
+from sitegen.gateway.fieldmap import UNITS, FieldMap
 from sitegen.gateway.names import PROTECTED, Use
 from sitegen.gateway.rules import KeyRules, Limits, Named, Recording, Reservations, Rules
 from sitegen.gateway.schema import (
@@ -22,12 +26,14 @@ from sitegen.gateway.schema import (
     RECORD,
     RESERVATIONS,
     ROWE,
+    ROWE_REPLY,
     ROWE_SERVICE,
     ROWE_TOPIC,
 )
 
 DEFAULT = "gateway.yaml"
 PATTERN = re.compile(r"[/*][\w/*?~]*(:[\w./@*?-]*)?", re.ASCII)
+PLACE = re.compile(r"[A-Za-z]\w*(\.[A-Za-z]\w*)*", re.ASCII)
 TOPIC = re.compile(r"(/[A-Za-z_]\w*)+", re.ASCII)
 
 
@@ -72,6 +78,7 @@ def _rules(file: Section, root: Path, problems: Problems) -> Rules:
         recording=_recording(record, root) if record else None,
         rowe_topics=_named(rowe, "topics", ROWE_TOPIC, problems) if rowe else {},
         rowe_services=_named(rowe, "services", ROWE_SERVICE, problems) if rowe else {},
+        rowe_kind=rowe.text("kind") if rowe else "",
     )
 
 
@@ -173,7 +180,45 @@ def _named(rowe: Section, kind: str, keys: tuple[Key, ...], problems: Problems) 
         if name and not TOPIC.fullmatch(name):
             message = f"'{name}' is not a name in ROS; write it like '/add_two_ints'"
             problems.add(section.location(keys[0].name), section.label(keys[0].name), message)
-        found[own] = Named(name, section.text("type"))
+        reply = _section(section, "reply", ROWE_REPLY, problems)
+        map_of_reply = _fields(reply, problems) if reply else FieldMap()
+        fields = _fields(section, problems)
+        found[own] = Named(name, section.text("type"), fields, map_of_reply)
+    return found
+
+
+def _fields(section: Section, problems: Problems) -> FieldMap:
+    def entries(name: str) -> dict[str, Value]:
+        given = section.get(name)
+        return given.entries(problems) if given else {}
+
+    fields = {name: value.text for name, value in entries("fields").items()}
+    for value in entries("fields").values():
+        if not PLACE.fullmatch(value.text):
+            message = f"'{value.text}' is not the place of a field; write it like 'linear.x'"
+            problems.add(value.location, value.key, message)
+    if len(set(fields.values())) < len(fields):
+        given = section.location("fields"), section.label("fields")
+        problems.add(*given, "two fields have the same place; remove one")
+    units = {}
+    for name, value in entries("units").items():
+        if value.text not in UNITS:
+            message = f"unknown unit '{value.text}'; the units are {', '.join(UNITS)}"
+            problems.add(value.location, value.key, message)
+        else:
+            units[name] = UNITS[value.text]
+    return FieldMap(fields, _defaults(entries("defaults"), problems), units)
+
+
+def _defaults(given: dict[str, Value], problems: Problems) -> dict[str, Any]:
+    found = {}
+    for place, value in given.items():
+        try:
+            found[place] = yaml.SafeLoader("").construct_document(value.node)
+            json.dumps(found[place], allow_nan=False)
+        except (TypeError, ValueError, yaml.YAMLError):
+            message = f"'{shortened(value.text)}' is not a value of JSON; put it in quotes"
+            problems.add(value.location, value.key, message)
     return found
 
 

@@ -13,6 +13,7 @@ from typing import Any, cast
 from aiohttp import WSMessage, WSMsgType, web
 
 from sitegen.gateway.access import Access
+from sitegen.gateway.fieldmap import FieldError
 from sitegen.gateway.native import Native
 from sitegen.gateway.rosbridge import run as rosbridge
 from sitegen.gateway.rules import Named
@@ -43,6 +44,7 @@ class Translated:
             "topic": rules.rowe_topics,
             "service": rules.rowe_services,
         }
+        self._kind = rules.rowe_kind
         # By the ids of requests to this program: the service.
         self._asked: dict[str, str] = {}
 
@@ -61,7 +63,7 @@ class Translated:
                     raise InvalidMessage("not a text frame")
                 message = decode(frame.data, "")
                 operations = self._operations(message)
-            except InvalidMessage as error:
+            except (InvalidMessage, FieldError) as error:
                 if self._access.entered:
                     await self._access.pace(len(frame.data))
                     await self._send({"error": str(error)})
@@ -76,16 +78,18 @@ class Translated:
         message = json.loads(text)
         op = message["op"]
         if op == "publish":
-            name = self._own_name("topic", message["topic"])
-            await self._send({**message["msg"], "topic": name})
+            name, named = self._own("topic", message["topic"])
+            body = named.fields.to_program(message["msg"])
+            await self._send({**body, self._kind or "topic": name})
         elif op == "service_response":
             await self._answer(message)
         elif op == "call_service":
-            name = self._own_name("service", message["service"])
+            name, named = self._own("service", message["service"])
             self._asked[message["id"]] = message["service"]
             if len(self._asked) > MOST:
                 del self._asked[next(iter(self._asked))]
-            await self._send({**message["args"], "service": name}, message_id=message["id"])
+            body = named.fields.to_program(message["args"])
+            await self._send({**body, self._kind or "service": name}, message_id=message["id"])
         elif op == "status":
             kind = "error" if message["level"] == "error" else "status"
             asked = message.get("id")
@@ -96,9 +100,9 @@ class Translated:
         if message["result"] and asked is None:
             # A request without an id expects no reply.
             return
-        name = self._own_name("service", message["service"])
-        given = values if message["result"] else {"error": values}
-        await self._send({**given, "service": name}, in_reply_to=asked)
+        name, named = self._own("service", message["service"])
+        given = named.reply.to_program(values) if message["result"] else {"error": values}
+        await self._send({**given, self._kind or "service": name}, in_reply_to=asked)
 
     async def _send(self, body: Body, **fields: str | None) -> None:
         try:
@@ -114,19 +118,13 @@ class Translated:
         if message.in_reply_to is not None:
             service = self._asked.pop(message.in_reply_to, None)
             if service is None:
-                return []
+                raise InvalidMessage("in_reply_to: there is no request with this id")
             known = {"service": service, "id": message.in_reply_to}
             error = body.pop("error", None)
-            values = body if error is None else str(error)
+            reply = self._own("service", service)[1].reply
+            values = reply.to_ros(body) if error is None else str(error)
             return [{"op": "service_response", **known, "result": error is None, "values": values}]
-        kind = next((name for name in OPERATIONS if name in body), None)
-        if kind is None:
-            raise InvalidMessage(
-                f"say what it is: {', '.join(OPERATIONS[:-1])} or {OPERATIONS[-1]}"
-            )
-        given = body.pop(kind)
-        if not isinstance(given, str):
-            raise InvalidMessage(f"{kind}: must be text")
+        kind, given = self._taken(body)
         asked = {"id": message.message_id} if message.message_id else {}
         if kind == "key":
             return [{"op": "auth", "key": given, **asked}]
@@ -142,9 +140,34 @@ class Translated:
             if not message.time_to_live:
                 return []
             limit = {} if message.time_to_live == math.inf else {"timeout": message.time_to_live}
-            call = {"op": "call_service", "service": named.name, "args": body, **typed}
+            call = {
+                "op": "call_service",
+                "service": named.name,
+                "args": named.fields.to_ros(body),
+                **typed,
+            }
             return [{**call, **asked, **limit}]
-        return [{"op": "publish", "topic": named.name, "msg": body, **typed}]
+        return [{"op": "publish", "topic": named.name, "msg": named.fields.to_ros(body), **typed}]
+
+    def _taken(self, body: Body) -> tuple[str, str]:
+        """Remove the field that says what a message is. Return what it is, and the value."""
+        if self._kind and self._kind in body:
+            given = body.pop(self._kind)
+            for each, names in self._names.items():
+                if isinstance(given, str) and given in names:
+                    return each, given
+            known = ", ".join(name for names in self._names.values() for name in names) or "none"
+            shown = str(given)[:80]
+            raise InvalidMessage(f"unknown {self._kind} '{shown}'; gateway.yaml names {known}")
+        kind = next((name for name in OPERATIONS if name in body), None)
+        if kind is None:
+            own = [self._kind] if self._kind else []
+            choices = f"{', '.join([*own, *OPERATIONS[:-1]])} or {OPERATIONS[-1]}"
+            raise InvalidMessage(f"say what it is: {choices}")
+        given = body.pop(kind)
+        if not isinstance(given, str):
+            raise InvalidMessage(f"{kind}: must be text")
+        return kind, given
 
     def _named(self, kind: str, name: str) -> Named:
         """Return the name in ROS of what the program calls `name`."""
@@ -155,6 +178,7 @@ class Translated:
         names = ", ".join(self._names[kind]) or "none"
         raise InvalidMessage(f"unknown {kind} '{name[:80]}'; gateway.yaml names {names}")
 
-    def _own_name(self, kind: str, name: str) -> str:
-        found = (own for own, named in self._names[kind].items() if named.name == name)
-        return next(found, name)
+    def _own(self, kind: str, name: str) -> tuple[str, Named]:
+        """Return what the program calls a name in ROS, and what gateway.yaml says about it."""
+        found = (pair for pair in self._names[kind].items() if pair[1].name == name)
+        return next(found, (name, Named(name)))

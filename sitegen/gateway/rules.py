@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sitegen.gateway.fieldmap import FieldMap
 from sitegen.gateway.names import Use
 
 
@@ -70,6 +71,10 @@ class Named:
     name: str
     # "" for that of the graph.
     type: str = ""
+    # The fields of a message, or of a request.
+    fields: FieldMap = field(default_factory=FieldMap)
+    # Those of the reply of a service.
+    reply: FieldMap = field(default_factory=FieldMap)
 
 
 @dataclass(frozen=True)
@@ -89,3 +94,5 @@ class Rules:
     # By the names that programs of rowe use.
     rowe_topics: Mapping[str, Named] = field(default_factory=dict)
     rowe_services: Mapping[str, Named] = field(default_factory=dict)
+    # The field that says what a message of rowe is, besides `topic` and `service`.
+    rowe_kind: str = ""

@@ -42,6 +42,12 @@ FILE = (
 
 ROWE = (
     Key(
+        "kind",
+        "text",
+        "field that names the topic or service, instead of `topic` and `service`",
+        "kind: command",
+    ),
+    Key(
         "topics", "settings", "topics, by their names in rowe", "topics: {speed: {topic: /cmd_vel}}"
     ),
     Key(
@@ -59,10 +65,57 @@ ROWE_TOPIC = (
         "its type; needed if no node uses the topic yet",
         "type: geometry_msgs/msg/Twist",
     ),
+    Key(
+        "fields",
+        "mapping of texts",
+        "fields of a message and their places in ROS",
+        "fields: {v: linear.x}",
+    ),
+    Key(
+        "defaults",
+        "data",
+        "values, by their places in ROS, that a message need not have",
+        "defaults: {linear.x: 0.1}",
+    ),
+    Key("units", "mapping of texts", "[units](#units) of fields of a message", "units: {v: mm/s}"),
 )
 ROWE_SERVICE = (
     Key("service", "text", "its name in ROS", "service: /add_two_ints", True),
     Key("type", "text", "its type; needed for `serve`", "type: example_interfaces/srv/AddTwoInts"),
+    Key(
+        "fields",
+        "mapping of texts",
+        "fields of a request and their places in ROS",
+        "fields: {v: linear.x}",
+    ),
+    Key(
+        "defaults",
+        "data",
+        "values, by their places in ROS, that a request need not have",
+        "defaults: {linear.x: 0.1}",
+    ),
+    Key("units", "mapping of texts", "[units](#units) of fields of a request", "units: {v: mm/s}"),
+    Key(
+        "reply",
+        "settings",
+        "the same for replies: `fields`, `defaults` and `units`",
+        "reply: {fields: {answer: sum}}",
+    ),
+)
+ROWE_REPLY = (
+    Key(
+        "fields",
+        "mapping of texts",
+        "fields of a reply and their places in ROS",
+        "fields: {answer: sum}",
+    ),
+    Key(
+        "defaults",
+        "data",
+        "values, by their places in ROS, that the reply of a program need not have",
+        "defaults: {success: true}",
+    ),
+    Key("units", "mapping of texts", "[units](#units) of fields of a reply", "units: {v: mm/s}"),
 )
 
 ALLOW = (

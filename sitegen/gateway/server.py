@@ -53,7 +53,7 @@ class Gateway:
     def application(self) -> web.Application:
         """Return the application that answers requests."""
         app = web.Application(client_max_size=64_000)
-        app.router.add_get("/rowe/{name:expiringQueue|message|rowe}.js", _rowe_module)
+        app.router.add_get("/rowe/{name:expiringQueue|message|peer|rowe}.js", _rowe_module)
         app.router.add_get("/{path:.*}", self._answer)
         return app
 

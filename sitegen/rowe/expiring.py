@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections import OrderedDict
 from collections.abc import Callable
@@ -11,14 +12,17 @@ from typing import Generic, TypeVar
 Item = TypeVar("Item")
 
 TICK = 0.05  # seconds
+CAPACITY = 10_000
+# The bytes of all messages in a queue. It bounds the memory when messages are large.
+HEAVIEST = 64 << 20
 
 
 class QueueFull(Exception):
-    """The queue contains as many items as it can."""
+    """The queue contains as much as it can."""
 
 
 class ExpiringQueue(Generic[Item]):
-    """A queue whose items expire, each at its own time.
+    """A queue whose items expire, each at its own time. All threads may use it.
 
     Every operation takes constant time, amortized, however many items expire and wherever they
     are: the items that expire in the same tick of the clock are in one bucket.
@@ -26,67 +30,83 @@ class ExpiringQueue(Generic[Item]):
 
     def __init__(
         self,
-        capacity: int = 10_000,
+        capacity: int = CAPACITY,
         dropped: Callable[[Item], None] = lambda item: None,
         clock: Callable[[], float] = time.monotonic,
+        heaviest: int = HEAVIEST,
     ) -> None:
         """Make an empty queue, which calls `dropped` with each item that expired in it."""
         self._capacity = capacity
         self._dropped = dropped
         self._clock = clock
-        self._items: OrderedDict[int, tuple[float, Item]] = OrderedDict()
+        self._heaviest = heaviest
+        # By ticket: expiry, item, weight.
+        self._items: OrderedDict[int, tuple[float, Item, int]] = OrderedDict()
         self._buckets: dict[int, set[int]] = {}
         self._tick = self._tick_of(clock())
         self._tickets = 0
+        self._weight = 0
+        # Items that are dropped may ask the queue something.
+        self._lock = threading.RLock()
 
     def __len__(self) -> int:
         """Return the number of items, without those whose bucket was dropped."""
-        self._drop_buckets()
-        return len(self._items)
+        with self._lock:
+            self._drop_buckets()
+            return len(self._items)
 
-    def put(self, item: Item, time_to_live: float = math.inf) -> int:
+    def put(self, item: Item, time_to_live: float = math.inf, weight: int = 0) -> int:
         """Append an item that expires in `time_to_live` seconds, and return its ticket.
 
         Raises:
-            QueueFull: the queue contains as many items as it can.
+            QueueFull: there are `capacity` items, or they weigh `heaviest` bytes with this one.
         """
-        self._drop_buckets()
-        if len(self._items) >= self._capacity:
-            raise QueueFull
-        self._tickets += 1
-        expiry = self._clock() + time_to_live
-        self._items[self._tickets] = (expiry, item)
-        if expiry < math.inf:
-            self._buckets.setdefault(self._tick_of(expiry), set()).add(self._tickets)
-        return self._tickets
+        with self._lock:
+            self._drop_buckets()
+            heavy = self._items and self._weight + weight > self._heaviest
+            if len(self._items) >= self._capacity or heavy:
+                raise QueueFull(f"the queue is full: {len(self._items)} messages are waiting")
+            self._tickets += 1
+            expiry = self._clock() + time_to_live
+            self._items[self._tickets] = (expiry, item, weight)
+            self._weight += weight
+            if expiry < math.inf:
+                self._buckets.setdefault(self._tick_of(expiry), set()).add(self._tickets)
+            return self._tickets
 
     def take(self) -> tuple[float, Item] | None:
         """Remove the oldest item, and return the seconds that it has left and the item."""
-        self._drop_buckets()
-        while self._items:
-            ticket, (expiry, item) = self._items.popitem(last=False)
-            self._forget(ticket, expiry)
-            left = expiry - self._clock()
-            if left > 0:
-                return left, item
-            self._dropped(item)
+        with self._lock:
+            self._drop_buckets()
+            while self._items:
+                ticket, (expiry, item, weight) = self._items.popitem(last=False)
+                self._forget(ticket, expiry, weight)
+                left = expiry - self._clock()
+                if left > 0:
+                    return left, item
+                self._dropped(item)
         return None
 
     def discard(self, ticket: int) -> bool:
         """Remove the item of a ticket. Return whether it was still in the queue."""
-        entry = self._items.pop(ticket, None)
-        if entry:
-            self._forget(ticket, entry[0])
-        return entry is not None
+        with self._lock:
+            entry = self._items.pop(ticket, None)
+            if entry:
+                self._forget(ticket, entry[0], entry[2])
+            return entry is not None
 
     def clear(self) -> None:
         """Drop all items."""
-        while self._items:
-            self._dropped(self._items.popitem(last=False)[1][1])
-        self._buckets.clear()
+        with self._lock:
+            while self._items:
+                self._dropped(self._items.popitem(last=False)[1][1])
+            self._buckets.clear()
+            self._weight = 0
 
     def _drop_buckets(self) -> None:
         now = self._tick_of(self._clock())
+        if now == self._tick:
+            return
         passed = range(self._tick, now)
         over = passed if len(passed) < len(self._buckets) else [t for t in self._buckets if t < now]
         self._tick = now
@@ -94,10 +114,12 @@ class ExpiringQueue(Generic[Item]):
             for ticket in self._buckets.pop(tick, ()):
                 entry = self._items.pop(ticket, None)
                 if entry:
+                    self._weight -= entry[2]
                     self._dropped(entry[1])
 
-    def _forget(self, ticket: int, expiry: float) -> None:
+    def _forget(self, ticket: int, expiry: float, weight: int) -> None:
         """Remove a ticket from its bucket."""
+        self._weight -= weight
         if expiry == math.inf:
             return
         tick = self._tick_of(expiry)

@@ -3,66 +3,65 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
-from collections.abc import Callable
-from dataclasses import dataclass, field
+import socket
+from collections.abc import Awaitable, Callable
 from time import monotonic
-from typing import Any
 
 import aiohttp
 from aiohttp import web
 
-from sitegen.rowe.expiring import ExpiringQueue
-from sitegen.rowe.message import Body, InvalidMessage, decode, encode
+from sitegen.rowe.message import LONGEST, InvalidMessage, Message, decode, timed
+from sitegen.rowe.outgoing import Outgoing, outgoing_queue
 
 Socket = web.WebSocketResponse | aiohttp.ClientWebSocketResponse
+
+Received = Callable[[Message, int], Awaitable[None]]
 
 log = logging.getLogger("rowe")
 
 # Invalid messages of a connection that are tolerated; then it is closed.
 INVALID = 100
-
-
-@dataclass
-class Outgoing:
-    """A message to send; `sent` gets whether it was sent or discarded."""
-
-    body: Body
-    fields: dict[str, Any]
-    sent: asyncio.Future[bool] = field(
-        default_factory=lambda: asyncio.get_running_loop().create_future()
-    )
-    # It has left its queue: from now on, it is sent or failed, but it does not expire.
-    sending: bool = False
-
-    def settle(self, sent: bool) -> None:
-        """Tell whoever waits for it."""
-        if not self.sent.done():
-            self.sent.set_result(sent)
-
-
-def outgoing_queue() -> ExpiringQueue[Outgoing]:
-    """Return an empty queue of messages to send."""
-    return ExpiringQueue(dropped=lambda message: message.settle(False))
+# Seconds that a peer has to answer that the connection is closed.
+FAREWELL = 1
 
 
 class Peer:
     """A program at the other end of a connection."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, loop: asyncio.AbstractEventLoop) -> None:
         """Make a peer without a connection."""
         self.name = name
         self.queue = outgoing_queue()
+        self._loop = loop
         self._filled = asyncio.Event()
+        # Whether `_filled` will be set. So a burst of messages wakes the loop once.
+        self._woken = False
         # A message that could not be sent, and when it expires. It is sent first over the next
         # connection.
         self._failed: tuple[float, Outgoing] | None = None
-        self.connected = False
+        self._socket: Socket | None = None
+        # What was logged about this connection.
+        self._logged: set[str] = set()
+
+    @property
+    def connected(self) -> bool:
+        """Whether the peer has a connection."""
+        return self._socket is not None
 
     def put(self, message: Outgoing, time_to_live: float) -> None:
-        """Append a message to the queue."""
-        self.queue.put(message, time_to_live)
-        self._filled.set()
+        """Append a message to the queue, from any thread."""
+        self.queue.put(message, time_to_live, len(message.text))
+        if not self._woken:
+            self._woken = True
+            self._loop.call_soon_threadsafe(self._filled.set)
+
+    def note(self, what: str, details: str = "") -> None:
+        """Log something about this connection, the first time that it happens."""
+        if what not in self._logged:
+            self._logged.add(what)
+            log.warning("%s: %s%s", self.name, what, details)
 
     def close(self) -> None:
         """Discard what waits to be sent."""
@@ -70,31 +69,50 @@ class Peer:
             self._failed[1].settle(False)
         self.queue.clear()
 
-    async def run(self, socket: Socket, received: Callable[..., Any]) -> None:
-        """Send and receive until the connection ends. `received` is awaited with each message."""
-        self.connected = True
-        sender = asyncio.ensure_future(self._send_all(socket))
+    async def disconnect(self) -> None:
+        """Close the connection, even if the other side does not answer."""
+        if not self._socket:
+            return
+        with contextlib.suppress(TimeoutError, ConnectionError):
+            await asyncio.wait_for(self._socket.close(), FAREWELL)
+
+    async def run(self, connection: Socket, received: Received) -> None:
+        """Send and receive until the connection ends.
+
+        `received` is awaited with each message and its bytes.
+        """
+        self._socket = connection
+        raw = connection.get_extra_info("socket")
+        self._logged.clear()
+        sender = asyncio.ensure_future(self._send_all(connection))
         try:
-            await self._receive_all(socket, received)
+            await self._receive_all(connection, received)
         finally:
             sender.cancel()
             await asyncio.gather(sender, return_exceptions=True)
+            # What the other side does not read would keep the connection open.
+            with contextlib.suppress(OSError, AttributeError):
+                raw.shutdown(socket.SHUT_RDWR)
             # Last, so that whoever sees that a peer is gone cannot send to it any more.
-            self.connected = False
+            self._socket = None
 
-    async def _send_all(self, socket: Socket) -> None:
+    async def _send_all(self, connection: Socket) -> None:
         while True:
+            self._woken = False
             self._filled.clear()
             while taken := self._next():
                 expiry, message = taken
-                message.sending = True
-                text = encode(message.body, **message.fields, time_to_live=expiry - monotonic())
+                if not message.begin():
+                    continue
                 try:
-                    await socket.send_str(text)
-                except (ConnectionError, asyncio.CancelledError) as error:
+                    await connection.send_str(timed(message.text, expiry - monotonic()))
+                except (Exception, asyncio.CancelledError) as error:
                     # It is sent over the next connection, if there is one in time.
-                    message.sending = False
-                    self._failed = taken
+                    message.failed()
+                    if expiry > monotonic():
+                        self._failed = taken
+                    else:
+                        message.settle(False)
                     if isinstance(error, asyncio.CancelledError):
                         raise
                     return
@@ -111,10 +129,12 @@ class Peer:
         taken = self.queue.take()
         return (monotonic() + taken[0], taken[1]) if taken else None
 
-    async def _receive_all(self, socket: Socket, received: Callable[..., Any]) -> None:
+    async def _receive_all(self, connection: Socket, received: Received) -> None:
         invalid = 0
-        async for frame in socket:
+        async for frame in connection:
             if frame.type == aiohttp.WSMsgType.ERROR:
+                if getattr(frame.data, "code", 0) == aiohttp.WSCloseCode.MESSAGE_TOO_BIG:
+                    self.note(f"a message is larger than {LONGEST} bytes, so the connection ends")
                 return
             try:
                 if frame.type != aiohttp.WSMsgType.TEXT:
@@ -122,12 +142,11 @@ class Peer:
                 message = decode(frame.data, self.name)
             except InvalidMessage as error:
                 invalid += 1
-                if invalid == 1:
-                    log.warning("%s: sent an invalid message: %s", self.name, error)
+                self.note("sent an invalid message: ", str(error))
                 if invalid >= INVALID:
-                    await socket.close(
+                    await connection.close(
                         code=aiohttp.WSCloseCode.POLICY_VIOLATION, message=b"invalid messages"
                     )
                     return
                 continue
-            await received(message)
+            await received(message, len(frame.data))

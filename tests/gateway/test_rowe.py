@@ -79,7 +79,7 @@ def test_topics_go_both_ways(named: Gateway) -> None:
         assert message is not None
         assert message.body == {"topic": "echo", "data": "from a program without ROS"}
         program.send({"unsubscribe": "echo"})
-        assert program.send({"topic": "drive", "linear": {"x": 0.25}}, time_to_live=1)
+        assert program.send({"topic": "drive", "linear": {"x": 0.25}}, ttl=1)
 
 
 def test_a_program_offers_a_service(named: Gateway) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import time
 
 import pytest
 
@@ -99,3 +100,46 @@ def test_any_order_of_operations_agrees_with_a_list() -> None:
     while queue.take():
         pass
     assert queue._buckets == {}
+
+
+def test_the_bytes_of_all_items_are_bounded() -> None:
+    queue: ExpiringQueue[int] = ExpiringQueue(heaviest=100)
+    queue.put(1, weight=500)  # alone, it would never have room
+    with pytest.raises(QueueFull):
+        queue.put(2, weight=1)
+    queue.take()
+    queue.put(2, weight=60)
+    ticket = queue.put(3, weight=40)
+    with pytest.raises(QueueFull):
+        queue.put(4, weight=1)
+    queue.discard(ticket)
+    queue.put(4, weight=40)
+
+
+def seconds_per_operation(count: int) -> float:
+    """Return what an operation takes at best in a queue of `count` items, all with a time."""
+    clock = Clock()
+    queue: ExpiringQueue[int] = ExpiringQueue(capacity=count + 1, clock=clock)
+    chance = random.Random(7)
+    times = [100 + 1000 * chance.random() for _ in range(1000)]
+    for number in range(count):
+        queue.put(number, times[number % 1000])
+    best = float("inf")
+    for turn in range(50):
+        begun = time.perf_counter()
+        for seconds in times[:200]:
+            queue.put(turn, seconds)
+            queue.take()
+        best = min(best, (time.perf_counter() - begun) / 400)
+    # Nothing has expired until now; then almost all of it at once.
+    assert len(queue) == count
+    clock.now += 1090
+    begun = time.perf_counter()
+    assert len(queue) < count / 50
+    return max(best, (time.perf_counter() - begun) / count)
+
+
+def test_an_operation_takes_as_long_with_a_million_items() -> None:
+    few, many = seconds_per_operation(10_000), seconds_per_operation(1_000_000)
+    # Caches are smaller than a million items, so it is not quite the same.
+    assert many < 6 * few, f"{few * 1e6:.2f} µs and {many * 1e6:.2f} µs"

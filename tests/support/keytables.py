@@ -65,6 +65,7 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "rowe": schema.ROWE,
         "A topic of rowe": schema.ROWE_TOPIC,
         "A service of rowe": schema.ROWE_SERVICE,
+        "A reply of rowe": schema.ROWE_REPLY,
     },
     "widgets.md": {kind: WIDGETS[kind] for kind in OF_NODES},
     "layouts.md": {"stage": STAGE, "columns": COLUMN, "rows": ROW},

@@ -2,9 +2,11 @@
 // A queue whose items expire.
 
 /** The largest number of items. */
-export const CAPACITY = 10_000;
+const CAPACITY = 10_000;
+// The size of all messages in a queue. It bounds the memory when messages are large.
+const HEAVIEST = 2 ** 26;
 // Items that expire in the same tick (ms) are dropped together.
-const TICK = 50;
+export const TICK = 50;
 
 /**
  * A queue whose items expire. Every operation takes constant time, amortized: the items that expire in the same tick of
@@ -12,19 +14,22 @@ const TICK = 50;
  * @template Item
  */
 export class ExpiringQueue {
-  /** @type {Map<number, {expiry: number, item: Item}>} */
+  /** @type {Map<number, {expiry: number, item: Item, weight: number}>} */
   #items = new Map();
   /** @type {Map<number, Set<number>>} */
   #buckets = new Map();
   #tick = tickOf(performance.now());
   #tickets = 0;
+  #weight = 0;
   // One iterator for all calls: a new one would pass all places of removed items each time.
   #order = this.#items.entries();
   #dropped;
+  #capacity;
 
-  /** @param {(item: Item) => void} [dropped] called with each item that expired */
-  constructor(dropped = () => {}) {
+  /** @param {(item: Item) => void} [dropped] called with each item that expired @param {number} [capacity] */
+  constructor(dropped = () => {}, capacity = CAPACITY) {
     this.#dropped = dropped;
+    this.#capacity = capacity;
   }
 
   get length() {
@@ -32,15 +37,26 @@ export class ExpiringQueue {
     return this.#items.size;
   }
 
+  /** Whether an item of this weight has room. @param {number} weight */
+  hasRoom(weight) {
+    return this.length === 0 || (this.#items.size < this.#capacity && this.#weight + weight <= HEAVIEST);
+  }
+
+  /** Throw if an item of this weight has no room. @param {number} weight */
+  check(weight) {
+    if (!this.hasRoom(weight)) throw new Error(`the queue is full: ${this.#items.size} messages are waiting`);
+  }
+
   /**
    * Append an item that expires in `timeToLive` seconds, and return its ticket.
-   * @param {Item} item @param {number} [timeToLive]
+   * @param {Item} item @param {number} [timeToLive] @param {number} [weight]
    */
-  put(item, timeToLive = Infinity) {
-    if (this.length >= CAPACITY) throw new Error(`the queue is full: ${CAPACITY} messages are waiting`);
+  put(item, timeToLive = Infinity, weight = 0) {
+    this.check(weight);
     const ticket = ++this.#tickets;
     const expiry = performance.now() + timeToLive * 1000;
-    this.#items.set(ticket, { expiry, item });
+    this.#items.set(ticket, { expiry, item, weight });
+    this.#weight += weight;
     if (expiry < Infinity) {
       const tick = tickOf(expiry);
       const bucket = this.#buckets.get(tick) ?? new Set();
@@ -72,6 +88,7 @@ export class ExpiringQueue {
     const entry = this.#items.get(ticket);
     if (!entry) return false;
     this.#items.delete(ticket);
+    this.#weight -= entry.weight;
     if (entry.expiry < Infinity) {
       const tick = tickOf(entry.expiry);
       const bucket = this.#buckets.get(tick);
@@ -84,6 +101,7 @@ export class ExpiringQueue {
   clear() {
     for (const { item } of this.#items.values()) this.#dropped(item);
     this.#items.clear();
+    this.#weight = 0;
     this.#buckets.clear();
   }
 
@@ -93,7 +111,9 @@ export class ExpiringQueue {
       for (const ticket of this.#buckets.get(tick) ?? []) {
         const entry = this.#items.get(ticket);
         this.#items.delete(ticket);
-        if (entry) this.#dropped(entry.item);
+        if (!entry) continue;
+        this.#weight -= entry.weight;
+        this.#dropped(entry.item);
       }
       this.#buckets.delete(tick);
     };

@@ -2,47 +2,17 @@
 // JSON objects over WebSocket, for programs without ROS: messages that expire, and remote calls. Runs in browsers and,
 // with a WebSocket class, in Node. docs/rowe.md describes it.
 
-import { CAPACITY, ExpiringQueue } from "./expiringQueue.js";
+import { ExpiringQueue, TICK } from "./expiringQueue.js";
 import { decode, encode } from "./message.js";
+import { Peer } from "./peer.js";
 
 /** @import { Message } from "./message.js" */
-
-/**
- * A message that waits to be sent. `settle` tells whether it was.
- * @typedef {{body: Record<string, any>, fields: Record<string, string>, settle: (sent: boolean) => void}} Outgoing
- */
+/** @import { Outgoing } from "./peer.js" */
 
 // Seconds between attempts to connect, the last repeated.
 const PAUSES = [0.1, 0.2, 0.5, 1, 2, 5];
 // Timers of browsers are at most this long (ms).
 const LONGEST_TIMER = 2 ** 31 - 1;
-
-/** A program at the other end of a connection. */
-class Peer {
-  /** @type {ExpiringQueue<Outgoing>} */
-  queue = new ExpiringQueue(({ settle }) => settle(false));
-  /** @type {WebSocket | undefined} */
-  socket;
-
-  /** @param {string} name */
-  constructor(name) {
-    this.name = name;
-  }
-
-  get connected() {
-    return this.socket?.readyState === 1;
-  }
-
-  /** Send all messages that wait, if there is a connection. */
-  flush() {
-    while (this.socket && this.connected) {
-      const taken = this.queue.take();
-      if (!taken) return;
-      this.socket.send(encode(taken.item.body, taken.item.fields, taken.left));
-      taken.item.settle(true);
-    }
-  }
-}
 
 export class Endpoint {
   /** @type {Map<string, Peer>} */
@@ -53,12 +23,14 @@ export class Endpoint {
   #incoming = new ExpiringQueue();
   /** Calls of `receive` that wait. @type {Set<() => void>} */
   #waiting = new Set();
-  /** @type {Map<string, (message: Message) => void>} */
+  /** @type {Map<string, {peer: string, resolve: (message: Message) => void, reject: (error: Error) => void}>} */
   #replies = new Map();
   /** @type {Map<string, ReturnType<typeof setTimeout>>} */
   #attempts = new Map();
   #WebSocket;
   #closed = false;
+  /** Called at the end of `close`. */
+  closing = () => {};
 
   /** @param {{WebSocket?: any}} [options] the class of sockets, where there is no global one */
   constructor({ WebSocket = globalThis.WebSocket } = {}) {
@@ -66,7 +38,7 @@ export class Endpoint {
   }
 
   /** The names of the peers that are connected now. */
-  get peers() {
+  peers() {
     return [...this.#peers.values()].filter(({ connected }) => connected).map(({ name }) => name);
   }
 
@@ -75,6 +47,7 @@ export class Endpoint {
    * @param {string} url @param {string} [name]
    */
   connect(url, name = url) {
+    if (!/^wss?:\/\/[^/]/.test(url)) throw new Error(`'${url}' is not the URL of a WebSocket; write it like 'ws://robot:9090/'`);
     this.#connect(url, this.#add(name), 0);
     return name;
   }
@@ -86,30 +59,50 @@ export class Endpoint {
   accept(socket, name) {
     const peer = this.#add(name);
     peer.socket = socket;
-    socket.addEventListener("message", ({ data }) => this.#receive(data, name));
+    socket.addEventListener("message", ({ data }) => this.#receive(data, peer));
+    // Node's package ws ends the program for an error that nobody listens to; "close" follows.
+    socket.addEventListener("error", () => {});
     socket.addEventListener("close", () => {
       this.#peers.delete(name);
-      peer.queue.clear();
+      peer.close();
+      this.#fail(name, `'${name}' left before it replied`);
     });
-    peer.flush();
+    peer.opened();
   }
 
   /**
    * Send a message. Resolve with true when it was handed to the connection, and with false when it was discarded,
    * because its time to live (seconds) is over or its peer is gone. Reject if the message is invalid, the queue is
    * full, or `to` does not name a peer.
-   * @param {Record<string, any>} body @param {{to?: string, timeToLive?: number}} [options]
+   * @param {Record<string, any>} body @param {number} [ttl] @param {{to?: string}} [options]
    */
-  async send(body, options = {}) {
-    return this.#send(body, {}, options);
+  async send(body, ttl, { to } = {}) {
+    return this.#send(body, {}, ttl, to);
   }
 
   /**
    * Queue a message to be sent. Throws what `send` rejects with.
-   * @param {Record<string, any>} body @param {{to?: string, timeToLive?: number}} [options]
+   * @param {Record<string, any>} body @param {number} [ttl] @param {{to?: string}} [options]
    */
-  asyncSend(body, options = {}) {
-    this.#send(body, {}, options);
+  asyncSend(body, ttl, { to } = {}) {
+    this.#send(body, {}, ttl, to);
+  }
+
+  /**
+   * Queue a message for each connected peer, and return their names. A peer whose queue is full does not get it.
+   * @param {Record<string, any>} body @param {number} [ttl]
+   */
+  broadcast(body, ttl) {
+    encode(body, {});
+    return this.peers().filter((name) => {
+      try {
+        this.#send(body, {}, ttl, name);
+      } catch {
+        this.#peers.get(name)?.note("does not read, so it misses broadcasts");
+        return false;
+      }
+      return true;
+    });
   }
 
   /**
@@ -141,19 +134,23 @@ export class Endpoint {
   }
 
   /**
-   * Send a request and resolve with the reply. Reject if there is none within `timeToLive` seconds.
-   * @param {Record<string, any>} body @param {{to?: string, timeToLive?: number}} [options]
+   * Send a request and resolve with the reply. Reject if there is none within `timeout` seconds, or if the peer, which
+   * had connected to this endpoint, left.
+   * @param {Record<string, any>} body @param {number} [timeout] @param {{to?: string}} [options]
    * @returns {Promise<Message>}
    */
-  async invoke(body, { to, timeToLive = 5 } = {}) {
+  async invoke(body, timeout = 5, { to } = {}) {
     const id = randomId();
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     let timer;
     try {
       return await new Promise((resolve, reject) => {
-        this.#replies.set(id, resolve);
-        timer = setTimeout(() => reject(new Error(`no reply within ${timeToLive} s`)), timeToLive * 1000);
-        this.#send(body, { message_id: id }, { to, timeToLive });
+        const peer = to ?? [...this.#peers.keys()][0] ?? "";
+        this.#replies.set(id, { peer, resolve, reject });
+        if (timeout * 1000 < LONGEST_TIMER) {
+          timer = setTimeout(() => reject(new Error(`no reply within ${timeout} s`)), timeout * 1000);
+        }
+        this.#send(body, { message_id: id }, timeout, to);
       });
     } finally {
       clearTimeout(timer);
@@ -162,31 +159,40 @@ export class Endpoint {
   }
 
   /**
-   * Reply to a request, as `send` does.
-   * @param {Message} request @param {Record<string, any>} body @param {{timeToLive?: number}} [options]
+   * Reply to a request. Resolve as `send` does, with false if the peer is gone.
+   * @param {Message} request @param {Record<string, any>} body @param {number} [ttl]
    */
-  async reply(request, body, { timeToLive } = {}) {
-    return this.#send(body, replyTo(request), { to: request.peer, timeToLive });
+  async reply(request, body, ttl) {
+    const fields = replyTo(request);
+    return this.#peers.has(request.peer) && this.#send(body, fields, ttl, request.peer);
   }
 
   /**
    * Queue a reply to a request. Throws what `reply` rejects with.
-   * @param {Message} request @param {Record<string, any>} body @param {{timeToLive?: number}} [options]
+   * @param {Message} request @param {Record<string, any>} body @param {number} [ttl]
    */
-  asyncReply(request, body, { timeToLive } = {}) {
-    this.#send(body, replyTo(request), { to: request.peer, timeToLive });
+  asyncReply(request, body, ttl) {
+    const fields = replyTo(request);
+    if (this.#peers.has(request.peer)) this.#send(body, fields, ttl, request.peer);
   }
 
   /** Close all connections. What waits to be sent is discarded. */
   close() {
     this.#closed = true;
     for (const timer of this.#attempts.values()) clearTimeout(timer);
-    for (const { socket, queue } of this.#peers.values()) {
-      queue.clear();
-      socket?.close();
+    for (const peer of this.#peers.values()) {
+      peer.close();
+      peer.socket?.close();
     }
     this.#unaddressed.clear();
+    this.#fail(undefined, "the endpoint was closed");
     for (const wake of [...this.#waiting]) wake();
+    this.closing();
+  }
+
+  /** Whether there is a peer of this name, connected or not. @param {string} name */
+  knows(name) {
+    return this.#peers.has(name);
   }
 
   /** @param {string} name */
@@ -194,7 +200,7 @@ export class Endpoint {
     if (this.#peers.has(name)) throw new Error(`there is a peer named '${name}' already`);
     const peer = new Peer(name);
     this.#peers.set(name, peer);
-    for (let taken; (taken = this.#unaddressed.take());) peer.queue.put(taken.item, taken.left);
+    for (let taken; (taken = this.#unaddressed.take());) peer.queue.put(taken.item, taken.left, taken.item.text.length);
     return peer;
   }
 
@@ -203,33 +209,40 @@ export class Endpoint {
     /** @type {WebSocket} */
     const socket = new this.#WebSocket(url);
     peer.socket = socket;
-    let next = attempt + 1;
+    let begun = Infinity;
+    const longest = PAUSES[Math.min(attempt, PAUSES.length - 1)] ?? 5;
     socket.addEventListener("open", () => {
-      next = 0;
-      peer.flush();
+      begun = performance.now();
+      peer.opened();
     });
-    socket.addEventListener("message", ({ data }) => this.#receive(data, peer.name));
+    socket.addEventListener("message", ({ data }) => this.#receive(data, peer));
     // Node's package ws ends the program for an error that nobody listens to; "close" follows.
     socket.addEventListener("error", () => {});
     socket.addEventListener("close", () => {
       if (this.#closed) return;
-      const pause = PAUSES[Math.min(attempt, PAUSES.length - 1)] ?? 5;
-      this.#attempts.set(peer.name, setTimeout(() => this.#connect(url, peer, next), pause * 1000));
+      if (begun === Infinity) peer.note("no connection, trying again");
+      // A server that accepts and leaves at once is asked less and less often, too.
+      const next = performance.now() - begun > longest * 1000 ? 0 : attempt;
+      const pause = PAUSES[Math.min(next, PAUSES.length - 1)] ?? 5;
+      // Programs that lost the same server do not all come back in the same instant.
+      const wait = pause * 1000 * (0.75 + Math.random() / 4);
+      this.#attempts.set(peer.name, setTimeout(() => this.#connect(url, peer, next + 1), wait));
     });
   }
 
   /**
    * @param {Record<string, any>} body @param {Record<string, string>} fields
-   * @param {{to?: string | undefined, timeToLive?: number | undefined}} options @returns {Promise<boolean>}
+   * @param {number} ttl @param {string} to @returns {Promise<boolean>}
    */
-  #send(body, fields, { to = "", timeToLive = Infinity }) {
-    encode(body, fields, Infinity);
-    if (!(timeToLive >= 0)) throw new Error("timeToLive: must be a number of seconds, 0 or more");
-    const names = [...this.#peers.keys()];
-    if (!to && names.length > 1) throw new Error(`name the peer: one of ${names.join(", ")}`);
-    if (to && !this.#peers.has(to)) throw new Error(`there is no peer named '${to}'`);
-    const peer = this.#peers.get(to || (names[0] ?? ""));
+  #send(body, fields, ttl = Infinity, to = "") {
+    const text = encode(body, fields);
+    if (this.#closed) throw new Error("the endpoint is closed");
+    if (!(ttl >= 0)) throw new Error("ttl: must be a number of seconds, 0 or more");
+    if (!to && this.#peers.size > 1) throw new Error(`name the peer: one of ${[...this.#peers.keys()].join(", ")}`);
+    const peer = to ? this.#peers.get(to) : [...this.#peers.values()][0];
+    if (to && !peer) throw new Error(`there is no peer named '${to}'`);
     const queue = peer?.queue ?? this.#unaddressed;
+    queue.check(text.length);
     return new Promise((resolve) => {
       /** @type {ReturnType<typeof setTimeout> | undefined} */
       let timer;
@@ -237,29 +250,52 @@ export class Endpoint {
         clearTimeout(timer);
         resolve(sent);
       };
-      queue.put({ body, fields, settle }, timeToLive);
+      queue.put({ text, settle }, ttl, text.length);
+      // Only the queue knows whether it was sent: it drops what has expired whenever it is used.
+      if (ttl * 1000 < LONGEST_TIMER) timer = setTimeout(() => this.#expire(), ttl * 1000 + TICK);
       peer?.flush();
-      // The queue itself drops what has expired when it is used again, which may be much later.
-      if (timeToLive * 1000 < LONGEST_TIMER) timer = setTimeout(() => settle(false), timeToLive * 1000 + 1);
     });
   }
 
-  /** @param {any} data @param {string} peer */
-  #receive(data, peer) {
-    const message = decode(data, peer);
-    if (typeof message === "string") {
-      console.warn(`rowe: ${peer} sent an invalid message: ${message}`);
-      return;
-    }
-    if (message.inReplyTo !== undefined) {
-      // Nobody waits any more for a reply that comes too late.
-      this.#replies.get(message.inReplyTo)?.(message);
-      return;
-    }
-    if (this.#incoming.length >= CAPACITY) this.#incoming.take();
-    this.#incoming.put(message, message.timeToLive);
-    for (const wake of [...this.#waiting]) wake();
+  /** Let queues drop what has expired. */
+  #expire() {
+    for (const queue of [this.#unaddressed, ...[...this.#peers.values()].map((peer) => peer.queue)]) void queue.length;
   }
+
+  /** End the calls that wait for a peer, or for all of them. @param {string | undefined} name @param {string} reason */
+  #fail(name, reason) {
+    for (const { peer, reject } of this.#replies.values()) {
+      if (name === undefined || peer === name) reject(new Error(reason));
+    }
+  }
+
+  /** @param {any} data @param {Peer} peer */
+  #receive(data, peer) {
+    const message = decode(data, peer.name);
+    if (typeof message === "string") {
+      peer.refuse(message);
+    } else if (message.inReplyTo !== undefined) {
+      const waiting = this.#replies.get(message.inReplyTo);
+      if (waiting) waiting.resolve(message);
+      else peer.note("sent a reply that nobody waits for, or that came too late");
+    } else {
+      while (!this.#incoming.hasRoom(data.length) && this.#incoming.take()) {
+        peer.note("messages come faster than they are received, so the oldest are discarded");
+      }
+      this.#incoming.put(message, message.timeToLive, data.length);
+      for (const wake of [...this.#waiting]) wake();
+    }
+  }
+}
+
+/**
+ * Return an endpoint that connects to a server, and again after a lost connection.
+ * @param {string} host @param {number} port @param {{WebSocket?: any}} [options]
+ */
+export function openRemoteEndpoint(host, port, options) {
+  const endpoint = new Endpoint(options);
+  endpoint.connect(`ws://${host.includes(":") ? `[${host}]` : host}:${port}/`);
+  return endpoint;
 }
 
 /** @param {Message} request */

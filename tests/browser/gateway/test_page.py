@@ -5,7 +5,9 @@ from __future__ import annotations
 import json
 import re
 import signal
+import subprocess
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 from browser import Built
@@ -13,6 +15,7 @@ from joined import Gateway, Robot
 from native import Native
 from paths import SITES
 from playwright.sync_api import Browser, Locator, Page, expect
+from roweprograms import compiled
 from terminal import Terminal
 from waiting import until
 from websockets.sync.client import connect
@@ -128,6 +131,18 @@ def test_a_program_without_ros_and_a_node_of_the_page_reach_each_other(
         message = json.loads(socket.recv(10))
         assert message["topic"] == "/page/chatter"
         assert message["data"].startswith("page ")
+
+
+def test_a_program_in_c_calls_the_cpp_node_of_the_page(
+    joined: Page, gateway: Gateway, robot: Robot, tmp_path: Path
+) -> None:
+    until(lambda: "/station" in robot.nodes())
+    program = compiled(tmp_path, "ask")
+    url = f"{gateway.http.replace('http', 'ws')}rowe"
+    request = json.dumps({"service": "/page/set", "data": True})
+    found = subprocess.run([program, url, request], stdout=subprocess.PIPE, timeout=60, check=True)
+    answer = {"success": True, "message": "from the page", "service": "/page/set"}
+    assert json.loads(found.stdout) == answer
 
 
 def test_a_page_that_leaves_takes_its_nodes_with_it(joined: Page, robot: Robot) -> None:
