@@ -51,10 +51,10 @@ export class Session {
 
   /**
    * @param {HTMLElement} element an empty one @param {Ros} ros
-   * @param {{files: Map<string, string>, bags: Bags, history: History, colours: Record<string, string>, size: number}} options
-   *   `size` is that of letters, in px
+   * @param {{files: Map<string, string>, bags: Bags, hashes: Record<string, string>, history: History,
+   *   colours: Record<string, string>, size: number}} options `hashes` are those of types; `size` is that of letters, in px
    */
-  constructor(element, ros, { files, bags, history, colours, size }) {
+  constructor(element, ros, { files, bags, hashes, history, colours, size }) {
     this.#element = element;
     this.#ros = ros;
     this.#history = history;
@@ -80,6 +80,7 @@ export class Session {
     const programs = new Map([ROS2, ...BUILTINS, ...FILTERS].map((one) => [one.name, one]));
     this.shell = new Shell(ros, screen, programs, files, bags);
     this.shell.history = history.lines;
+    this.shell.hashes = hashes;
     this.#terminal.onData((data) => this.#receive(data));
     this.#terminal.onResize(() => this.#line.redraw());
     this.#terminal.attachCustomKeyEventHandler((event) => this.#handle(event));

@@ -35,12 +35,12 @@ function turned(icon, degrees) {
 /**
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{run?: string, bags?: Record<string, string>}} options `run` is the first line; `bags` are the addresses of
- *   the bags that the page plays, by path
+ * @param {{run?: string, bags?: Record<string, string>, hashes?: Record<string, string>}} options `run` is the first
+ *   line; `bags` are the addresses of the bags that the page plays, by path; `hashes` are those of types
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { run, bags = {} }) {
-  const terminals = new Terminals(element, ros, new Bags(ros, bags));
+export function mount(element, ros, { run, bags = {}, hashes = {} }) {
+  const terminals = new Terminals(element, ros, new Bags(ros, bags), hashes);
   const first = terminals.add();
   if (run) first.enter(run);
   const unoffer = offerCommands((text) => terminals.enter(text), element);
@@ -63,6 +63,7 @@ class Terminals {
   #loud = false;
   #files = new Map();
   #bags;
+  #hashes;
   #history = new History();
   #tabs = create("div", "ros-tabs");
   #add = tool(say("New terminal"), Plus, () => {
@@ -73,9 +74,10 @@ class Terminals {
   #unwatch;
   #observer = new ResizeObserver(() => this.#shown?.session.fit());
 
-  /** @param {HTMLElement} element @param {Ros} ros @param {Bags} bags */
-  constructor(element, ros, bags) {
+  /** @param {HTMLElement} element @param {Ros} ros @param {Bags} bags @param {Record<string, string>} hashes */
+  constructor(element, ros, bags, hashes) {
     this.#element = element;
+    this.#hashes = hashes;
     this.#bags = bags;
     this.#ros = ros;
     this.#tabs.setAttribute("role", "tablist");
@@ -119,7 +121,7 @@ class Terminals {
     this.#tabs.append(tab);
     for (const other of this.#open) other.screen.hidden = true;
     const session = new Session(screen, this.#ros, {
-      files: this.#files, bags: this.#bags, history: this.#history, colours: coloursOf(this.#element),
+      files: this.#files, bags: this.#bags, hashes: this.#hashes, history: this.#history, colours: coloursOf(this.#element),
       size: parseFloat(getComputedStyle(screen).fontSize),
     });
     session.readAloud(this.#loud);

@@ -76,6 +76,7 @@ def page_entry(
                     **({"resources": found} if found and widget.kind == VIEW else {}),
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
+                    **({"hashes": _hashes(types)} if widget.kind == TERMINAL else {}),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -131,10 +132,14 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
     if joined is None:
         return {}
     given = {name: value for name, value in asdict(joined).items() if value not in (None, "", {})}
-    hashes = {
+    return {"connect": given, "hashes": _hashes(types)}
+
+
+def _hashes(types: Mapping[str, Any]) -> dict[str, str]:
+    """Return the hashes of messages and services, by name."""
+    return {
         name.removesuffix("_Request"): one["hash"] for name, one in types.items() if "hash" in one
     }
-    return {"connect": given, "hashes": hashes}
 
 
 def _without_hash(one: Mapping[str, Any]) -> dict[str, Any]:

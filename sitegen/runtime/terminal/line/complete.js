@@ -2,7 +2,7 @@
 // Completion with Tab: commands, verbs, options, names of the graph, types, and fields of messages.
 
 import { argumentsOf } from "../args/parse.js";
-import { actionNames, executableOf, nodeNames, programsOf, serviceNames, typesOf, unique } from "../args/words.js";
+import { actionNames, executableOf, nodeNames, pluginsOf, programsOf, serviceNames, typesOf, unique } from "../args/words.js";
 import { actionsOf } from "../../messages/actionClient.js";
 import { nodesOf } from "../../messages/parameters/node.js";
 import { filled } from "../ros2/filled.js";
@@ -106,6 +106,7 @@ function words(kind, values, ros, shell) {
     case "interface": return [...typesOf(ros, "msg"), ...typesOf(ros, "srv"), ...typesOf(ros, "action")];
     case "interfacePackage": return Object.keys(ros.types).map((name) => name.split("/")[0] ?? "");
     case "package": return programsOf(ros).map((node) => node.package);
+    case "plugin": return programsOf(ros).flatMap(pluginsOf);
     case "executable": return programsOf(ros, first).map(executableOf);
     case "launchPackage": return ros.launch ? [ros.launch.package] : [];
     case "launchFile": return ros.launch ? [ros.launch.file] : [];

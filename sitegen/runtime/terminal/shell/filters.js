@@ -1,7 +1,8 @@
 // @ts-check
 // Filters at the end of a pipe: grep, head, tail, wc.
 
-import { HelpAsked, INT, parse, UsageError } from "../args/parse.js";
+import { HelpAsked, parse, UsageError } from "../args/parse.js";
+import { INT } from "../args/types.js";
 import { Pipe } from "./pipe.js";
 import { Failure } from "./shell.js";
 

@@ -56,6 +56,8 @@ export class Shell {
   #foreground;
   /** The lines that were entered. @type {readonly string[]} */
   history = [];
+  /** The hashes of types, by name. @type {Record<string, string>} */
+  hashes = {};
 
   /**
    * @param {Ros} ros @param {Screen} screen @param {Map<string, Program>} programs
