@@ -73,7 +73,7 @@ def parser(verb: Mapping[str, Any]) -> argparse.ArgumentParser:
     groups: dict[str, Any] = {}
     for one in verb["args"]:
         keys: dict[str, Any] = {"help": one["help"].replace("%", "%%")}
-        place = made
+        place: Any = made
         if "group" in one:
             name = one["group"]
             place = groups[name] = groups.get(name) or made.add_mutually_exclusive_group()

@@ -11,7 +11,7 @@ from paths import SUPPORT
 
 def asked(what: str, given: Any = None) -> Any:
     """Return what verbs.mjs prints."""
-    command = ["node", SUPPORT / "verbs.mjs", what]
+    command = ["node", str(SUPPORT / "verbs.mjs"), what]
     text = json.dumps(given)
     done = subprocess.run(command, input=text, text=True, capture_output=True, check=True)
     return json.loads(done.stdout)

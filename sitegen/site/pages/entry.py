@@ -33,16 +33,18 @@ def page_entry(
     resources: Mapping[str, str],
     bags: Mapping[str, str],
     own: OwnPanels,
+    definitions: Mapping[str, str],
 ) -> dict[str, Any]:
     """Return the page's PageEntry.
 
     `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
     3D views load, by URL, `bags` those of the bags that it plays, by the path in site.yaml, and
-    `own` has those of its author's modules.
+    `own` has those of its author's modules. `definitions` are the paths of what its terminals load.
     """
     link = partial(address, page)
     known = {name: link(path) for name, path in bags.items()}
     found = {url: link(path) for url, path in resources.items()}
+    defined = {name: link(path) for name, path in definitions.items()}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
     pressed = frozenset(waiting)
@@ -76,7 +78,7 @@ def page_entry(
                     **({"resources": found} if found and widget.kind == VIEW else {}),
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
-                    **({"hashes": _hashes(types)} if widget.kind == TERMINAL else {}),
+                    **(defined if widget.kind == TERMINAL else {}),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -132,14 +134,10 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
     if joined is None:
         return {}
     given = {name: value for name, value in asdict(joined).items() if value not in (None, "", {})}
-    return {"connect": given, "hashes": _hashes(types)}
-
-
-def _hashes(types: Mapping[str, Any]) -> dict[str, str]:
-    """Return the hashes of messages and services, by name."""
-    return {
+    hashes = {
         name.removesuffix("_Request"): one["hash"] for name, one in types.items() if "hash" in one
     }
+    return {"connect": given, "hashes": hashes}
 
 
 def _without_hash(one: Mapping[str, Any]) -> dict[str, Any]:

@@ -50,9 +50,10 @@ async function candidates(before, typed, ros, shell) {
   const [name, group, verb] = before;
   if (name === undefined) return [...shell.programs.keys()];
   if (name === "time") return candidates(before.slice(1), typed, ros, shell);
-  if (name === "fg" || name === "kill") return [...shell.jobs.keys()].map((id) => `%${id}`);
+  if (["bg", "fg", "kill"].includes(name)) return [...shell.jobs.keys()].map((id) => `%${id}`);
   if (name === "rm" || name === "save") return [...shell.files.keys(), ...(await shell.bags.recordings())];
   if (name !== "ros2") return [...shell.files.keys()];
+  await shell.interfaces.load();
   if (group === undefined) return typed.startsWith("-") ? flagsOf(ROOT) : GROUPS.map((one) => one.name);
   const known = GROUPS.find((one) => one.name === group);
   if (!known) return [];

@@ -8,7 +8,7 @@ import { Failure } from "../shell/shell.js";
 import { populated } from "./populate.js";
 import { quoted } from "./python.js";
 import { fitted, valuesOf } from "./topic/pub.js";
-import { absolute, checkName, endpoints, flag, fullType, option, until } from "./verb.js";
+import { absolute, checkName, endpoints, flag, fullType, isType, option, until } from "./verb.js";
 
 /** @import { Goal } from "../../messages/actionClient.js" */
 /** @import { Io } from "../shell/shell.js" */
@@ -97,7 +97,7 @@ const sendGoal = {
     checkName(args.action_name, "action");
     const name = absolute(args.action_name);
     const action = fullType(args.action_type, "action");
-    if (!ros.types[`${action}_Goal`]) throw new Failure("The passed action type is invalid");
+    if (!isType(ros, `${action}_Goal`)) throw new Failure("The passed action type is invalid");
     const values = await valuesOf(io, args);
     const { message: goal } = fitted("Failed to populate message fields: ", () => populated(values, `${action}_Goal`, ros.types),
       ({ kind, message }) => `${kind}(${quoted(message)})`);

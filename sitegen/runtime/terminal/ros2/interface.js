@@ -10,9 +10,10 @@ import { Failure } from "../shell/shell.js";
 import { filled } from "./filled.js";
 import { float } from "./python.js";
 import { toYaml } from "../../messages/yaml.js";
-import { flag } from "./verb.js";
+import { flag, isType } from "./verb.js";
 
 /** @import { Ros } from "../../protocol.js" */
+/** @import { Io } from "../shell/shell.js" */
 /** @import { Group, Verb } from "./verb.js" */
 
 const KINDS = /** @type {const} */ ([["msg", "Messages"], ["srv", "Services"], ["action", "Actions"]]);
@@ -81,7 +82,8 @@ const show = {
     flag("no_comments", ["--no-comments"], "Show no comments or whitespace", { group: "comments" }),
     { name: "type", help: "Show an interface definition (e.g. 'example_interfaces/msg/String'). Passing '-' reads the argument from stdin (e.g. 'ros2 topic type /chatter | ros2 interface show -').", complete: "interface" },
   ],
-  async run({ ros, out, input, signal, columns }, { type: given }) {
+  async run(io, { type: given, all_comments: all, no_comments: none }) {
+    const { ros, out, input, signal, columns } = io;
     let name = given;
     if (given === "-" && !input) misused("expected stdin pipe", columns);
     if (given === "-") {
@@ -93,10 +95,45 @@ const show = {
     }
     if (!name) misused("the passed value is empty", columns);
     const parts = partsOf(ros, name);
+    const lines = await written(io, name, { comments: !none, inner: all }, "");
+    if (lines) {
+      await out(lines.map((line) => `${line}\n`).join(""));
+      return;
+    }
+    // There is no file, as of interfaces that only nodes of the page know.
     const texts = parts.map((part) => definition(ros, part, ""));
-    await out(`${texts.map((lines) => lines.map((line) => `${line}\n`).join("")).join("---\n")}`);
+    await out(texts.map((each) => each.map((line) => `${line}\n`).join("")).join("---\n"));
   },
 };
+
+const FIELD = /^([A-Za-z]\w*(?:\/\w+)?)(?:<=\d+)?(?:\[[^\]]*\])?\s+\w+(?!\s*=)(?:\s|$)/;
+const PLAIN = /^(?:bool|byte|char|float(?:32|64)|u?int(?:8|16|32|64)|w?string)$/;
+
+/**
+ * Return the lines of the file of an interface, with those of its fields; undefined if there is none.
+ * @param {Io} io @param {string} name @param {{comments: boolean, inner: boolean}} shown whether comments are, and those
+ *   of the types of fields @param {string} indent @returns {Promise<string[] | undefined>}
+ */
+async function written(io, name, shown, indent) {
+  const text = await io.shell.interfaces.text(name);
+  if (text === undefined) return undefined;
+  const [owner] = name.split("/");
+  /** @type {string[]} */
+  const found = [];
+  for (const line of text.replace(/\n$/, "").split("\n")) {
+    const whole = line.trimEnd();
+    const bare = whole.replace(/^([^"'#]*(?:"[^"]*"|'[^']*')?[^"'#]*)#.*$/, "$1").trim();
+    if (shown.comments) found.push(whole && indent + whole);
+    else if (bare) found.push(indent + bare);
+    const [, type = ""] = FIELD.exec(bare) ?? [];
+    if (!type || PLAIN.test(type)) continue;
+    const [first = "", second] = type.split("/");
+    const inner = second ? `${first}/msg/${second}` : `${owner}/msg/${first}`;
+    found.push(...(await written(io, inner, { ...shown, comments: shown.inner }, `${indent}\t`)
+      ?? definition(io.ros, inner, `${indent}\t`)));
+  }
+  return found;
+}
 
 /** @param {string} what @param {number} columns @returns {never} */
 function misused(what, columns) {
@@ -115,7 +152,7 @@ const proto = {
   async run({ ros, out }, { type: given, no_quotes: plain }) {
     const [part = ""] = partsOf(ros, given);
     const text = toYaml(filled({}, part, ros.types), part, ros.types, Infinity);
-    await out(plain ? `${text}\n` : `"${text}\n"\n`);
+    await out(plain ? `${text}\n\n` : `"${text}\n"\n`);
   },
 };
 
@@ -127,13 +164,13 @@ function partsOf(ros, name) {
   if (!Object.keys(ros.types).some((one) => one.startsWith(`${owner}/`))) throw new Failure(`Unknown package '${owner}'`);
   if (!known(ros, name)) throw new Failure(`Could not find the interface '${name}.idl'`);
   // Services and actions may be known as a whole, too, which no file writes.
-  if (ros.types[`${name}_Goal`]) return [`${name}_Goal`, `${name}_Result`, `${name}_Feedback`];
-  return ros.types[`${name}_Request`] ? [`${name}_Request`, `${name}_Response`] : [name];
+  if (isType(ros, `${name}_Goal`)) return [`${name}_Goal`, `${name}_Result`, `${name}_Feedback`];
+  return isType(ros, `${name}_Request`) ? [`${name}_Request`, `${name}_Response`] : [name];
 }
 
 /** @param {Ros} ros @param {string} type */
 function known(ros, type) {
-  return [type, `${type}_Request`, `${type}_Goal`].some((name) => ros.types[name]);
+  return [type, `${type}_Request`, `${type}_Goal`].some((name) => isType(ros, name));
 }
 
 /** @param {Ros} ros @param {string} name @param {string} indent @returns {string[]} */

@@ -39,6 +39,7 @@ export const ROS2 = {
   about: "the command-line tool of ROS 2",
   async run(io) {
     try {
+      await io.shell.interfaces.load();
       return await dispatch(io);
     } catch (error) {
       if (isInterrupt(error)) return SIGINT;

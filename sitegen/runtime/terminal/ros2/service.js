@@ -10,7 +10,7 @@ import { qosOptions } from "./qos.js";
 import { echoEvents } from "./service/echo.js";
 import { endpointInfo } from "./topic/list.js";
 import { fitted, valuesOf } from "./topic/pub.js";
-import { absolute, checkName, DISCOVERY, endpoints, flag, fullType, isHidden, option, until } from "./verb.js";
+import { absolute, checkName, DISCOVERY, endpoints, flag, fullType, isHidden, isType, option, until } from "./verb.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Group, Verb } from "./verb.js" */
@@ -85,7 +85,7 @@ const info = {
     const end = verbose ? "\n\n" : "\n";
     const described = async (/** @type {"client" | "service"} */ kind) => {
       if (!verbose) return;
-      for (const one of endpoints(ros, { kind, name })) await out(`${endpointInfo(one, "Service", shell.hashes)}${end}`);
+      for (const one of endpoints(ros, { kind, name })) await out(`${endpointInfo(one, "Service", shell.interfaces.hashes)}${end}`);
     };
     await out(`Type: ${types.length === 1 ? types[0] : `[${types.map((one) => `'${one}'`).join(", ")}]`}\n`);
     await out(`Clients count: ${clients.length}${end}`);
@@ -115,8 +115,8 @@ const call = {
     checkName(given, "service");
     const name = absolute(given);
     const service = fullType(typeGiven, "srv");
-    if (ros.types[service] && !ros.types[`${service}_Request`]) throw new Failure("The passed type is not a service");
-    if (!ros.types[`${service}_Request`]) throw new Failure("The passed service type is invalid");
+    if (isType(ros, service) && !isType(ros, `${service}_Request`)) throw new Failure("The passed type is not a service");
+    if (!isType(ros, `${service}_Request`)) throw new Failure("The passed service type is invalid");
     const values = await valuesOf(io, args);
     const { message: request } = fitted("Failed to populate field: ", () => populated(values, `${service}_Request`, ros.types));
     const ready = () => endpoints(ros, { kind: "service", name }).some((one) => one.type === service);

@@ -56,11 +56,9 @@ export function checkName(name, kind) {
   throw new Failure(`Invalid ${kind} name: '${name}'${name ? `\n${" ".repeat(21 + at)}^` : ""}`);
 }
 
-/** Return the definition of a type. Throws a Failure. @param {Ros} ros @param {string} type @param {string} what failed */
-export function defined(ros, type, what) {
-  const found = ros.types[type];
-  if (!found) throw new Failure(what);
-  return found;
+/** Whether there is a type of this name. @param {Ros} ros @param {string} name */
+export function isType(ros, name) {
+  return Object.hasOwn(ros.types, name);
 }
 
 /** Return a type in its full form: std_msgs/String is short for std_msgs/msg/String. @param {string} type @param {string} kind */

@@ -3,7 +3,7 @@
 
 import { Failure } from "../../shell/shell.js";
 import { Echo, FORM_OPTIONS } from "../topic/echo.js";
-import { absolute, endpoints, flag, fullType } from "../verb.js";
+import { absolute, endpoints, flag, fullType, isType } from "../verb.js";
 
 /** @import { Verb } from "../verb.js" */
 
@@ -27,7 +27,7 @@ export const echoEvents = {
     const known = ros.graph.services().find((one) => one.name === absolute(name))?.types[0];
     const service = given === undefined ? known : fullType(given, "srv");
     if (service === undefined) throw new Failure("Could not load the type for the passed service");
-    if (!ros.types[`${service}_Request`]) throw new Failure(`The service type '${service}' is invalid`);
+    if (!isType(ros, `${service}_Request`)) throw new Failure(`The service type '${service}' is invalid`);
     const topic = `${absolute(name)}/_service_event`;
     const [publisher] = endpoints(ros, { kind: "publisher", name: topic });
     if (!publisher) await out(`No publishers on topic '${name}/_service_event'; is service introspection on the client or server enabled?\n`);

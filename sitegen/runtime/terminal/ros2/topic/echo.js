@@ -9,7 +9,7 @@ import { POSITIVE_FLOAT, UNSIGNED_INT } from "../../args/types.js";
 import { Failure } from "../../shell/shell.js";
 import { bytesRepr, text } from "../python.js";
 import { qosOptions, subscriptionQos } from "../qos.js";
-import { absolute, checkName, DISCOVERY, flag, fullType, option, Pace } from "../verb.js";
+import { absolute, checkName, DISCOVERY, flag, fullType, isType, option, Pace } from "../verb.js";
 
 /** @import { MessageInfo, Ros } from "../../../protocol.js" */
 /** @import { Io } from "../../shell/shell.js" */
@@ -64,7 +64,7 @@ export const echo = {
 async function typeOf({ ros, out }, name, given) {
   if (given) {
     const type = fullType(given, "msg");
-    if (!ros.types[type]) throw new Failure("The passed message type is invalid");
+    if (!isType(ros, type)) throw new Failure("The passed message type is invalid");
     return type;
   }
   const found = typeOfTopic(ros, name);
@@ -79,7 +79,7 @@ export function typeOfTopic(ros, name) {
   const types = ros.graph.topics().find((one) => one.name === topic)?.types ?? [];
   if (types.length > 1) throw new Failure(`Cannot echo topic '${name}', as it contains more than one type: [${types.join(", ")}]`);
   const [type = ""] = types;
-  if (type && !ros.types[type]) throw new Failure(`The message type '${type}' is invalid`);
+  if (type && !isType(ros, type)) throw new Failure(`The message type '${type}' is invalid`);
   return type;
 }
 

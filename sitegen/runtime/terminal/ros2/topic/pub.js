@@ -6,7 +6,7 @@ import { Failure, pause } from "../../shell/shell.js";
 import { isDictionary, populated, readYaml, Unfit } from "../populate.js";
 import { repr } from "../python.js";
 import { qosOf, qosOptions } from "../qos.js";
-import { absolute, checkName, DIRECT, endpoints, flag, fullType, option, Pace, standardInput, until } from "../verb.js";
+import { absolute, checkName, DIRECT, endpoints, flag, fullType, isType, option, Pace, standardInput, until } from "../verb.js";
 
 /** @import { Publisher } from "../../../protocol.js" */
 /** @import { Io } from "../../shell/shell.js" */
@@ -48,7 +48,7 @@ export const pub = {
     checkName(args.topic_name, "topic");
     const topic = absolute(args.topic_name);
     const type = fullType(args.message_type, "msg");
-    if (!ros.types[type]) return "The passed message type is invalid";
+    if (!isType(ros, type)) return "The passed message type is invalid";
     const values = await valuesOf(io, args);
     if (!isDictionary(values)) return "The passed value needs to be a dictionary in YAML format";
     const own = args.node_name ? ros.node(absolute(args.node_name)) : undefined;
@@ -97,9 +97,11 @@ async function awaitSubscriptions(io, args, topic) {
   const end = performance.now() + (args.max_wait ?? Infinity) * 1000;
   while (count() < wanted) {
     await io.out(`Waiting for at least ${wanted} matching subscription(s)...\n`);
-    if (await until(io, () => count() >= wanted, Math.min(1000, end - performance.now()))) break;
+    const next = Math.min(performance.now() + 1000, end);
+    // Timers may be early.
+    while (performance.now() < next) if (await until(io, () => count() >= wanted, next - performance.now())) return "";
     // Spelled as upstream has it.
-    if (performance.now() >= end) return `Timed out waiting for subscribers: Expected ${wanted} subcribers but only got ${count()} subscribers`;
+    if (next === end) return `Timed out waiting for subscribers: Expected ${wanted} subcribers but only got ${count()} subscribers`;
   }
   return "";
 }
