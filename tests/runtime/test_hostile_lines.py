@@ -22,9 +22,17 @@ SEEDS = [
     *("ros2 service type /mute", "ros2 service info -v /mute", "ros2 service echo /mute"),
     "ros2 action send_goal /fibonacci test_msgs/action/Fibonacci '{order: 3}' -f -t 1",
     *("ros2 action info /fibonacci -t", "ros2 param set /talker volume 3 --timeout 0"),
-    *("ros2 param list /talker --filter vol", "ros2 param dump /talker", "ros2 param load /talker f"),
+    *(
+        "ros2 param list /talker --filter vol",
+        "ros2 param dump /talker",
+        "ros2 param load /talker f",
+    ),
     *("ros2 interface show geometry_msgs/msg/Twist", "ros2 interface proto std_msgs/msg/String"),
-    *("ros2 interface list -m", "ros2 lifecycle set /talker activate", "ros2 lifecycle get /talker"),
+    *(
+        "ros2 interface list -m",
+        "ros2 lifecycle set /talker activate",
+        "ros2 lifecycle get /talker",
+    ),
     *("ros2 component load /box p p::C -r a:=b", "ros2 component unload /box 1", "ros2 doctor -r"),
     *("ros2 run speaking talker --ros-args -r a:=b -p c:=1", "ros2 launch p f.launch.py x:=1"),
     *("ros2 pkg executables speaking", "ros2 daemon status", "ros2 bag info talk", "ros2 wtf"),
@@ -32,17 +40,16 @@ SEEDS = [
     *("echo a 'b c' \"$?\" > f; cat f | grep -n b | wc -l", "cat < f && false || echo $HOME # x"),
     *("head -2 f; tail -n 1 f; sort -r f | uniq -c", "sleep 0.001 & jobs; kill %1; wait; history"),
 ]
-ODD = [
-    *("'", '"', "\\", "$", "$(", "`", "|", "||", "&", "&&", ";", ">", ">>", "<", "2>&1", "#", "(", ")"),
-    *("--", "-", "-h", "\0", "\x1b[2J", "é", "💥", "\u202e", "[", "]", "{", "}", "{{", ": ", ",", "*"),
-    *("999999999999999999999", "-1", "1e400", "nan", ".inf", "null", "~", "!!python/object", "&a *a"),
-    *("../../etc/passwd", "/", "//", "a/b/c/d", "__proto__", "constructor", "toString", "\t", "\n"),
-    *("(((((", "[[[[[", "a" * 300, "--field", "--filter", "__class__", "m.__dict__", "0x41", "%s%n"),
-]
+SIGNS = r"""
+' " \ $ $( ` | || & && ; > >> < 2>&1 # ( ) -- - -h é 💥 [ ] { } {{ , * / // a/b/c/d ((((( [[[[[
+999999999999999999999 -1 1e400 nan .inf null ~ !!python/object ../../etc/passwd __proto__
+constructor toString --field --filter 0x41 %s%n __class__ m.__dict__
+"""
+ODD = [*SIGNS.split(), "\0", "\x1b[2J", "\u202e", ": ", "&a *a", "\t", "\n", "a" * 300]
 # What JavaScript says of a bug, and terminals obey.
 BUG = re.compile(
-    r"TypeError: (?!Value|'|int|float)|is not a function|Cannot read|is not defined(?<!' is not defined)"
-    r"|undefined|\[object |Maximum call|Invalid array|is not iterable(?<!object is not iterable)|"
+    r"TypeError: (?!Value|'|int|float)|is not a function|Cannot read|(?<!' )is not defined|"
+    r"undefined|\[object |Maximum call|Invalid array|(?<!object )is not iterable|"
     r"Cannot (?:mix|convert)|out of memory|RangeError|ReferenceError|NaN\b"
 )
 STATUSES = {0, 1, 2, 127, 130, 141}

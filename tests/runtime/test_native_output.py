@@ -29,7 +29,9 @@ def pattern(shown: str) -> str:
 
 
 def plain(shown: str) -> str:
-    return re.sub(r"=+", "=", re.sub(r"^ +| +$", "", shown, flags=re.M)) if "===" in shown else shown
+    return (
+        re.sub(r"=+", "=", re.sub(r"^ +| +$", "", shown, flags=re.M)) if "===" in shown else shown
+    )
 
 
 def test_the_table_is_read() -> None:

@@ -42,7 +42,9 @@ def shell(lines: Sequence[str | tuple[str, float]], *, wait: float = 10) -> list
         "types": types,
         "hashes": hashes,
         "texts": {name: file.read_text() for name, file in files.items()},
-        "lines": [(one, wait * 1000) if isinstance(one, str) else (one[0], one[1] * 1000) for one in lines],
+        "lines": [
+            (one, wait * 1000) if isinstance(one, str) else (one[0], one[1] * 1000) for one in lines
+        ],
     }
     command = ["node", str(SUPPORT / "shell.mjs")]
     done = subprocess.run(command, input=json.dumps(given), text=True, capture_output=True)
