@@ -7,11 +7,13 @@ the file and line that define it, and for each option what its help shows.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
+from paths import ROOT
 from verbs import asked
 
 UPSTREAM: dict[str, dict[str, Any]] = json.loads(
@@ -84,3 +86,22 @@ def test_every_verb_of_ros2cli_is_known(ours: dict[str, Mapping[str, Any]]) -> N
     assert verbs - ABSENT <= set(ours)
     alone = {"ros2 doctor", "ros2 run", "ros2 wtf"}
     assert alone <= set(ours)
+
+
+ROW = re.compile(r"^\| `ros2 (\w+)` \| (.*) \|$", re.M)
+
+
+def test_the_documentation_lists_every_verb(ours: dict[str, Mapping[str, Any]]) -> None:
+    text = (ROOT / "docs/terminal.md").read_text()
+    listed = {group: {*re.findall(r"`(\w+)`", verbs)} for group, verbs in ROW.findall(text)}
+    known: dict[str, set[str]] = {}
+    for name in ours:
+        _, group, *verb = name.split()
+        known.setdefault(group, set()).update(verb)
+    # These only say that a page does not have them, which is among the differences.
+    for group, verbs in {"bag": "convert list reindex", "pkg": "create prefix xml"}.items():
+        known[group] -= {*verbs.split()}
+        assert all(re.search(rf"`(ros2 \w+ )?{verb}`", text) for verb in verbs.split())
+    del known["wtf"]
+    assert {group: listed[group] & verbs for group, verbs in known.items()} == known
+    assert {*listed} == {*known}

@@ -8,7 +8,7 @@ from dataclasses import asdict, fields
 from functools import partial
 from typing import Any
 
-from sitegen.model import Effect, Handler, Launch, Page, Programs, Site, Widget
+from sitegen.model import Argument, Effect, Handler, Launch, Page, Programs, Site, Widget
 from sitegen.site import assets
 from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.ownpanels import OwnPanels
@@ -113,7 +113,14 @@ def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
         **({"first": [*launch.first]} if launch.later else {}),
         **({"handlers": [_handler(each) for each in launch.handlers]} if launch.handlers else {}),
         **({"asked": own} if own else {}),
+        **({"arguments": [*map(_argument, launch.arguments)]} if launch.arguments else {}),
     }
+
+
+def _argument(argument: Argument) -> dict[str, str]:
+    return {name: value for name, value in asdict(argument).items() if value not in (None, "")} | (
+        {"default": ""} if argument.default == "" else {}
+    )
 
 
 def _handler(handler: Handler) -> dict[str, object]:

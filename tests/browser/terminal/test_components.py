@@ -55,7 +55,14 @@ def test_the_launch_file_of_the_page_is_launched(tab: Tab, serve: Serve, built: 
     assert terminal.run("ros2 launch other x.py; echo $?") == (
         "Package 'other' not found: the page has components container.launch.xml\n1"
     )
-    found = terminal.run("ros2 launch components container.launch.xml")
+    line = "ros2 launch components container.launch.xml"
+    assert terminal.run(f"{line} --show-args") == (
+        "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
+    )
+    assert terminal.run(f"{line} x; echo $?") == (
+        "malformed launch argument 'x', expected format '<name>:=<value>'\n1"
+    )
+    found = terminal.run(line)
     assert found.startswith("[INFO] [component_container_mt-1]: process started\n")
     assert "[component_container_mt-1] [INFO] " in found
     assert "none left: 0" in found

@@ -264,6 +264,7 @@ def test_a_program_reads_the_keyboard_and_ends_with_its_code(terminal: Terminal)
 
 def test_a_flood_neither_freezes_the_page_nor_drives_the_terminal(terminal: Terminal) -> None:
     terminal.run("ros2 run speaking flood &")
+    terminal.await_names("/flood")
     terminal.begin("ros2 topic echo /flood")
     # The control sequences in the texts are shown, by YAML.
     terminal.wait_for('data: "\\e[2J\\e]0;owned\\a ')
