@@ -26,6 +26,7 @@ from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import Window, launched
 from sitegen.model import (
+    Argument,
     Connect,
     Handler,
     Launch,
@@ -170,7 +171,8 @@ class PageReader:
         handlers: list[Handler] = []
         folder = file.parent if file else self.problems.root
         given = _giver("launch", page, front)
-        started = self._launch(given, known, opened, handlers, folder)
+        arguments: list[Argument] = []
+        started = self._launch(given, known, opened, handlers, folder, arguments)
         known |= started
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, self.notes, folder)
@@ -223,7 +225,9 @@ class PageReader:
             original=path if original is None else original,
             start_from_links=bool(links.option("start_from_links")),
             layout=self._layout(_giver("layout", page, front)),
-            launch=self._launch_file(given, folder, tuple(started), handlers) if started else None,
+            launch=self._launch_file(given, folder, tuple(started), handlers, arguments)
+            if started
+            else None,
             script=script,
             connect=joined,
         )
@@ -277,11 +281,12 @@ class PageReader:
         opened: list[Window],
         handlers: list[Handler],
         folder: Path,
+        asked: list[Argument],
     ) -> dict[str, Declared]:
         """Return the nodes that a launch file starts.
 
-        Its windows are added to `opened`, and what it does at events to `handlers`; `folder` is
-        that of the page.
+        Its windows are added to `opened`, what it does at events to `handlers`, and the arguments
+        that it declares to `asked`; `folder` is that of the page.
         """
         given = section.get("launch")
         file = locate(given, self.problems, page=folder) if given else None
@@ -294,7 +299,9 @@ class PageReader:
             **workspace.shipped_packages(),
             **workspace.with_replaced(self.packages()),
         }
-        found = launched(file, arguments, packages, self.problems, self.notes, opened, handlers)
+        found = launched(
+            file, arguments, packages, self.problems, self.notes, opened, handlers, asked
+        )
         for node in found:
             if node.name in taken:
                 message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"
@@ -311,7 +318,12 @@ class PageReader:
         return text
 
     def _launch_file(
-        self, section: Section, folder: Path, nodes: tuple[str, ...], handlers: Sequence[Handler]
+        self,
+        section: Section,
+        folder: Path,
+        nodes: tuple[str, ...],
+        handlers: Sequence[Handler],
+        arguments: Sequence[Argument],
     ) -> Launch | None:
         """Return the launch file that has started `nodes`, by its package."""
         given = section.get("launch")
@@ -319,7 +331,7 @@ class PageReader:
         if not file:
             return None
         owners = (p.name for p in self.packages().values() if file.is_relative_to(p.path))
-        return Launch(next(owners, ""), file.name, nodes, tuple(handlers))
+        return Launch(next(owners, ""), file.name, nodes, tuple(handlers), tuple(arguments))
 
     def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")

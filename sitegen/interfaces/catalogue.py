@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sitegen.interfaces import typesupport
@@ -29,14 +29,32 @@ def catalogue(site: Site, *, cache: Path) -> dict[str, MessageType]:
 
     Raises: SiteError if definitions of the workspace are wrong.
     """
-    own = [name for name, package in site.packages.items() if package.interfaces]
-    prefix = described(site, own, cache=cache)
+    prefix = _prefix(site, cache)
     found = types(_names(prefix), [prefix])
     return {**_tutorial(found), **found}
 
 
-def as_json(found: dict[str, MessageType]) -> bytes:
-    """Return message types as the text of a file."""
+def texts(site: Site, *, cache: Path) -> dict[str, str]:
+    """Return the text of the .msg, .srv and .action files of the same interfaces, by name.
+
+    Raises: SiteError if definitions of the workspace are wrong.
+    """
+    return {
+        f"{share.name}/{kind}/{file.stem}": file.read_text(encoding="utf-8-sig")
+        for share in shares([ROS, _prefix(site, cache)])
+        if share.name not in LEFT_OUT
+        for kind in ("msg", "srv", "action")
+        for file in sorted((share / kind).glob(f"*.{kind}"))
+    }
+
+
+def _prefix(site: Site, cache: Path) -> Path:
+    own = [name for name, package in site.packages.items() if package.interfaces]
+    return described(site, own, cache=cache)
+
+
+def as_json(found: Mapping[str, object]) -> bytes:
+    """Return message types, or their texts, as the text of a file."""
     return json.dumps(found, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 

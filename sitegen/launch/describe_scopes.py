@@ -19,14 +19,27 @@ def argument(
 ) -> Described:
     """Describe an argument of the launch file."""
     inside = [Described("choice", value=choice) for choice in choices or ()]
-    return Described("arg", inside, name=name, default=default_value, condition=condition)
+    return Described(
+        "arg",
+        inside,
+        name=name,
+        default=default_value,
+        description=description,
+        condition=condition,
+    )
 
 
 def boolean(
     name: Any, *, default_value: Any = None, description: Any = None, condition: Any = None
 ) -> Described:
     """Describe an argument that is a boolean."""
-    return Described("bool_arg", name=name, default=default_value, condition=condition)
+    return Described(
+        "bool_arg",
+        name=name,
+        default=default_value,
+        description=description,
+        condition=condition,
+    )
 
 
 def group(

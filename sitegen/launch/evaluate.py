@@ -29,7 +29,7 @@ from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.texts import Texts
 from sitegen.launch.tree import Action, UnreadableError
 from sitegen.launch.windows import Window
-from sitegen.model import Handler, Node, Package
+from sitegen.model import Argument, Handler, Node, Package
 from sitegen.workspace import containers
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
@@ -47,18 +47,20 @@ def launched(
     notes: Problems | None = None,
     opened: list[Window] | None = None,
     handlers: list[Handler] | None = None,
+    declared: list[Argument] | None = None,
 ) -> list[Node]:
     """Return the nodes that a launch file starts, and report what does not work on a page.
 
     Windows that have a counterpart among the widgets are added to `opened`; other programs that
     open windows are skipped, with a note in `notes`. What the launch file does while its nodes run
-    is added to `handlers`.
+    is added to `handlers`, and the arguments that it declares to `declared`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
         launch.run(Scope(file, dict(arguments)), Location(file, 1))
         (opened if opened is not None else []).extend(launch.windows)
         (handlers if handlers is not None else []).extend(launch.events.handlers.finished())
+        (declared if declared is not None else []).extend(launch.declared)
         return launch.finished()
 
 
@@ -94,6 +96,10 @@ class _Launch:
             "node_container": self._container,
             **self.events.actions,
         }
+
+    @property
+    def declared(self) -> list[Argument]:
+        return [*self._texts.declared.values()]
 
     def run(self, scope: Scope, location: Location) -> None:
         """Evaluate a launch file, and then what it does at events."""

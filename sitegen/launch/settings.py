@@ -9,9 +9,10 @@ from dataclasses import replace
 from sitegen.launch.environment import Environment
 from sitegen.launch.names import joined
 from sitegen.launch.scope import Scope
-from sitegen.launch.substitutions import LOG_FOLDER
+from sitegen.launch.substitutions import LOG_FOLDER, SubstitutionError
 from sitegen.launch.texts import Texts
 from sitegen.launch.tree import Action
+from sitegen.model import Argument
 
 BOOLEANS = ("true", "false", "True", "False", "TRUE", "FALSE")
 
@@ -19,6 +20,9 @@ BOOLEANS = ("true", "false", "True", "False", "TRUE", "FALSE")
 def argument(action: Action, scope: Scope, texts: Texts) -> None:
     """Declare an argument: the first default counts."""
     name = texts.needed(action, "name", scope)
+    default = _told(action, "default", scope, texts)
+    description = _told(action, "description", scope, texts) or ""
+    texts.declared.setdefault(name, Argument(name, default, description))
     if name not in scope.variables:
         if "default" not in action.attributes:
             raise ValueError(f"'{name}' has no value; give one in 'launch_arguments' of the page")
@@ -29,6 +33,16 @@ def argument(action: Action, scope: Scope, texts: Texts) -> None:
     if choices and scope.variables[name] not in choices:
         value, listed = scope.variables[name], ", ".join(choices)
         raise ValueError(f"'{name}' is '{value}', but must be one of: {listed}")
+
+
+def _told(action: Action, name: str, scope: Scope, texts: Texts) -> str | None:
+    """Return an attribute that is only shown: as it is written, if it has no value here."""
+    if name not in action.attributes:
+        return None
+    try:
+        return texts.text(action, name, scope)
+    except (ValueError, SubstitutionError):
+        return str(action.attributes[name])
 
 
 def let(action: Action, scope: Scope, texts: Texts) -> None:

@@ -14,6 +14,7 @@ from sitegen.launch.shares import on_page
 from sitegen.launch.substitutions import Known, SubstitutionError, expand
 from sitegen.launch.tree import Action
 from sitegen.launch.types import typed
+from sitegen.model import Argument
 from sitegen.rclyaml import Overrides
 from sitegen.workspace import parameterfiles
 
@@ -29,6 +30,8 @@ class Texts:
         self._folders = folders
         self._root = root
         self._roots = roots
+        # The arguments that were declared, by name.
+        self.declared: dict[str, Argument] = {}
 
     def text(self, action: Action, name: str, scope: Scope) -> str:
         """Return the value of an attribute, "" if it is missing.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from sitegen.model.content import Cell, Layout, Leaf, Markdown, Part, Source, Widget, leaves
-from sitegen.model.launch import Effect, Event, Handler, Launch
+from sitegen.model.launch import Argument, Effect, Event, Handler, Launch
 from sitegen.model.node import Component, Container, Cpp, Kind, Node, Prebuilt, Python, Ros2wasm
 from sitegen.model.package import Fault, Package, Setup
 from sitegen.model.program import BROWSERS, Artifact, Build, Program, Programs
@@ -11,6 +11,7 @@ from sitegen.model.site import Connect, Deploy, Look, NavItem, Page, Pyodide, Si
 
 __all__ = [
     "BROWSERS",
+    "Argument",
     "Artifact",
     "Build",
     "Cell",

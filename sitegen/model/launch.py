@@ -58,13 +58,26 @@ class Handler:
 
 
 @dataclass(frozen=True)
+class Argument:
+    """An argument that a launch file declares; a `default` of None makes it necessary."""
+
+    name: str
+    default: str | None = None
+    description: str = ""
+
+
+@dataclass(frozen=True)
 class Launch:
-    """The launch file of a page: its package (or ""), its name, and the nodes that it starts."""
+    """The launch file of a page: its package (or ""), its name, and the nodes that it starts.
+
+    `arguments` are those that it and the files that it includes declare.
+    """
 
     package: str
     file: str
     nodes: tuple[str, ...]
     handlers: tuple[Handler, ...] = ()
+    arguments: tuple[Argument, ...] = ()
 
     @property
     def first(self) -> tuple[str, ...]:

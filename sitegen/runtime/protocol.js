@@ -10,7 +10,7 @@
  *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
- *   asked?: string[]}} Launch the launch file that starts these nodes, and those in `first` at once if not all of them;
+ *   asked?: string[], arguments?: {name: string, default?: string, description?: string}[]}} Launch the launch file that starts these nodes, and those in `first` at once if not all of them;
  *   those in `asked` only start when the visitor says so
  * @typedef {{on: LaunchEvent, effects: LaunchEffect[], most?: number}} LaunchHandler what a launch file does at an event,
  *   up to `most` times; see model/launch.py, which has the meaning of all fields

@@ -125,6 +125,52 @@ def test_sites_of_ours_are_right(name: str) -> None:
     assert warnings(ROOT / name) == []
 
 
+COMMANDS = """\
+# Try it
+
+```ros2
+ros2 run cpp talker &
+ros2 run cpp talkr
+ros2 topic echo /chatter --once | head -1
+ros2 topic echo /chater
+ros2 topic pub /mine std_msgs/msg/String "{data: x}" &
+ros2 topic hz /mine
+ros2 topic info /rosout; ros2 topic list -t
+ros2 interface show std_msgs/msg/Strin
+ros2 service call /add \\
+  example_interfaces/srv/AddTwoInts "{a: 1}"
+ros2 service type /talker/list_parameters
+ros2 topic echo 'unfinished
+```
+
+- ```console
+  $ ros2 service call /ad example_interfaces/srv/AddTwoInts
+  ros2 topic echo /printed
+  $ ls /nothing
+  ```
+
+```bash
+ros2 topic echo /elsewhere
+```
+"""
+
+
+def test_commands_that_name_what_is_not_there_are_told(tmp_path: Path) -> None:
+    site = SITE.replace(
+        "      - console: talker", "      - markdown: text.md\n      - console: talker"
+    )
+    (tmp_path / "text.md").write_text(COMMANDS)
+    # Without a terminal, they are code.
+    assert warnings(write(tmp_path, site=site)) == []
+    assert warnings(write(tmp_path, site=f"{site}      - terminal:\n")) == [
+        "text.md:5: ros2: page / has no program 'cpp talkr'; did you mean 'cpp talker'?",
+        "text.md:7: ros2: page / has no topic '/chater'; did you mean '/chatter'?",
+        "text.md:11: ros2: 'ros2 interface show std_msgs/msg/Strin' names the unknown type "
+        "'std_msgs/msg/Strin'; check its spelling",
+        "text.md:19: ros2: page / has no service '/ad'; did you mean '/add'?",
+    ]
+
+
 def test_who_calls_nobody_is_told() -> None:
     assert warnings(ROOT / "tests/sites/services") == [
         "src/calc/src/callers.cpp:71: service: 'callers' calls '/nobody' on page /, which "

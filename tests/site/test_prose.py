@@ -191,6 +191,19 @@ def test_commands_have_buttons_that_a_terminal_shows(tmp_path: Path) -> None:
     assert "$ ros2 topic list" in re.sub(r"<[^>]*>", "", found)
 
 
+def test_commands_of_a_console_have_buttons_and_what_they_print_has_none(tmp_path: Path) -> None:
+    text = (
+        "```console\n$ ros2 topic list\n/chatter\n$ sudo apt install x\n$ ros2 node \\\n  list\n```"
+    )
+    found = html(tmp_path, text)
+    runs = re.findall(r'data-ros-run="([^"]*)"', found)
+    assert runs == ["ros2 topic list", "ros2 node \\\n  list"]
+    plain = re.sub(r"<[^>]*>", "", found)
+    assert "$ ros2 topic list\n/chatter\n$ sudo apt install x" in plain
+    # Without commands of ros2, it is code as before.
+    assert "data-ros-run" not in html(tmp_path, "```console\n$ ls\n```")
+
+
 PICTURE = """<picture>
 <source media="(prefers-color-scheme: dark)" srcset="{dark}">
 <img alt="Logo" src="light.svg" srcset="light.svg 1x,

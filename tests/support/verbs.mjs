@@ -1,10 +1,12 @@
 // Parse arguments as the terminal does, in Node: prints the verbs of ros2, or what each of some lines gives, as JSON.
 
+import { readFileSync } from "node:fs";
 import { argumentsOf, HelpAsked, parse, UsageError } from "../../sitegen/runtime/terminal/args/parse.js";
 import { GROUPS, specOf } from "../../sitegen/runtime/terminal/ros2/ros2.js";
 import { parse as parseLine, Unfinished } from "../../sitegen/runtime/terminal/shell/parse.js";
 
-const [what, ...rest] = process.argv.slice(2);
+const [what, text] = process.argv.slice(2);
+const given = () => JSON.parse(text ?? readFileSync(0, "utf8"));
 const specs = GROUPS.flatMap((group) => (group.verbs ?? [undefined]).map((verb) => specOf(group, verb)));
 
 if (what === "verbs") {
@@ -14,7 +16,7 @@ if (what === "verbs") {
     args: argumentsOf(spec).slice(1).map(({ type, complete, ...one }) => ({ ...one, type: type?.name })),
   })), (_, value) => (value === Infinity ? "inf" : value)));
 } else if (what === "arguments") {
-  console.log(JSON.stringify(JSON.parse(rest[0]).map(([prog, words, columns]) => {
+  console.log(JSON.stringify(given().map(([prog, words, columns]) => {
     try {
       return parse(specs.find((spec) => spec.prog === prog), words, columns, (extra) => `unrecognized ${extra.join(" ")}`);
     } catch (error) {
@@ -23,7 +25,7 @@ if (what === "verbs") {
     }
   })));
 } else {
-  console.log(JSON.stringify(JSON.parse(rest[0]).map((line) => {
+  console.log(JSON.stringify(given().map((line) => {
     try {
       return parseLine(line);
     } catch (error) {

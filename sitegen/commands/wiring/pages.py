@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from sitegen.commands.wiring import programs, widgets
+from sitegen.commands.wiring import commands, programs, widgets
 from sitegen.commands.wiring.endpoint import (
     ACTION,
     ACTION_CLIENT,
@@ -57,7 +57,9 @@ def _look_at(
 ) -> None:
     own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
     # The author's script, and what is beyond a gateway, may be the other side of anything.
-    some_unknown = some_unknown or bool(page.script or page.connect)
+    # What a visitor may type into a terminal is unknown, but not what the texts say of the page.
+    unclear = bool(page.script or page.connect)
+    some_unknown = some_unknown or unclear
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
     for name, node in page.nodes.items():
@@ -65,7 +67,8 @@ def _look_at(
         if key not in known:
             known[key] = _program(site, node)
         program = resolved(known[key], node)
-        some_unknown = some_unknown or program.open
+        unclear = unclear or program.open
+        some_unknown = some_unknown or unclear
         sides += (_Side(f"'{name}'", endpoint) for endpoint in program.endpoints)
         heard = heard or any(each.kind == SUBSCRIPTION for each in program.endpoints)
     for side in sides:
@@ -74,6 +77,10 @@ def _look_at(
         if side.endpoint.sure and not some_unknown and (kind != PUBLISHER or heard):
             _check_other_side(page, side, sides, problems)
     _check_types(sides, problems)
+    has_terminal = any(isinstance(part, Widget) and part.kind == "terminal" for part in page.leaves)
+    if has_terminal:
+        known_names = frozenset(name for side in sides for name in side.endpoint.names)
+        commands.check(page, site, None if unclear else known_names, problems)
 
 
 def _program(site: Site, node: Node) -> Program:

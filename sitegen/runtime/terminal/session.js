@@ -14,6 +14,7 @@ import { styled } from "./shell/style.js";
 
 /** @import { Ros } from "../protocol.js" */
 /** @import { Bags } from "./bags.js" */
+/** @import { Interfaces } from "./interfaces.js" */
 /** @import { History } from "./line/history.js" */
 /** @import { Style } from "./shell/style.js" */
 
@@ -22,7 +23,7 @@ const WAITING = 100_000;
 const SCROLLBACK = 5000;
 const PROMPT = "$ ";
 const CONTINUED = "> ";
-const INTERRUPT = "\x03";
+const [INTERRUPT, SUSPEND] = ["\x03", "\x1a"];
 
 let styles = 0;
 let removeStyle = () => {};
@@ -51,10 +52,10 @@ export class Session {
 
   /**
    * @param {HTMLElement} element an empty one @param {Ros} ros
-   * @param {{files: Map<string, string>, bags: Bags, history: History, colours: Record<string, string>, size: number}} options
-   *   `size` is that of letters, in px
+   * @param {{files: Map<string, string>, bags: Bags, interfaces: Interfaces, history: History,
+   *   colours: Record<string, string>, size: number}} options `size` is that of letters, in px
    */
-  constructor(element, ros, { files, bags, history, colours, size }) {
+  constructor(element, ros, { files, bags, interfaces, history, colours, size }) {
     this.#element = element;
     this.#ros = ros;
     this.#history = history;
@@ -69,7 +70,9 @@ export class Session {
     const screen = {
       columns: () => this.#terminal.cols,
       write: this.#write.bind(this),
+      rows: () => this.#terminal.rows,
       clear: () => this.#terminal.write("\x1b[2J\x1b[3J\x1b[H"),
+      eraseLine: () => this.#put("\r\x1b[K"),
       keys: (/** @type {(data: string) => void} */ type) => {
         this.#keys = type;
         return () => {
@@ -78,7 +81,7 @@ export class Session {
       },
     };
     const programs = new Map([ROS2, ...BUILTINS, ...FILTERS].map((one) => [one.name, one]));
-    this.shell = new Shell(ros, screen, programs, files, bags);
+    this.shell = new Shell(ros, screen, programs, files, bags, interfaces);
     this.shell.history = history.lines;
     this.#terminal.onData((data) => this.#receive(data));
     this.#terminal.onResize(() => this.#line.redraw());
@@ -164,6 +167,10 @@ export class Session {
 
   /** @param {string} data what the keyboard sends */
   #receive(data) {
+    if (data === SUSPEND && this.#busy) {
+      this.#suspend();
+      return;
+    }
     if (this.#keys) {
       this.#keys(data);
       return;
@@ -180,6 +187,19 @@ export class Session {
     } else if (this.#early.length < 100_000) {
       this.#early += data;
     }
+  }
+
+  /** Ctrl-Z: stop the command, and keep its keys until it goes on. */
+  #suspend() {
+    const job = this.shell.suspend();
+    if (!job) return;
+    this.#put(`^Z\r\n${styled(describe(job))}`);
+    this.#fresh = true;
+    const keys = this.#keys;
+    this.#keys = undefined;
+    job.suspended?.then(() => {
+      if (!job.background) this.#keys ??= keys;
+    });
   }
 
   /** Edit the line by keys, until one of them runs a command. @param {string} data */
@@ -201,7 +221,7 @@ export class Session {
       },
       older: (text) => this.#history.recall(-1, text),
       newer: (text) => this.#history.recall(1, text),
-      find: (text) => this.#history.find(text),
+      find: (text, skipped) => this.#history.find(text, skipped),
       complete: (before) => this.#complete(before),
       clear: () => this.#terminal.write("\x1b[2J\x1b[3J\x1b[H"),
     });

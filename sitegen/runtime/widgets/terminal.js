@@ -8,6 +8,7 @@ import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
 import { ArrowDown, ArrowUp, Plus, X } from "../vendor/icons.js";
 import { Bags } from "../terminal/bags.js";
+import { Interfaces } from "../terminal/interfaces.js";
 import { History } from "../terminal/line/history.js";
 import { Session } from "../terminal/session.js";
 import { offerCommands } from "./terminal/offers.js";
@@ -35,12 +36,13 @@ function turned(icon, degrees) {
 /**
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{run?: string, bags?: Record<string, string>}} options `run` is the first line; `bags` are the addresses of
- *   the bags that the page plays, by path
+ * @param {{run?: string, bags?: Record<string, string>, interfaces: string, texts: string}} options `run` is the first
+ *   line; `bags` are the addresses of the bags that the page plays, by path; `interfaces` and `texts` are those of
+ *   the definitions of all interfaces
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { run, bags = {} }) {
-  const terminals = new Terminals(element, ros, new Bags(ros, bags));
+export function mount(element, ros, { run, bags = {}, interfaces, texts }) {
+  const terminals = new Terminals(element, ros, new Bags(ros, bags), new Interfaces(ros.types, interfaces, texts));
   const first = terminals.add();
   if (run) first.enter(run);
   const unoffer = offerCommands((text) => terminals.enter(text), element);
@@ -63,6 +65,7 @@ class Terminals {
   #loud = false;
   #files = new Map();
   #bags;
+  #interfaces;
   #history = new History();
   #tabs = create("div", "ros-tabs");
   #add = tool(say("New terminal"), Plus, () => {
@@ -73,9 +76,10 @@ class Terminals {
   #unwatch;
   #observer = new ResizeObserver(() => this.#shown?.session.fit());
 
-  /** @param {HTMLElement} element @param {Ros} ros @param {Bags} bags */
-  constructor(element, ros, bags) {
+  /** @param {HTMLElement} element @param {Ros} ros @param {Bags} bags @param {Interfaces} interfaces */
+  constructor(element, ros, bags, interfaces) {
     this.#element = element;
+    this.#interfaces = interfaces;
     this.#bags = bags;
     this.#ros = ros;
     this.#tabs.setAttribute("role", "tablist");
@@ -119,7 +123,7 @@ class Terminals {
     this.#tabs.append(tab);
     for (const other of this.#open) other.screen.hidden = true;
     const session = new Session(screen, this.#ros, {
-      files: this.#files, bags: this.#bags, history: this.#history, colours: coloursOf(this.#element),
+      files: this.#files, bags: this.#bags, interfaces: this.#interfaces, history: this.#history, colours: coloursOf(this.#element),
       size: parseFloat(getComputedStyle(screen).fontSize),
     });
     session.readAloud(this.#loud);

@@ -8,7 +8,7 @@ from dataclasses import asdict, fields
 from functools import partial
 from typing import Any
 
-from sitegen.model import Effect, Handler, Launch, Page, Programs, Site, Widget
+from sitegen.model import Argument, Effect, Handler, Launch, Page, Programs, Site, Widget
 from sitegen.site import assets
 from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.ownpanels import OwnPanels
@@ -33,16 +33,18 @@ def page_entry(
     resources: Mapping[str, str],
     bags: Mapping[str, str],
     own: OwnPanels,
+    definitions: Mapping[str, str],
 ) -> dict[str, Any]:
     """Return the page's PageEntry.
 
     `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
     3D views load, by URL, `bags` those of the bags that it plays, by the path in site.yaml, and
-    `own` has those of its author's modules.
+    `own` has those of its author's modules. `definitions` are the paths of what its terminals load.
     """
     link = partial(address, page)
     known = {name: link(path) for name, path in bags.items()}
     found = {url: link(path) for url, path in resources.items()}
+    defined = {name: link(path) for name, path in definitions.items()}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
     pressed = frozenset(waiting)
@@ -76,6 +78,7 @@ def page_entry(
                     **({"resources": found} if found and widget.kind == VIEW else {}),
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
+                    **(defined if widget.kind == TERMINAL else {}),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -110,7 +113,14 @@ def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
         **({"first": [*launch.first]} if launch.later else {}),
         **({"handlers": [_handler(each) for each in launch.handlers]} if launch.handlers else {}),
         **({"asked": own} if own else {}),
+        **({"arguments": [*map(_argument, launch.arguments)]} if launch.arguments else {}),
     }
+
+
+def _argument(argument: Argument) -> dict[str, str]:
+    return {name: value for name, value in asdict(argument).items() if value not in (None, "")} | (
+        {"default": ""} if argument.default == "" else {}
+    )
 
 
 def _handler(handler: Handler) -> dict[str, object]:

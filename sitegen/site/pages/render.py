@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -14,7 +15,7 @@ from markupsafe import Markup
 
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, nearest
-from sitegen.interfaces.catalogue import as_json, catalogue
+from sitegen.interfaces.catalogue import as_json, catalogue, texts
 from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site.bags import bags
 from sitegen.site.ownpanels import own_panels
@@ -23,7 +24,7 @@ from sitegen.site.pages.abilities import abilities
 from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
 from sitegen.site.pages.early import modules, programs
 from sitegen.site.pages.editor import edited
-from sitegen.site.pages.entry import page_entry, written
+from sitegen.site.pages.entry import TERMINAL, page_entry, written
 from sitegen.site.pages.history import changed_days, edit_link
 from sitegen.site.pages.missing import missing
 from sitegen.site.pages.nav import Link, Navigation
@@ -87,6 +88,20 @@ class Renderer:
     def _interfaces(self) -> bytes:
         return as_json(catalogue(self.site, cache=cache_folder()))
 
+    @cached_property
+    def _texts(self) -> bytes:
+        return as_json(texts(self.site, cache=cache_folder()))
+
+    def _definitions(self, page: Page) -> dict[str, Artifact]:
+        """Return the files that terminals of `page` load: all interfaces, and their texts."""
+        if not any(isinstance(part, Widget) and part.kind == TERMINAL for part in page.leaves):
+            return {}
+        contents = {"interfaces": self._interfaces, "texts": self._texts}
+        return {
+            name: Artifact(f"interfaces/{hashlib.sha256(content).hexdigest()[:10]}.json", content)
+            for name, content in contents.items()
+        }
+
     def every_page(self) -> list[Rendered]:
         """Return all pages; if there are many, they are rendered in several processes."""
         pages, workers = self.site.pages, min(os.cpu_count() or 1, 8)
@@ -131,12 +146,18 @@ class Renderer:
             notes = tuple(loaded.notes)
             played = bags(site, page)
             own = own_panels(site, page, problems, lambda: self._interfaces)
-            entry = page_entry(site, page, self._programs, files, loaded.paths, played.paths, own)
+            defined = self._definitions(page)
+            paths = {name: artifact.path for name, artifact in defined.items()}
+            entry = page_entry(
+                site, page, self._programs, files, loaded.paths, played.paths, own, paths
+            )
         html, sheets = self._html(page, parts, prose, entry, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
             artifacts += [*loaded.artifacts, *played.artifacts, *own.artifacts]
+            known = {artifact.path for artifact in own.artifacts}
+            artifacts += [one for one in defined.values() if one.path not in known]
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))

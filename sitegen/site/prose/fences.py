@@ -48,6 +48,15 @@ def _commands(
     return commands(source, title=options.get("title", ""))
 
 
+def _console(
+    source: str, language: str, name: str, options: Mapping[str, str], *_: object, **__: object
+) -> str:
+    # Numbers and marks are those of code.
+    if set(options) & {"linenums", "hl_lines"} or "$ ros2" not in source:
+        return _code(source, language, name, options)
+    return commands(source, title=options.get("title", ""), console=True)
+
+
 def _diagram(source: str, *_: object, **__: object) -> str:
     return f'<div class="mermaid">{escape(source)}</div>'
 
@@ -65,4 +74,7 @@ def _fence(name: str, form: Callable[..., str]) -> dict[str, Any]:
 
 
 # The last format that matches is used.
-FENCES = [_fence("*", _code), _fence("mermaid", _diagram), _fence("ros2", _commands)]
+FENCES = [
+    *(_fence("*", _code), _fence("mermaid", _diagram)),
+    *(_fence("ros2", _commands), _fence("console", _console)),
+]

@@ -100,13 +100,16 @@ def code(
     return f'<div class="code">{head}<pre tabindex="0"><code{name}>{body}</code></pre></div>'
 
 
-def commands(text: str, *, title: str = "") -> str:
+def commands(text: str, *, title: str = "", console: bool = False) -> str:
     """Return a block of commands for a terminal, each with a button that the page's terminal shows.
 
     A line that ends with a backslash goes on in the next one; comments and empty lines are none.
+    Of a `console`, commands begin with `$ ros2`; what they print, and other programs, have no
+    button.
     """
     lines = text.rstrip("\n").split("\n")
-    shown = "".join(_words("\n".join(lines) + "\n", "bash")).split("\n")
+    language = "console" if console else "bash"
+    shown = "".join(_words("\n".join(lines) + "\n", language)).split("\n")
     body, begun, html = [], "", ""
     for index, (line, words) in enumerate(zip(lines, shown, strict=False)):
         begun += f"{line}\n"
@@ -114,14 +117,16 @@ def commands(text: str, *, title: str = "") -> str:
         if line.endswith("\\") and index + 1 < len(lines):
             continue
         command = re.sub(r"\A\s*\$ ", "", begun).strip()
-        if command and not command.startswith("#"):
+        runs = re.match(r"\s*\$ ros2\b", begun) if console else not command.startswith("#")
+        if command and runs:
             run = f'data-ros-run="{escape(command)}" hidden'
             button = f'<button type="button" class="run" {run}></button>'
             html = f'<span class="command">{button}{html}</span>'
         body.append(html)
         begun = html = ""
     head = f'<p class="code-title">{escape(title)}</p>' if title else ""
-    inner = f'<code class="language-ros2">{"".join(body)}</code>'
+    name = "console" if console else "ros2"
+    inner = f'<code class="language-{name}">{"".join(body)}</code>'
     return f'<div class="code">{head}<pre tabindex="0">{inner}</pre></div>'
 
 

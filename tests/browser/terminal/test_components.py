@@ -24,10 +24,12 @@ def test_components_are_loaded_into_a_container(tab: Tab, serve: Serve, built: B
             "Loaded component 1 into '/box' container node as '/a/third'",
         ),
         (
-            f"ros2 component load box {server} -r __node:=other",
-            "Loaded component 2 into '/box' container node as '/other'",
+            f"ros2 component load /box {server} -r __node:=other -q",
+            "2  /other",
         ),
-        ("ros2 component list", "/box\n   1  /a/third\n   2  /other"),
+        ("ros2 component list", "/box\n  1  /a/third\n  2  /other"),
+        ("ros2 component list /box", "1  /a/third\n2  /other"),
+        ("ros2 component list box", "Unable to find container node 'box'"),
         ("ros2 component list --containers-only", "/box"),
         ("ros2 component unload /box 1", "Unloaded component 1 from '/box' container node"),
         ("ros2 node list", "/box\n/other"),
@@ -53,7 +55,14 @@ def test_the_launch_file_of_the_page_is_launched(tab: Tab, serve: Serve, built: 
     assert terminal.run("ros2 launch other x.py; echo $?") == (
         "Package 'other' not found: the page has components container.launch.xml\n1"
     )
-    found = terminal.run("ros2 launch components container.launch.xml")
+    line = "ros2 launch components container.launch.xml"
+    assert terminal.run(f"{line} --show-args") == (
+        "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
+    )
+    assert terminal.run(f"{line} x; echo $?") == (
+        "malformed launch argument 'x', expected format '<name>:=<value>'\n1"
+    )
+    found = terminal.run(line)
     assert found.startswith("[INFO] [component_container_mt-1]: process started\n")
     assert "[component_container_mt-1] [INFO] " in found
     assert "none left: 0" in found

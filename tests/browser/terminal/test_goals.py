@@ -64,7 +64,7 @@ def test_goals_and_transitions(tab: Tab, serve: Serve, built: Built) -> None:
         ),
         ("ros2 lifecycle set /managed configure", "Transitioning successful"),
         ("ros2 lifecycle get /managed", "inactive [2]"),
-        ("ros2 lifecycle set /managed activate; echo $?", "Transitioning failed\n1"),
+        ("ros2 lifecycle set /managed activate; echo $?", "Transitioning failed\n0"),
         (
             "ros2 lifecycle set /managed fly; echo $?",
             "Unknown transition requested, available ones are:\n- cleanup [2]\n- activate [3]\n"
@@ -90,7 +90,10 @@ def test_goals_and_transitions(tab: Tab, serve: Serve, built: Built) -> None:
     assert re.search(r"Canceling goal\.\.\.\n(.*\n)*Goal canceled\.", terminal.text())
     assert terminal.status() == 2
     for line, expected in [
-        (f"ros2 action send_goal /fibonacci {kind} 7; echo $?", "The passed value needs to be a"),
+        (
+            f"ros2 action send_goal /fibonacci {kind} 7; echo $?",
+            "Failed to populate message fields: TypeError(\"Value '7' is expected to be a dict",
+        ),
         ("ros2 action send_goal /fibonacci a/action/B '{}'; echo $?", "The passed action type is"),
     ]:
         assert terminal.run(line).startswith(expected)

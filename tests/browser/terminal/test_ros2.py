@@ -1,7 +1,7 @@
 """The commands of `ros2` in a terminal, with compiled nodes: what each prints, and its status.
 
-The texts are those of the Python sources of ros2cli, typed from memory of Jazzy and Kilted, where
-these agree; what differs in Humble is noted. `ros2cli` is in no registry to run it here.
+The texts are those of the Python sources of ros2cli; `tests/runtime/native.txt` says where each of
+them is. `ros2cli` is in no registry to run it here.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ INFO = """/talker
 
   Action Clients:
 """
-# The bytes of the GID are the page's own; Jazzy and Kilted also print the hash of the type.
+# The bytes of the GID are the page's own.
 VERBOSE = r"""Type: std_msgs/msg/String
 
 Publisher count: 1
@@ -54,6 +54,7 @@ Publisher count: 1
 Node name: talker
 Node namespace: /
 Topic type: std_msgs/msg/String
+Topic type hash: RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18
 Endpoint type: PUBLISHER
 GID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}
 QoS profile:
@@ -126,7 +127,7 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
         ),
         (
             "ros2 topic echo /chatter nonsense/msg/None; echo $?",
-            "The message type 'nonsense/msg/None' is invalid\n1",
+            "The passed message type is invalid\n1",
         ),
         (
             "ros2 topic echo /chatter --field datum; echo $?",
@@ -158,12 +159,15 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
         ),
         (
             "ros2 service call /mute std_srvs/srv/SetBool true; echo $?",
-            "The passed value needs to be a dictionary in YAML format\n1",
+            "Failed to populate field: Value 'True' is expected to be a dictionary but is "
+            "a bool\n1",
         ),
     ],
     "param": [
         ("ros2 param list /talker", "  greeting\n  speed\n  use_sim_time\n  volume"),
         ("ros2 param list --filter gree", "/talker:\n  greeting"),
+        # As Python's match(), from the first letter.
+        ("ros2 param list --filter reet", ""),
         (
             "ros2 param list /talker --param-type | head -2",
             "  greeting (type: string)\n  speed (type: double)",
@@ -172,7 +176,7 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
         ("ros2 param get /talker greeting", "String value is: hello"),
         ("ros2 param get /talker speed --hide-type", "1.0"),
         ("ros2 param get /talker use_sim_time", "Boolean value is: False"),
-        ("ros2 param get /talker nothing", "Parameter not set."),
+        ("ros2 param get /talker nothing; echo $?", "Parameter not set\n1"),
         ("ros2 param get /nobody volume; echo $?", "Node not found\n1"),
         ("ros2 param set /talker volume 7", "Set parameter successful"),
         ("ros2 param get /talker volume", "Integer value is: 7"),
@@ -184,10 +188,6 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
             "ros2 param describe /talker volume",
             "Parameter name: volume\n  Type: integer\n  Description: How loud it is\n"
             "  Constraints:\n    Min value: 0\n    Max value: 11",
-        ),
-        (
-            "ros2 param dump /talker | tee",
-            "sh: tee: command not found",
         ),
         (
             "ros2 param dump /talker",
@@ -204,24 +204,38 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
     "interface": [
         (
             "ros2 interface show geometry_msgs/msg/PointStamped",
+            "# This represents a Point with reference coordinate frame and timestamp\n\n"
             "std_msgs/Header header\n\tbuiltin_interfaces/Time stamp\n\t\tint32 sec\n"
             "\t\tuint32 nanosec\n\tstring frame_id\nPoint point\n\tfloat64 x\n\tfloat64 y\n"
             "\tfloat64 z".expandtabs(8),
         ),
         (
-            "ros2 interface show std_srvs/srv/SetBool",
+            "ros2 interface show std_srvs/srv/SetBool --no-comments",
             "bool data\n---\nbool success\nstring message",
         ),
-        ("ros2 topic type /chatter | ros2 interface show -", "string data"),
-        ("ros2 interface package std_srvs", "std_srvs/srv/SetBool"),
+        ("ros2 topic type /chatter | ros2 interface show --no-comments -", "string data"),
+        # Also of a type that no node of the page has.
+        (
+            "ros2 interface show geometry_msgs/msg/Twist",
+            "# This expresses velocity in free space broken into its linear and angular parts."
+            "\n\nVector3  linear\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z\n"
+            "Vector3  angular\n\tfloat64 x\n\tfloat64 y\n\tfloat64 z".expandtabs(8),
+        ),
+        (
+            "ros2 interface package std_srvs",
+            "std_srvs/srv/Empty\nstd_srvs/srv/SetBool\nstd_srvs/srv/Trigger",
+        ),
         ("ros2 interface packages -s | grep std", "std_srvs"),
-        ("ros2 interface list -s | grep std", "    std_srvs/srv/SetBool"),
+        ("ros2 interface list -s | grep std.*SetB", "    std_srvs/srv/SetBool"),
         ("ros2 interface proto geometry_msgs/msg/Point", '"x: 0.0\ny: 0.0\nz: 0.0\n"'),
         ("ros2 interface package none; echo $?", "Unknown package 'none'\n1"),
     ],
     "others": [
         ("ros2 pkg list", "speaking"),
-        ("ros2 pkg executables speaking", "flood\ntalker\ntypist"),
+        (
+            "ros2 pkg executables speaking",
+            "speaking flood\nspeaking talker\nspeaking typist",
+        ),
         ("ros2 run nothing here; echo $?", re.compile(".*\nPackage 'nothing' not found\n1")),
         ("ros2 run speaking here; echo $?", re.compile(".*\nNo executable found\n1")),
         (
@@ -232,7 +246,8 @@ PRINTED: dict[str, list[tuple[str, str | re.Pattern[str]]]] = {
             "All 4 checks passed",
         ),
         ("ros2 wtf -iw 2>&1 | tail -3", "1/4 check(s) failed\n\nFailed modules: topic"),
-        ("ros2 daemon stop", "The daemon is not running"),
+        ("ros2 daemon stop", "The daemon has been stopped"),
+        ("ros2 daemon status", "The daemon is not running"),
         ("ros2 topic | grep Output | wc -l", "3"),
         (
             "ros2 nodes | wc -l; ros2 frob 2>&1 | tail -1",
@@ -273,8 +288,8 @@ def test_rates_and_sizes_are_measured(terminal: Terminal) -> None:
         ),
         (
             "ros2 topic bw /chatter",
-            r"Subscribed to \[/chatter\]\n\d{2,3}\.\d{2} B/s from \d+ messages\n"
-            r"\s+Message size mean: \d{2}\.\d{2} B min: \d{2}\.\d{2} B max: \d{2}\.\d{2} B",
+            r"Subscribed to \[/chatter\]\n\d{2,3} B/s from \d+ messages\n"
+            r"\s+Message size mean: \d{2} B min: \d{2} B max: \d{2} B",
         ),
         (
             "ros2 topic delay /points",
@@ -286,8 +301,8 @@ def test_rates_and_sizes_are_measured(terminal: Terminal) -> None:
         terminal.wait_for("window: " if "bw" not in line else "max: ")
         terminal.interrupt()
         assert re.match(pattern, terminal.output(line)), terminal.text()
-        # As ros2cli: the number of the signal.
-        assert terminal.status() == 2
+        # As ros2cli: the number of the signal, which hz catches.
+        assert terminal.status() == (0 if " hz " in line else 2)
     assert terminal.run("ros2 topic delay /chatter; echo $?") == "msg does not have header\n1"
 
 
@@ -306,8 +321,7 @@ def test_messages_are_published(terminal: Terminal) -> None:
     terminal.wait_for("publishing #2: geometry_msgs.msg.Point(x=1.0, y=0.0, z=-2.5)")
     terminal.run("wait")
     for values, error in [
-        ("'{data: [1]}'", "Failed to populate field: data: expected a string, not a list"),
-        ("'{datum: x}'", "Failed to populate field: std_msgs/msg/String has no field 'datum'"),
+        ("'{datum: x}'", "Failed to populate field: 'String' object has no attribute 'datum'"),
         ("hello", "The passed value needs to be a dictionary in YAML format"),
     ]:
         line = f"ros2 topic pub --once /said std_msgs/msg/String {values}; echo $?"

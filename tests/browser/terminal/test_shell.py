@@ -9,7 +9,7 @@ from browser import Built, Serve
 from paths import SITES
 from playwright.sync_api import Page as Tab
 from playwright.sync_api import expect
-from terminal import Terminal
+from terminal import ROWS, Terminal
 
 # The longest time between two frames, in ms, over some frames.
 LONGEST_FRAME = """() => new Promise((resolve) => {
@@ -93,12 +93,70 @@ def test_a_line_is_edited_and_recalled(terminal: Terminal) -> None:
     assert terminal.text().replace("\n", "").count("x") == 500
 
 
-def test_the_history_stays_in_the_tab(terminal: Terminal) -> None:
+def test_the_history_is_kept_for_the_next_visit(terminal: Terminal) -> None:
     terminal.run("echo remembered")
-    terminal.tab.reload()
-    again = Terminal(terminal.tab)
-    terminal.tab.keyboard.press("ArrowUp")
-    again.wait_for("$ echo remembered")
+    terminal.run("echo other")
+    address = terminal.tab.url
+    with terminal.tab.context.new_page() as tab:
+        tab.goto(address)
+        again = Terminal(tab)
+        tab.keyboard.press("ArrowUp")
+        again.wait_for("$ echo other")
+        tab.keyboard.press("ArrowUp")
+        again.wait_for("$ echo remembered")
+        # Ctrl-R again finds an earlier line.
+        tab.keyboard.press("Control+c")
+        tab.keyboard.press("Control+r")
+        tab.keyboard.type("echo")
+        again.wait_for("(search)`echo': echo other")
+        tab.keyboard.press("Control+r")
+        again.wait_for("(search)`echo': echo remembered")
+
+
+def test_a_command_is_stopped_and_goes_on(terminal: Terminal) -> None:
+    keyboard = terminal.tab.keyboard
+    terminal.begin("ros2 topic echo /chatter")
+    terminal.wait_for("data: hello")
+    keyboard.press("Control+z")
+    terminal.wait_for("^Z\n[1]  Stopped                 ros2 topic echo /chatter\n$")
+    assert terminal.status() == 148
+    # Nothing more is printed until it goes on.
+    assert terminal.run("ros2 topic echo /points --once --field point.x") == "1.5\n---"
+    assert terminal.run("jobs").split() == [
+        "[1]",
+        "Stopped",
+        *["ros2", "topic", "echo", "/chatter"],
+    ]
+    terminal.begin("fg")
+    terminal.wait_for("fg\nros2 topic echo /chatter\ndata: hello")
+    keyboard.press("Control+z")
+    terminal.wait_for("Stopped")
+    terminal.run("kill %1; wait")
+    assert terminal.run("jobs") == ""
+    terminal.begin("ros2 topic echo /chatter | grep hello > heard")
+    keyboard.press("Control+z")
+    terminal.wait_for("Stopped")
+    assert terminal.run("bg").endswith("ros2 topic echo /chatter | grep hello > heard &")
+    before = int(terminal.run("grep -c hello heard"))
+    terminal.run("ros2 topic echo /chatter --once --field data")
+    assert int(terminal.run("sleep 0.3; grep -c hello heard")) > before
+    terminal.run("kill %1; wait")
+
+
+def test_less_shows_a_page_at_a_time(terminal: Terminal) -> None:
+    keyboard = terminal.tab.keyboard
+    terminal.run("ros2 interface list > all")
+    terminal.begin("cat all | less")
+    terminal.wait_for("\n:")
+    before = terminal.text()
+    assert before.count("/msg/") > 10
+    keyboard.press("Enter")
+    # The next line takes the place of the sign, which goes below it.
+    later = f"(before) => ({ROWS})() !== before && ({ROWS})().endsWith('\\n:')"
+    terminal.tab.wait_for_function(later, arg=before)
+    keyboard.press("q")
+    terminal.wait()
+    assert terminal.status() == 0
 
 
 def test_tab_completes(terminal: Terminal) -> None:
@@ -206,6 +264,7 @@ def test_a_program_reads_the_keyboard_and_ends_with_its_code(terminal: Terminal)
 
 def test_a_flood_neither_freezes_the_page_nor_drives_the_terminal(terminal: Terminal) -> None:
     terminal.run("ros2 run speaking flood &")
+    terminal.await_names("/flood")
     terminal.begin("ros2 topic echo /flood")
     # The control sequences in the texts are shown, by YAML.
     terminal.wait_for('data: "\\e[2J\\e]0;owned\\a ')

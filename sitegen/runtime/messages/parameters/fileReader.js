@@ -7,10 +7,12 @@ import { ROOT } from "./file.js";
 
 /**
  * Return the values for a node, as texts by name. Throws an Error if the text is no such file.
- * @param {string} text @param {string} node @returns {Map<string, string>}
+ * @param {string} text @param {string} node @param {boolean} [wildcard] whether those of all nodes count
+ * @returns {Map<string, string>}
  */
-export function fromFile(text, node) {
-  const own = sections(text).filter(({ node: name }) => [node, node.slice(1), node.split("/").at(-1), "/**"].includes(name));
+export function fromFile(text, node, wildcard = true) {
+  const names = [node, node.slice(1), node.split("/").at(-1), ...(wildcard ? ["/**"] : [])];
+  const own = sections(text).filter(({ node: name }) => names.includes(name));
   if (!own.length) throw new Error(say("no parameters of {} in this file", node));
   // Patterns come first in importance as in files: what is for the node itself wins.
   own.sort(({ node: one }, { node: two }) => Number(two === "/**") - Number(one === "/**"));

@@ -14,8 +14,8 @@ export function invocation({ flags = [] }) {
 /** @param {Spec} spec @param {Argument[]} args @param {number} columns */
 export function usage({ prog, tail }, args, columns) {
   const width = Math.max(columns - 2, 11);
-  const options = args.filter(({ flags }) => flags).map((one) => `[${brief(one)}]`);
-  const positionals = args.filter(({ flags }) => !flags).map(positional);
+  const options = bracketed(args.filter(({ flags }) => flags));
+  const positionals = args.filter(({ flags }) => !flags).flatMap(positional);
   if (tail) positionals.push(tail);
   const whole = `usage: ${[prog, ...options, ...positionals].join(" ")}`;
   if (whole.length <= width) return whole;
@@ -92,6 +92,18 @@ function paragraph(text, width) {
   return line.trim() ? [...lines, line.trimEnd()] : lines;
 }
 
+/** Options that exclude each other share brackets. @param {Argument[]} options @returns {string[]} */
+function bracketed(options) {
+  /** @type {Argument[][]} */
+  const sets = [];
+  for (const one of options) {
+    const last = sets.at(-1);
+    if (last && one.group && last[0]?.group === one.group) last.push(one);
+    else sets.push([one]);
+  }
+  return sets.map((set) => `[${set.map(brief).join(" | ")}]`);
+}
+
 /** @param {Argument} option */
 function brief(option) {
   const flag = option.flags?.[0] ?? "";
@@ -116,12 +128,13 @@ function placeholder({ metavar, choices, name, flags }) {
   return metavar ?? (choices ? `{${choices.join(",")}}` : flags ? name.toUpperCase() : name);
 }
 
-/** @param {Argument} argument */
+/** The parts of a positional argument, between which lines break. @param {Argument} argument @returns {string[]} */
 function positional(argument) {
   const name = placeholder(argument);
-  if (argument.count === "?") return `[${name}]`;
-  if (argument.count === "*") return `[${name} ...]`;
-  return argument.count === "..." ? "..." : name;
+  if (argument.count === "?") return [`[${name}]`];
+  if (argument.count === "*") return [`[${name} ...]`];
+  if (argument.count === "+") return [name, `[${name} ...]`];
+  return [argument.count === "..." ? "..." : name];
 }
 
 /** @param {string[]} parts @param {string} indent @param {number} width @param {number} [first] what precedes them */

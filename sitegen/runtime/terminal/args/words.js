@@ -5,7 +5,7 @@
 
 /**
  * @typedef {"topic" | "service" | "action" | "node" | "message" | "serviceType" | "actionType" | "interface" |
- *   "interfacePackage" | "bag" | "parameter" | "package" | "executable" | "lifecycleNode" | "file" | "field" |
+ *   "interfacePackage" | "bag" | "parameter" | "package" | "executable" | "lifecycleNode" | "plugin" | "file" | "field" |
  *   "launchPackage" | "launchFile" | "topicMessage" | "serviceRequest" | "actionGoal"} Kind
  */
 
@@ -47,6 +47,11 @@ export function programsOf(ros, packageName) {
  */
 export function executableOf({ executable }) {
   return executable.replace(/-[0-9a-f]{8}$/, "");
+}
+
+/** The classes of the components that a container is linked with. @param {NodeHandle} node @returns {string[]} */
+export function pluginsOf({ arguments: words }) {
+  return words.flatMap((word, index) => (words[index - 1] === "--component" ? [word] : []));
 }
 
 /** Names without repetitions, sorted. @param {Iterable<string>} names */

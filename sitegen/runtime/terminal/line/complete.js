@@ -2,7 +2,7 @@
 // Completion with Tab: commands, verbs, options, names of the graph, types, and fields of messages.
 
 import { argumentsOf } from "../args/parse.js";
-import { actionNames, executableOf, nodeNames, programsOf, serviceNames, typesOf, unique } from "../args/words.js";
+import { actionNames, executableOf, nodeNames, pluginsOf, programsOf, serviceNames, typesOf, unique } from "../args/words.js";
 import { actionsOf } from "../../messages/actionClient.js";
 import { nodesOf } from "../../messages/parameters/node.js";
 import { filled } from "../ros2/filled.js";
@@ -50,9 +50,10 @@ async function candidates(before, typed, ros, shell) {
   const [name, group, verb] = before;
   if (name === undefined) return [...shell.programs.keys()];
   if (name === "time") return candidates(before.slice(1), typed, ros, shell);
-  if (name === "fg" || name === "kill") return [...shell.jobs.keys()].map((id) => `%${id}`);
+  if (["bg", "fg", "kill"].includes(name)) return [...shell.jobs.keys()].map((id) => `%${id}`);
   if (name === "rm" || name === "save") return [...shell.files.keys(), ...(await shell.bags.recordings())];
   if (name !== "ros2") return [...shell.files.keys()];
+  await shell.interfaces.load();
   if (group === undefined) return typed.startsWith("-") ? flagsOf(ROOT) : GROUPS.map((one) => one.name);
   const known = GROUPS.find((one) => one.name === group);
   if (!known) return [];
@@ -106,6 +107,7 @@ function words(kind, values, ros, shell) {
     case "interface": return [...typesOf(ros, "msg"), ...typesOf(ros, "srv"), ...typesOf(ros, "action")];
     case "interfacePackage": return Object.keys(ros.types).map((name) => name.split("/")[0] ?? "");
     case "package": return programsOf(ros).map((node) => node.package);
+    case "plugin": return programsOf(ros).flatMap(pluginsOf);
     case "executable": return programsOf(ros, first).map(executableOf);
     case "launchPackage": return ros.launch ? [ros.launch.package] : [];
     case "launchFile": return ros.launch ? [ros.launch.file] : [];

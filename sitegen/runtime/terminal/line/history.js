@@ -1,5 +1,5 @@
 // @ts-check
-// The lines that were entered, kept while the tab is open, and recalled with the arrow keys.
+// The lines that were entered, kept by the browser for the site, and recalled with the arrow keys.
 
 const LENGTH = 500;
 const KEY = "sitegen:terminal-history";
@@ -12,11 +12,13 @@ export class History {
 
   /** Append a line, unless it is blank or repeats the last one. @param {string} text */
   add(text) {
-    if (text.trim() && text !== this.lines.at(-1)) this.lines.push(text);
-    this.lines.splice(0, this.lines.length - LENGTH);
+    // Other tabs may have added lines. The array stays the same one.
+    const all = merged(read(), this.lines);
+    if (text.trim() && text !== all.at(-1)) all.push(text);
+    this.lines.splice(0, Infinity, ...all.slice(-LENGTH));
     this.#at = this.lines.length;
     try {
-      sessionStorage.setItem(KEY, JSON.stringify(this.lines));
+      localStorage.setItem(KEY, JSON.stringify(this.lines));
     } catch {
       // A frame without storage, or a full one: the history ends with the page.
     }
@@ -31,16 +33,23 @@ export class History {
     return this.lines[to] ?? this.#draft;
   }
 
-  /** Return the latest line that contains a text. @param {string} text */
-  find(text) {
-    return text ? this.lines.findLast((line) => line.includes(text)) : undefined;
+  /** Return the latest line that contains a text, before `skipped` others of these. @param {string} text @param {number} [skipped] */
+  find(text, skipped = 0) {
+    if (!text) return undefined;
+    return [...new Set(this.lines.toReversed())].filter((line) => line.includes(text))[skipped];
   }
+}
+
+/** Append the lines that only this tab has. @param {string[]} stored @param {string[]} own */
+function merged(stored, own) {
+  const known = new Set(stored);
+  return [...stored, ...own.filter((line) => !known.has(line))];
 }
 
 /** @returns {string[]} */
 function read() {
   try {
-    const found = JSON.parse(sessionStorage.getItem(KEY) ?? "[]");
+    const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
     return Array.isArray(found) ? found.filter((line) => typeof line === "string").slice(-LENGTH) : [];
   } catch {
     return [];

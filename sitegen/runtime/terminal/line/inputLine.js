@@ -5,9 +5,10 @@ import { Editing, keysOf } from "./editing.js";
 import { harmless } from "../shell/style.js";
 
 /**
- * What keys do beyond the line. `older` and `newer` return another line; `find` the latest one with a text.
+ * What keys do beyond the line. `older` and `newer` return another line; `find` the latest one with a
+ * text, before `skipped` others.
  * @typedef {{enter(text: string): void, interrupt(): void, older(text: string): string | undefined,
- *   newer(text: string): string | undefined, find(text: string): string | undefined, complete(before: string): void,
+ *   newer(text: string): string | undefined, find(text: string, skipped: number): string | undefined, complete(before: string): void,
  *   clear(): void}} Actions
  */
 
@@ -25,6 +26,8 @@ export class InputLine {
   #shown = false;
   /** What is searched for, while it is. @type {string | undefined} */
   #search;
+  /** How many found lines were skipped, by Ctrl-R again. */
+  #skipped = 0;
 
   /** @param {(text: string) => void} put on the screen @param {() => number} columns of the screen */
   constructor(put, columns) {
@@ -109,7 +112,7 @@ export class InputLine {
       this.#row = 0;
       actions.clear();
     } else if (action === "search") {
-      this.#search = "";
+      [this.#search, this.#skipped] = ["", 0];
     } else {
       editing.apply(action);
     }
@@ -117,16 +120,22 @@ export class InputLine {
 
   /** Ctrl-R: search in earlier lines. @param {string} action @param {string} text @param {Actions} actions */
   #searching(action, text, actions) {
-    if (action === "insert") {
+    if (action === "search") {
+      this.#skipped++;
+    } else if (action === "insert") {
       this.#search += text;
+      this.#skipped = 0;
     } else if (action === "rubOut") {
       this.#search = (this.#search ?? "").slice(0, -1);
-    } else if (action !== "search") {
+      this.#skipped = 0;
+    } else {
       this.#search = undefined;
       return action === "interrupt" ? (this.#editing.set(""), true) : false;
     }
-    const found = actions.find(this.#search ?? "");
+    const found = actions.find(this.#search ?? "", this.#skipped);
     if (found !== undefined) this.#editing.set(found);
+    // There is no earlier one.
+    else if (action === "search") this.#skipped--;
     return true;
   }
 

@@ -3,11 +3,12 @@
 
 import { ActionClient, actionsOf, isFinal } from "../../messages/actionClient.js";
 import { toYaml } from "../../messages/yaml.js";
-import { FLOAT } from "../args/parse.js";
+import { FLOAT } from "../args/types.js";
 import { Failure } from "../shell/shell.js";
-import { filled } from "./filled.js";
-import { readValues } from "./topic/pub.js";
-import { absolute, checkName, DISCOVERY, endpoints, flag, fullType, option, until } from "./verb.js";
+import { populated } from "./populate.js";
+import { quoted } from "./python.js";
+import { fitted, valuesOf } from "./topic/pub.js";
+import { absolute, checkName, endpoints, flag, fullType, isType, option, until } from "./verb.js";
 
 /** @import { Goal } from "../../messages/actionClient.js" */
 /** @import { Io } from "../shell/shell.js" */
@@ -21,7 +22,6 @@ const list = {
   name: "list",
   about: "Output a list of action names",
   args: [
-    ...DISCOVERY,
     flag("typed", ["-t", "--show-types"], "Additionally show the action type"),
     flag("count", ["-c", "--count-actions"], "Only display the number of actions discovered"),
   ],
@@ -37,7 +37,6 @@ const info = {
   name: "info",
   about: "Print information about an action",
   args: [
-    ...DISCOVERY,
     { ...NAME, help: "Name of the ROS action to get info (e.g. '/fibonacci')" },
     flag("typed", ["-t", "--show-types"], "Additionally show the action type"),
     flag("count", ["-c", "--count"], "Only display the number of action clients and action servers"),
@@ -57,7 +56,7 @@ const info = {
 const type = {
   name: "type",
   about: "Print a action's type",
-  args: [...DISCOVERY, { ...NAME, help: "Name of the ROS action to get type (e.g. '/fibonacci')" }],
+  args: [{ ...NAME, help: "Name of the ROS action to get info (e.g. '/fibonacci')" }],
   async run({ ros, out }, { action_name: name }) {
     const action = actionsOf(ros).find((one) => one.name === name);
     if (!action) return 1;
@@ -71,8 +70,7 @@ const find = {
   name: "find",
   about: "Find actions from type",
   args: [
-    ...DISCOVERY,
-    { name: "action_type", help: "Name of the ROS action type to find (e.g. 'action_tutorials_interfaces/action/Fibonacci')", complete: "actionType" },
+    { name: "action_type", help: "Name of the ROS action type to find (e.g. 'test_msgs/action/Fibonacci')", complete: "actionType" },
     flag("count", ["-c", "--count-actions"], "Only display the number of actions discovered"),
   ],
   async run({ ros, out }, { action_type: wanted, count }) {
@@ -89,7 +87,8 @@ const sendGoal = {
   args: [
     { ...NAME, help: "Name of the ROS action (e.g. '/fibonacci')" },
     { name: "action_type", help: "Type of the ROS action (e.g. 'example_interfaces/action/Fibonacci')", complete: "actionType" },
-    { name: "goal", help: "Goal request values in YAML format (e.g. '{order: 10}')", complete: "actionGoal" },
+    { name: "goal", count: "?", initial: "{}", group: "goal", help: "Goal request values in YAML format (e.g. '{order: 10}')", complete: "actionGoal" },
+    flag("stdin", ["--stdin"], "Read goal from standard input", { group: "goal" }),
     flag("feedback", ["-f", "--feedback"], "Echo feedback messages for the goal"),
     option("timeout", ["-t", "--timeout"], "Wait for the result of the goal for N seconds", { metavar: "N", type: FLOAT }),
   ],
@@ -98,8 +97,10 @@ const sendGoal = {
     checkName(args.action_name, "action");
     const name = absolute(args.action_name);
     const action = fullType(args.action_type, "action");
-    if (!ros.types[`${action}_Goal`]) throw new Failure("The passed action type is invalid");
-    const goal = filled(readValues(args.goal, `${action}_Goal`, io), `${action}_Goal`, ros.types);
+    if (!isType(ros, `${action}_Goal`)) throw new Failure("The passed action type is invalid");
+    const values = await valuesOf(io, args);
+    const { message: goal } = fitted("Failed to populate message fields: ", () => populated(values, `${action}_Goal`, ros.types),
+      ({ kind, message }) => `${kind}(${quoted(message)})`);
     await out("Waiting for an action server to become available...\n");
     await until(io, () => endpoints(ros, { kind: "service", name: name + SEND }).some((one) => one.type === `${action}_SendGoal`));
     await new Sent(io, name, action, args).run(goal);

@@ -3,14 +3,17 @@
 
 import { quoted } from "../../bag/definition.js";
 import { isInteger, parseFieldType } from "../../messages/fieldType.js";
+import { usage } from "../args/help.js";
+import { argumentsOf, UsageError } from "../args/parse.js";
 import { typesOf, unique } from "../args/words.js";
 import { Failure } from "../shell/shell.js";
 import { filled } from "./filled.js";
 import { float } from "./python.js";
 import { toYaml } from "../../messages/yaml.js";
-import { flag, fullType } from "./verb.js";
+import { flag, isType } from "./verb.js";
 
 /** @import { Ros } from "../../protocol.js" */
+/** @import { Io } from "../shell/shell.js" */
 /** @import { Group, Verb } from "./verb.js" */
 
 const KINDS = /** @type {const} */ ([["msg", "Messages"], ["srv", "Services"], ["action", "Actions"]]);
@@ -43,9 +46,15 @@ const list = {
 const packages = {
   name: "packages",
   about: "Output a list of packages that provide interfaces",
-  args: ONLY,
+  args: [
+    flag("msg", ["-m", "--only-msgs"], "Only list packages that generate messages"),
+    flag("srv", ["-s", "--only-srvs"], "Only list packages that generate services"),
+    flag("action", ["-a", "--only-actions"], "Only list packages that generate actions"),
+  ],
   async run({ ros, out }, args) {
-    const kinds = KINDS.filter(([kind]) => wanted(args, kind));
+    // Of several options, the first counts.
+    const only = KINDS.find(([kind]) => args[kind]);
+    const kinds = only ? [only] : KINDS;
     const names = kinds.flatMap(([kind]) => typesOf(ros, kind)).map((name) => name.split("/")[0] ?? "");
     for (const name of unique(names)) await out(`${name}\n`);
   },
@@ -55,11 +64,11 @@ const packages = {
 const packageVerb = {
   name: "package",
   about: "Output a list of available interface types within one package",
-  args: [{ name: "package_name", help: "Name of the ROS package (e.g. 'example_interfaces')", complete: "interfacePackage" }],
-  async run({ ros, out }, { package_name: name }) {
-    const found = KINDS.flatMap(([kind]) => typesOf(ros, kind)).filter((one) => one.startsWith(`${name}/`));
-    if (!found.length) return `Unknown package '${name}'`;
-    for (const one of found.sort()) await out(`${one}\n`);
+  args: [...ONLY, { name: "package_name", help: "Name of the ROS package (e.g. 'example_interfaces')", complete: "interfacePackage" }],
+  async run({ ros, out }, args) {
+    const own = (/** @type {(typeof KINDS)[number]} */ [kind]) => typesOf(ros, kind).filter((one) => one.startsWith(`${args.package_name}/`));
+    if (!KINDS.some((kind) => own(kind).length)) return `Unknown package '${args.package_name}'`;
+    for (const one of KINDS.filter(([kind]) => wanted(args, kind)).flatMap(own)) await out(`${one}\n`);
     return 0;
   },
 };
@@ -69,52 +78,99 @@ const show = {
   name: "show",
   about: "Output the interface definition",
   args: [
-    { name: "type", help: "Show an interface definition (e.g. \"example_interfaces/msg/String\"). Passing \"-\" reads the argument from stdin (e.g. \"ros2 topic type /chatter | ros2 interface show -\").", complete: "interface" },
-    flag("all_comments", ["--all-comments"], "Show all comments, including for built-in interfaces"),
-    flag("no_comments", ["--no-comments"], "Show no comments or whitespace"),
+    flag("all_comments", ["--all-comments"], "Show all comments, including for nested interface definitions", { group: "comments" }),
+    flag("no_comments", ["--no-comments"], "Show no comments or whitespace", { group: "comments" }),
+    { name: "type", help: "Show an interface definition (e.g. 'example_interfaces/msg/String'). Passing '-' reads the argument from stdin (e.g. 'ros2 topic type /chatter | ros2 interface show -').", complete: "interface" },
   ],
-  async run({ ros, out, input, signal }, { type: given }) {
+  async run(io, { type: given, all_comments: all, no_comments: none }) {
+    const { ros, out, input, signal, columns } = io;
     let name = given;
+    if (given === "-" && !input) misused("expected stdin pipe", columns);
     if (given === "-") {
+      name = "";
       for await (const line of input?.lines(signal) ?? []) {
         name = line.trim();
         break;
       }
     }
+    if (!name) misused("the passed value is empty", columns);
     const parts = partsOf(ros, name);
+    const lines = await written(io, name, { comments: !none, inner: all }, "");
+    if (lines) {
+      await out(lines.map((line) => `${line}\n`).join(""));
+      return;
+    }
+    // There is no file, as of interfaces that only nodes of the page know.
     const texts = parts.map((part) => definition(ros, part, ""));
-    await out(`${texts.map((lines) => lines.map((line) => `${line}\n`).join("")).join("---\n")}`);
+    await out(texts.map((each) => each.map((line) => `${line}\n`).join("")).join("---\n"));
   },
 };
+
+const FIELD = /^([A-Za-z]\w*(?:\/\w+)?)(?:<=\d+)?(?:\[[^\]]*\])?\s+\w+(?!\s*=)(?:\s|$)/;
+const PLAIN = /^(?:bool|byte|char|float(?:32|64)|u?int(?:8|16|32|64)|w?string)$/;
+
+/**
+ * Return the lines of the file of an interface, with those of its fields; undefined if there is none.
+ * @param {Io} io @param {string} name @param {{comments: boolean, inner: boolean}} shown whether comments are, and those
+ *   of the types of fields @param {string} indent @returns {Promise<string[] | undefined>}
+ */
+async function written(io, name, shown, indent) {
+  const text = await io.shell.interfaces.text(name);
+  if (text === undefined) return undefined;
+  const [owner] = name.split("/");
+  /** @type {string[]} */
+  const found = [];
+  for (const line of text.replace(/\n$/, "").split("\n")) {
+    const whole = line.trimEnd();
+    const bare = whole.replace(/^([^"'#]*(?:"[^"]*"|'[^']*')?[^"'#]*)#.*$/, "$1").trim();
+    if (shown.comments) found.push(whole && indent + whole);
+    else if (bare) found.push(indent + bare);
+    const [, type = ""] = FIELD.exec(bare) ?? [];
+    if (!type || PLAIN.test(type)) continue;
+    const [first = "", second] = type.split("/");
+    const inner = second ? `${first}/msg/${second}` : `${owner}/msg/${first}`;
+    found.push(...(await written(io, inner, { ...shown, comments: shown.inner }, `${indent}\t`)
+      ?? definition(io.ros, inner, `${indent}\t`)));
+  }
+  return found;
+}
+
+/** @param {string} what @param {number} columns @returns {never} */
+function misused(what, columns) {
+  const spec = { prog: "ros2 interface show", about: show.about, args: show.args };
+  throw new UsageError(`${usage(spec, argumentsOf(spec), columns)}\n${spec.prog}: error: ${what}`);
+}
 
 /** @type {Verb} */
 const proto = {
   name: "proto",
   about: "Output an interface prototype",
   args: [
-    { name: "type", help: "Show an interface definition (e.g. \"example_interfaces/msg/String\")", complete: "interface" },
+    { name: "type", help: "Show an interface definition (e.g. 'example_interfaces/msg/String')", complete: "interface" },
     flag("no_quotes", ["--no-quotes"], "if true output has no outer quotes."),
   ],
   async run({ ros, out }, { type: given, no_quotes: plain }) {
     const [part = ""] = partsOf(ros, given);
     const text = toYaml(filled({}, part, ros.types), part, ros.types, Infinity);
-    await out(plain ? `${text}\n` : `"${text}\n"\n`);
+    await out(plain ? `${text}\n\n` : `"${text}\n"\n`);
   },
 };
 
 /** The parts of an interface: a message has one, a service two, an action three. @param {Ros} ros @param {string} name */
 function partsOf(ros, name) {
-  const type = name.split("/").length === 2 ? KINDS.map(([kind]) => fullType(name, kind)).find((one) => known(ros, one)) ?? name : name;
-  if (!/^\w+\/\w+(\/\w+)?$/.test(name)) throw new Failure(`Invalid name '${name}'. Expected three parts separated by '/'`);
-  if (!known(ros, type)) throw new Failure(`Unknown interface '${name}': no node of this page uses it`);
+  const [owner, ...inner] = name.split("/");
+  if (inner.length !== 2) throw new Failure(`Invalid name '${name}'. Expected three parts separated by '/'`);
+  if (!owner || inner.includes("")) throw new Failure(`Invalid name '${name}'. Must not contain empty parts`);
+  if (!Object.keys(ros.types).some((one) => one.startsWith(`${owner}/`))) throw new Failure(`Unknown package '${owner}'`);
+  if (!known(ros, name)) throw new Failure(`Could not find the interface '${name}.idl'`);
   // Services and actions may be known as a whole, too, which no file writes.
-  if (ros.types[`${type}_Goal`]) return [`${type}_Goal`, `${type}_Result`, `${type}_Feedback`];
-  return ros.types[`${type}_Request`] ? [`${type}_Request`, `${type}_Response`] : [type];
+  if (isType(ros, `${name}_Goal`)) return [`${name}_Goal`, `${name}_Result`, `${name}_Feedback`];
+  return isType(ros, `${name}_Request`) ? [`${name}_Request`, `${name}_Response`] : [name];
 }
 
 /** @param {Ros} ros @param {string} type */
 function known(ros, type) {
-  return [type, `${type}_Request`, `${type}_Goal`].some((name) => ros.types[name]);
+  return [type, `${type}_Request`, `${type}_Goal`].some((name) => isType(ros, name));
 }
 
 /** @param {Ros} ros @param {string} name @param {string} indent @returns {string[]} */

@@ -3,7 +3,9 @@
 
 import { LaunchRun, isOver } from "../../launch/launchRun.js";
 import { Output } from "./output.js";
-import { flag } from "./verb.js";
+import { quoted } from "./python.js";
+import { Failure } from "../shell/shell.js";
+import { flag, option } from "./verb.js";
 
 /** @import { Launch, NodeHandle } from "../../protocol.js" */
 /** @import { Io } from "../shell/shell.js" */
@@ -21,19 +23,50 @@ export const LAUNCH = {
     args: [
       flag("noninteractive", ["-n", "--noninteractive"], "Run the launch system non-interactively, with no terminal associated"),
       flag("debug", ["-d", "--debug"], "Put the launch system in debug mode, provides more verbose output."),
+      flag("print", ["-p", "--print", "--print-description"], "Print the launch description to the console without launching it.", { group: "print" }),
+      flag("show_args", ["-s", "--show-args", "--show-arguments"], "Show arguments that may be given to the launch file.", { group: "print" }),
+      flag("all_output", ["-a", "--show-all-subprocesses-output"], "Show all launched subprocesses' output by overriding their output configuration using the OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar."),
+      option("launch_prefix", ["--launch-prefix"], "Prefix command, which should go before all executables. Command must be wrapped in quotes if it contains spaces (e.g. --launch-prefix 'xterm -e gdb -ex run --args')."),
+      option("launch_prefix_filter", ["--launch-prefix-filter"], "Regex pattern for filtering which executables the --launch-prefix is applied to by matching the executable name."),
       { name: "package_name", help: "Name of the ROS package which contains the launch file", complete: "launchPackage" },
       { name: "launch_file_name", count: "?", help: "Name of the launch file", complete: "launchFile" },
       { name: "launch_arguments", count: "*", help: "Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)" },
     ],
-    async run(io, { package_name: name, launch_file_name: file, launch_arguments: given }) {
+    async run(io, args) {
+      const { package_name: name, launch_file_name: file, launch_arguments: given } = args;
       const { launch } = io.ros;
       if (!launch || launch.package !== name) return `Package '${name}' not found: the page has ${known(io)}`;
       if (launch.file !== file) return `file '${file ?? ""}' was not found in the share directory of package '${name}': the page has ${known(io)}`;
+      if (args.launch_prefix === undefined && args.launch_prefix_filter !== undefined) {
+        return "--launch-prefix must be specified if --launch-prefix-filter is provided";
+      }
+      if (args.launch_prefix !== undefined) return "ros2 launch: --launch-prefix needs another program, and a page has none";
+      if (args.print) return "ros2 launch --print is not available in a page: its launch file was read when the site was built";
+      if (args.show_args) {
+        await io.out(shown(launch));
+        return 0;
+      }
+      for (const word of given) checkArgument(word);
       if (given.length) return "the launch file was read when the page was built, so it takes no arguments here";
       return attend(io, launch);
     },
   },
 };
+
+/** The arguments of a launch file, as upstream lists them. @param {Launch} launch */
+function shown({ arguments: declared = [] }) {
+  const lines = declared.map(({ name, default: value, description }) => [
+    `\n    '${name}':`, `        ${description ?? "no description given"}`,
+    ...(value === undefined ? [] : [`        (default: ${quoted(value)})`]), "",
+  ].join("\n"));
+  return `Arguments (pass arguments as '<name>:=<value>'):\n${lines.join("") || "\n  No arguments.\n"}`;
+}
+
+/** @param {string} word */
+function checkArgument(word) {
+  const [, name, value] = /^([^]*?):=([^]*)$/.exec(word) ?? [];
+  if (!name || value === "") throw new Failure(`malformed launch argument '${word}', expected format '<name>:=<value>'`);
+}
 
 /** @param {Io} io */
 function known({ ros: { launch } }) {

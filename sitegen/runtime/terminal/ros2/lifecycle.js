@@ -20,10 +20,10 @@ export function managedNodes(ros) {
     .map(({ name }) => name.slice(0, -GET_STATE.length)).sort();
 }
 
-/** @param {Ros} ros @param {string} given */
-function nodeOf(ros, given) {
+/** @param {Ros} ros @param {string} given @param {boolean} hidden whether it may be hidden */
+function nodeOf(ros, given, hidden) {
   const name = absolute(given);
-  if (!managedNodes(ros).includes(name)) throw new Failure("Node not found");
+  if (!managedNodes(ros).includes(name) || (!hidden && isHidden(name))) throw new Failure("Node not found");
   return name;
 }
 
@@ -52,9 +52,13 @@ const nodes = {
 const get = {
   name: "get",
   about: "Get lifecycle state for one or more nodes",
-  args: [...DISCOVERY, { ...NODE, count: "?" }, HIDDEN],
+  args: [
+    ...DISCOVERY,
+    { ...NODE, count: "?", help: "Name of the ROS node. If no name is provided, then get the state for all nodes." },
+    HIDDEN,
+  ],
   async run(io, { node_name: given, hidden }) {
-    const found = given ? [nodeOf(io.ros, given)] : managedNodes(io.ros).filter((name) => hidden || !isHidden(name));
+    const found = given ? [nodeOf(io.ros, given, hidden)] : managedNodes(io.ros).filter((name) => hidden || !isHidden(name));
     for (const node of found) {
       const { current_state: state } = await ask(io, node, "get_state", "GetState");
       await io.out(`${given ? "" : `${node}: `}${state.label} [${state.id}]\n`);
@@ -67,8 +71,8 @@ const list = {
   name: "list",
   about: "Output a list of available transitions",
   args: [...DISCOVERY, NODE, HIDDEN, flag("all", ["-a", "--all"], "Display all existing transitions")],
-  async run(io, { node_name: given, all }) {
-    const node = nodeOf(io.ros, given);
+  async run(io, { node_name: given, all, hidden }) {
+    const node = nodeOf(io.ros, given, hidden);
     const [service, type] = all ? ["get_transition_graph", "GetAvailableTransitions"] : ["get_available_transitions", "GetAvailableTransitions"];
     const { available_transitions: found } = await ask(io, node, service, type);
     for (const { transition, start_state: start, goal_state: goal } of found) {
@@ -82,18 +86,18 @@ const set = {
   name: "set",
   about: "Trigger lifecycle state transition",
   args: [...DISCOVERY, NODE, HIDDEN, { name: "transition", help: "The lifecycle transition" }],
-  async run(io, { node_name: given, transition: wanted }) {
-    const node = nodeOf(io.ros, given);
+  async run(io, { node_name: given, transition: wanted, hidden }) {
+    const node = nodeOf(io.ros, given, hidden);
     const { available_transitions: available } = await ask(io, node, "get_available_transitions", "GetAvailableTransitions");
     const all = available.map((/** @type {any} */ { transition }) => transition);
-    const transition = all.find((/** @type {any} */ { id, label }) => label === wanted || String(id) === wanted);
+    const transition = all.find((/** @type {any} */ { label }) => label === wanted) ?? all.find((/** @type {any} */ { id }) => String(id) === wanted);
     if (!transition) {
       const known = all.map((/** @type {any} */ { id, label }) => `- ${label} [${id}]`).join("\n");
       return `Unknown transition requested, available ones are:\n${known}`;
     }
     const { success } = await ask(io, node, "change_state", "ChangeState", { transition });
-    if (!success) return "Transitioning failed";
-    await io.out("Transitioning successful\n");
+    // Upstream's status is that of success, too.
+    await (success ? io.out("Transitioning successful\n") : io.err("Transitioning failed\n"));
     return 0;
   },
 };

@@ -35,15 +35,15 @@ const info = {
   name: "info",
   about: "Output information about a node",
   args: [
-    { name: "node_name", help: "Node name to request information", complete: "node" },
     ...DISCOVERY,
+    { name: "node_name", help: "Fully qualified node name to request information", complete: "node" },
     flag("hidden", ["--include-hidden"], "Display hidden topics, services, and actions as well"),
   ],
-  async run({ ros, out }, { node_name: node, hidden }) {
-    const same = ros.graph.nodes().filter((name) => name === node).length;
+  async run({ ros, out, err }, { node_name: node, hidden }) {
+    const same = ros.graph.nodes().filter((name) => name === node && (hidden || !isHidden(name))).length;
     if (!same) return `Unable to find node '${node}'`;
     if (same > 1) {
-      await out(`There are ${same} nodes in the graph with the exact name "${node}". You are seeing information about only one of them.\n`);
+      await err(`There are ${same} nodes in the graph with the exact name "${node}". You are seeing information about only one of them.\n`);
     }
     const entries = [
       ["Subscribers", named(ros, node, "subscription", hidden)],

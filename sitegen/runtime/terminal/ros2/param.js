@@ -7,9 +7,9 @@ import { list as readAll, nodesOf } from "../../messages/parameters/node.js";
 import { guess, NOT_SET, plainOf } from "../../messages/parameters/value.js";
 import { Failure } from "../shell/shell.js";
 import { float, quoted } from "./python.js";
-import { absolute, DISCOVERY, flag, isHidden, option } from "./verb.js";
+import { INT } from "../args/types.js";
+import { absolute, DISCOVERY, flag, isHidden, option, until } from "./verb.js";
 
-/** @import { Ros } from "../../protocol.js" */
 /** @import { Io } from "../shell/shell.js" */
 /** @import { Group, Verb } from "./verb.js" */
 
@@ -19,12 +19,15 @@ const LABELS = ["", "Boolean value is:", "Integer value is:", "Double value is:"
 const NODE = /** @type {const} */ ({ name: "node_name", help: "Name of the ROS node", complete: "node" });
 const NAME = /** @type {const} */ ({ name: "parameter_name", help: "Name of the parameter", complete: "parameter" });
 const HIDDEN = flag("hidden", ["--include-hidden-nodes"], "Consider hidden nodes as well");
-const TIMEOUT = option("timeout", ["--timeout"], "Wait for N seconds until node becomes available (default 1 sec)", { metavar: "N" });
+const TIMEOUT = option("timeout", ["--timeout"], "Wait for N seconds until node becomes available (default 1 sec)", { metavar: "N", type: INT, initial: 1 });
 
-/** Return the full name of a node that runs. @param {Ros} ros @param {string} given */
-function nodeOf(ros, given) {
+/** Return the full name of a node, for which `--timeout` waits. @param {Io} io @param {any} args */
+async function nodeOf(io, { node_name: given, hidden, timeout = 0 }) {
   const name = absolute(given);
-  if (!ros.graph.nodes().includes(name)) throw new Failure("Node not found");
+  const known = () => io.ros.graph.nodes().includes(name) && (hidden || !isHidden(name));
+  // As upstream: less than none is forever.
+  const found = await until(io, known, timeout < 0 ? Infinity : timeout * 1000);
+  if (!found) throw new Failure("Node not found");
   return name;
 }
 
@@ -59,20 +62,19 @@ const list = {
   args: [
     ...DISCOVERY,
     { ...NODE, count: "?" },
+    option("filter", ["--filter"], "Only parameters matching the regex expression will be showed. Supports `re` regex syntax.", { count: "1" }),
     HIDDEN,
-    option("prefixes", ["--param-prefixes"], "Only list parameters with the provided prefixes", { count: "*", initial: [] }),
+    option("prefixes", ["--param-prefixes"], "Only list parameters with the provided prefixes", { count: "+", metavar: "PARAM_PREFIXES" }),
     flag("typed", ["--param-type"], "Print parameter types with parameter names"),
-    option("filter", ["--filter"], "Only list parameters matching the provided regex"),
-    TIMEOUT,
   ],
   async run(io, args) {
     const { ros, out } = io;
-    const nodes = args.node_name ? [nodeOf(ros, args.node_name)] : nodesOf(ros).filter((name) => args.hidden || !isHidden(name)).sort();
-    const pattern = args.filter && new RegExp(args.filter);
+    const nodes = args.node_name ? [await nodeOf(io, args)] : nodesOf(ros).filter((name) => args.hidden || !isHidden(name)).sort();
+    const pattern = args.filter && patternOf(args.filter[0]);
     for (const node of nodes) {
-      if (!args.node_name) await out(`${node}:\n`);
       const { result } = await ask(io, node, "list_parameters", { prefixes: args.prefixes, depth: 0n });
       const names = [...result.names].sort().filter((name) => !pattern || pattern.test(name));
+      if (!args.node_name && names.length) await out(`${node}:\n`);
       const types = args.typed ? (await ask(io, node, "describe_parameters", { names })).descriptors : [];
       for (const [index, name] of names.entries()) {
         await out(args.typed ? `  ${name} (type: ${TYPES[types[index]?.type ?? 0]})\n` : `  ${name}\n`);
@@ -81,16 +83,29 @@ const list = {
   },
 };
 
+/** A pattern that matches from the start, as Python's re.match(). @param {string} text */
+function patternOf(text) {
+  try {
+    return new RegExp(`^(?:${text})`);
+  } catch {
+    throw new Failure(`--filter: '${text}' is not a regular expression`);
+  }
+}
+
 /** @type {Verb} */
 const get = {
   name: "get",
   about: "Get parameter",
-  args: [...DISCOVERY, NODE, NAME, HIDDEN, flag("hide_type", ["--hide-type"], "Hide the type information"), TIMEOUT],
-  async run(io, { node_name: given, parameter_name: name, hide_type: bare }) {
-    const node = nodeOf(io.ros, given);
-    const { values: [value] } = await ask(io, node, "get_parameters", { names: [name] });
-    if (!value || value.type === NOT_SET) return void await io.out("Parameter not set.\n");
-    await io.out(bare ? `${printed(value)}\n` : `${LABELS[value.type]} ${printed(value)}\n`);
+  args: [...DISCOVERY, NODE, HIDDEN, NAME, flag("hide_type", ["--hide-type"], "Hide the type information"), TIMEOUT],
+  async run(io, args) {
+    const node = await nodeOf(io, args);
+    const { values: [value] } = await ask(io, node, "get_parameters", { names: [args.parameter_name] });
+    // The node does not know it.
+    if (!value) return "Parameter not set";
+    const bare = args.hide_type;
+    if (value.type === NOT_SET) await io.out(bare ? "None\n" : "Parameter not set.\n");
+    else await io.out(bare ? `${printed(value)}\n` : `${LABELS[value.type]} ${printed(value)}\n`);
+    return 0;
   },
 };
 
@@ -98,9 +113,10 @@ const get = {
 const set = {
   name: "set",
   about: "Set parameter",
-  args: [...DISCOVERY, NODE, NAME, { name: "value", help: "Value of the parameter" }, HIDDEN, TIMEOUT],
-  async run(io, { node_name: given, parameter_name: name, value }) {
-    const node = nodeOf(io.ros, given);
+  args: [...DISCOVERY, NODE, HIDDEN, NAME, { name: "value", help: "Value of the parameter" }, TIMEOUT],
+  async run(io, args) {
+    const { parameter_name: name, value } = args;
+    const node = await nodeOf(io, args);
     const { results: [result] } = await ask(io, node, "set_parameters", { parameters: [{ name, value: guess(value) }] });
     await tell(io, result, "Set parameter successful", "Setting parameter failed");
   },
@@ -117,9 +133,10 @@ async function tell({ out, err }, result, good, bad) {
 const remove = {
   name: "delete",
   about: "Delete parameter",
-  args: [...DISCOVERY, NODE, NAME, HIDDEN, TIMEOUT],
-  async run(io, { node_name: given, parameter_name: name }) {
-    const node = nodeOf(io.ros, given);
+  args: [...DISCOVERY, NODE, HIDDEN, NAME, TIMEOUT],
+  async run(io, args) {
+    const node = await nodeOf(io, args);
+    const name = args.parameter_name;
     const { results: [result] } = await ask(io, node, "set_parameters", { parameters: [{ name, value: { type: NOT_SET } }] });
     await tell(io, result, "Deleted parameter successfully", "Deleting parameter failed");
   },
@@ -129,21 +146,21 @@ const remove = {
 const describe = {
   name: "describe",
   about: "Show descriptive information about declared parameters",
-  args: [...DISCOVERY, NODE, { name: "parameter_names", count: "*", help: "Names of the parameters", complete: "parameter" }, HIDDEN, TIMEOUT],
-  async run(io, { node_name: given, parameter_names: names }) {
-    const node = nodeOf(io.ros, given);
-    const { descriptors } = await ask(io, node, "describe_parameters", { names });
+  args: [...DISCOVERY, NODE, HIDDEN, { name: "parameter_names", count: "+", help: "Names of the parameters", complete: "parameter" }, TIMEOUT],
+  async run(io, args) {
+    const node = await nodeOf(io, args);
+    const { descriptors } = await ask(io, node, "describe_parameters", { names: args.parameter_names });
     for (const one of descriptors) {
       const lines = [`Parameter name: ${one.name}`, `  Type: ${TYPES[one.type]}`];
       if (one.description) lines.push(`  Description: ${one.description}`);
       lines.push("  Constraints:");
       if (one.read_only) lines.push("    Read only: true");
-      for (const { from_value: low, to_value: high, step } of [...one.floating_point_range, ...one.integer_range]) {
+      for (const { from_value: low, to_value: high, step } of [...one.floating_point_range, ...one.integer_range].slice(0, 1)) {
         const text = (/** @type {any} */ value) => (typeof value === "bigint" ? String(value) : float(value));
         lines.push(`    Min value: ${text(low)}`, `    Max value: ${text(high)}`);
         if (Number(step)) lines.push(`    Step: ${text(step)}`);
       }
-      if (one.additional_constraints) lines.push(`    ${one.additional_constraints}`);
+      if (one.additional_constraints) lines.push(`    Additional constraints: ${one.additional_constraints}`);
       await io.out(`${lines.join("\n")}\n`);
     }
   },
@@ -153,10 +170,10 @@ const describe = {
 const dump = {
   name: "dump",
   about: "Show all of the parameters of a node in a YAML file format",
-  args: [...DISCOVERY, { ...NODE, help: "Name of the ROS node" }, HIDDEN],
-  async run(io, { node_name: given }) {
-    const node = nodeOf(io.ros, given);
-    await io.out(toFile(node, await readAll(io.ros, node)));
+  args: [...DISCOVERY, NODE, HIDDEN, TIMEOUT],
+  async run(io, args) {
+    const node = await nodeOf(io, args);
+    await io.out(`${toFile(node, await readAll(io.ros, node))}\n`);
   },
 };
 
@@ -165,13 +182,13 @@ const load = {
   name: "load",
   about: "Load parameter file for a node",
   args: [
-    ...DISCOVERY, NODE,
+    ...DISCOVERY, NODE, HIDDEN,
     { name: "parameter_file", help: "Parameter file", complete: "file" },
-    HIDDEN, flag("no_wildcard", ["--no-use-wildcard"], "Do not load parameters in the '/**' namespace into the node"),
+    flag("no_wildcard", ["--no-use-wildcard"], "Do not load parameters in the '/**' namespace into the node"), TIMEOUT,
   ],
-  async run(io, { node_name: given, parameter_file: file }) {
-    const node = nodeOf(io.ros, given);
-    const found = [...fromFile(io.shell.readFile(file), node)];
+  async run(io, args) {
+    const node = await nodeOf(io, args);
+    const found = [...fromFile(io.shell.readFile(args.parameter_file), node, !args.no_wildcard)];
     const parameters = found.map(([name, text]) => ({ name, value: guess(text) }));
     const { results } = await ask(io, node, "set_parameters", { parameters });
     for (const [index, { name }] of parameters.entries()) {

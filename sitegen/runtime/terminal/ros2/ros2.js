@@ -7,12 +7,14 @@ import { Failure } from "../shell/shell.js";
 import { ACTION } from "./action.js";
 import { BAG } from "./bag.js";
 import { COMPONENT } from "./component.js";
+import { DAEMON } from "./daemon.js";
+import { DOCTORS } from "./doctor.js";
 import { INTERFACE } from "./interface.js";
 import { LAUNCH } from "./launch.js";
 import { LIFECYCLE } from "./lifecycle.js";
 import { NODE } from "./node.js";
-import { DAEMON, DOCTORS, PKG } from "./page.js";
 import { PARAM } from "./param.js";
+import { PKG } from "./pkg.js";
 import { RUN } from "./run.js";
 import { SERVICE } from "./service.js";
 import { TOPIC } from "./topic.js";
@@ -37,6 +39,7 @@ export const ROS2 = {
   about: "the command-line tool of ROS 2",
   async run(io) {
     try {
+      await io.shell.interfaces.load();
       return await dispatch(io);
     } catch (error) {
       if (isInterrupt(error)) return SIGINT;

@@ -41,8 +41,11 @@ export const RUN = {
   },
 };
 
-/** Show what a node prints, and give it what is typed, until it ends. @param {Io} io @param {NodeHandle} node */
-async function attend(io, node) {
+/**
+ * Show what a node prints, and give it what is typed, until it ends. @param {Io} io @param {NodeHandle} node
+ * @param {string} [sign] before the message of a failure; without one, there is none
+ */
+export async function attend(io, node, sign = "[ros2run]: ") {
   const { signal, out } = io;
   const output = new Output(io, node);
   const endKeys = giveKeys(io, node);
@@ -67,7 +70,7 @@ async function attend(io, node) {
   }
   const code = node.code;
   if (signal.aborted) return code ?? 0;
-  if (code) await out(`[ros2run]: Process exited with failure ${code}\n`);
+  if (code && sign) await out(`${sign}Process exited with failure ${code}\n`);
   return code ?? 1;
 }
 

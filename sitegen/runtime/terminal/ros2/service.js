@@ -1,14 +1,16 @@
 // @ts-check
 // ros2 service: list, types, calls and events of services.
 
-import { FLOAT } from "../args/parse.js";
+import { FLOAT } from "../args/types.js";
 import { serviceNames } from "../args/words.js";
 import { Failure, pause } from "../shell/shell.js";
-import { echo } from "./topic/echo.js";
-import { filled } from "./filled.js";
+import { populated } from "./populate.js";
 import { repr } from "./python.js";
-import { readValues } from "./topic/pub.js";
-import { absolute, checkName, DISCOVERY, endpoints, flag, fullType, isHidden, option, QOS_OPTIONS, until } from "./verb.js";
+import { qosOptions } from "./qos.js";
+import { echoEvents } from "./service/echo.js";
+import { endpointInfo } from "./topic/list.js";
+import { fitted, valuesOf } from "./topic/pub.js";
+import { absolute, checkName, DISCOVERY, endpoints, flag, fullType, isHidden, isType, option, until } from "./verb.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Group, Verb } from "./verb.js" */
@@ -42,9 +44,9 @@ const list = {
 const type = {
   name: "type",
   about: "Output a service's type",
-  args: [...DISCOVERY, { name: "service_name", help: "Name of the ROS service to get type (e.g. '/talker/list_parameters')", complete: "service" }],
-  async run({ ros, out }, { service_name: name }) {
-    const service = services(ros, true).find((one) => one.name === name);
+  args: [{ name: "service_name", help: "Name of the ROS service to get type (e.g. '/talker/list_parameters')", complete: "service" }],
+  async run({ ros, out }, { service_name: name, hidden }) {
+    const service = services(ros, hidden).find((one) => one.name === name);
     if (!service) return 1;
     for (const one of service.types) await out(`${one}\n`);
     return 0;
@@ -56,7 +58,6 @@ const find = {
   name: "find",
   about: "Output a list of available services of a given type",
   args: [
-    ...DISCOVERY,
     { name: "service_type", help: "Name of the ROS service type to filter for (e.g. 'rcl_interfaces/srv/ListParameters')", complete: "serviceType" },
     flag("count", ["-c", "--count-services"], "Only display the number of services discovered"),
     HIDDEN,
@@ -73,22 +74,24 @@ const info = {
   name: "info",
   about: "Print information about a service",
   args: [
-    { name: "service_name", help: "Name of the ROS service to get info (e.g. '/add_two_ints')", complete: "service" },
     ...DISCOVERY,
-    flag("verbose", ["-v", "--verbose"], "Prints detailed information like the node name and node namespace of the servers and clients"),
+    { name: "service_name", help: "Name of the ROS service to get info (e.g. '/add_two_ints')", complete: "service" },
+    flag("verbose", ["--verbose", "-v"], "Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID, and QoS Profile of the clients and servers to this service"),
   ],
-  async run({ ros, out }, { service_name: name, verbose }) {
-    const service = ros.graph.services().find((one) => one.name === name);
+  async run({ ros, out, shell }, { service_name: name, verbose, hidden }) {
+    const service = ros.graph.services().find((one) => one.name === name && (hidden || !isHidden(name)));
     if (!service) return `Unknown service '${name}'`;
     const { types, clients, servers } = service;
+    const end = verbose ? "\n\n" : "\n";
+    const described = async (/** @type {"client" | "service"} */ kind) => {
+      if (!verbose) return;
+      for (const one of endpoints(ros, { kind, name })) await out(`${endpointInfo(one, "Service", shell.interfaces.hashes)}${end}`);
+    };
     await out(`Type: ${types.length === 1 ? types[0] : `[${types.map((one) => `'${one}'`).join(", ")}]`}\n`);
-    await out(`Clients count: ${clients.length}\n`);
-    await out(`Services count: ${servers.length}\n`);
-    if (!verbose) return 0;
-    for (const one of [...endpoints(ros, { kind: "client", name }), ...endpoints(ros, { kind: "service", name })]) {
-      const at = one.node.lastIndexOf("/");
-      await out(`\nNode name: ${one.node.slice(at + 1)}\nNode namespace: ${one.node.slice(0, at) || "/"}\nService type: ${one.type}\nEndpoint type: ${one.kind === "client" ? "CLIENT" : "SERVER"}\n`);
-    }
+    await out(`Clients count: ${clients.length}${end}`);
+    await described("client");
+    await out(`Services count: ${servers.length}${end}`);
+    await described("service");
     return 0;
   },
 };
@@ -100,54 +103,35 @@ const call = {
   args: [
     { name: "service_name", help: "Name of the ROS service to call to (e.g. '/add_two_ints')", complete: "service" },
     { name: "service_type", help: "Type of the ROS service (e.g. 'std_srvs/srv/Empty')", complete: "serviceType" },
-    { name: "values", count: "?", initial: "{}", help: "Values to fill the service request with in YAML format (e.g. '{a: 1, b: 2}'), otherwise the service request will be published with default values", complete: "serviceRequest" },
-    option("rate", ["-r", "--rate"], "Repeat the call at a specific rate in Hz", { metavar: "N", type: { name: "positive_float", read: positive } }),
-    ...QOS_OPTIONS,
+    { name: "values", count: "?", initial: "{}", group: "values", help: "Values to fill the service request with in YAML format (e.g. '{a: 1, b: 2}'), otherwise the service request will be published with default values", complete: "serviceRequest" },
+    flag("stdin", ["--stdin"], "Read values from standard input", { group: "values" }),
+    option("rate", ["-r", "--rate"], "Repeat the call at a specific rate in Hz", { metavar: "N", type: FLOAT }),
+    ...qosOptions("publish", "default"),
   ],
-  async run(io, { service_name: given, service_type: typeGiven, values, rate }) {
+  async run(io, args) {
+    const { service_name: given, service_type: typeGiven, rate } = args;
     const { ros, out, signal } = io;
+    if (rate !== undefined && !(rate > 0)) throw new Failure("rate must be greater than zero");
     checkName(given, "service");
     const name = absolute(given);
     const service = fullType(typeGiven, "srv");
-    if (!ros.types[`${service}_Request`]) throw new Failure("The passed service type is invalid");
-    const request = filled(readValues(values, `${service}_Request`, io), `${service}_Request`, ros.types);
+    if (isType(ros, service) && !isType(ros, `${service}_Request`)) throw new Failure("The passed type is not a service");
+    if (!isType(ros, `${service}_Request`)) throw new Failure("The passed service type is invalid");
+    const values = await valuesOf(io, args);
+    const { message: request } = fitted("Failed to populate field: ", () => populated(values, `${service}_Request`, ros.types));
     const ready = () => endpoints(ros, { kind: "service", name }).some((one) => one.type === service);
     if (!ready()) await out("waiting for service to become available...\n");
     for (;;) {
+      const begun = performance.now();
       await until(io, ready);
       await out(`requester: making request: ${repr(request, `${service}_Request`, ros.types)}\n\n`);
       const response = await ros.call(name, service, request, Infinity, signal);
       await out(`response:\n${repr(response, `${service}_Response`, ros.types)}\n\n`);
-      if (!rate) return;
-      await pause(1000 / rate, signal);
+      if (rate === undefined) return;
+      await pause(Math.max(0, begun + 1000 / rate - performance.now()), signal);
     }
   },
 };
-
-/** @type {Verb} */
-const echoEvents = {
-  name: "echo",
-  about: "Echo a service",
-  args: [
-    { name: "service_name", help: "Name of the ROS service to echo (e.g. '/add_two_ints')", complete: "service" },
-    { name: "service_type", count: "?", help: "Type of the ROS service (e.g. 'example_interfaces/srv/AddTwoInts')", complete: "serviceType" },
-    ...echo.args.filter(({ flags }) => flags && !flags.includes("--field") && !flags.includes("--raw")),
-  ],
-  async run(io, { service_name: name, ...args }) {
-    const topic = `${absolute(name)}/_service_event`;
-    if (!io.ros.graph.topics().some((one) => one.name === topic)) {
-      return `No service event topic for '${name}': its node does not publish what the service does (introspection)`;
-    }
-    return echo.run(io, { ...args, topic_name: topic, message_type: undefined });
-  },
-};
-
-/** @param {string} text */
-function positive(text) {
-  const value = FLOAT.read(text);
-  if (!(value > 0)) throw new Error("value must be positive");
-  return value;
-}
 
 /** @type {Group} */
 export const SERVICE = {

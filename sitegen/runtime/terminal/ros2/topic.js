@@ -1,8 +1,10 @@
 // @ts-check
 // ros2 topic: its verbs, and what they know of a topic.
 
-import { bw, delay, hz } from "./topic/measure.js";
+import { bw } from "./topic/bw.js";
+import { delay } from "./topic/delay.js";
 import { echo } from "./topic/echo.js";
+import { hz } from "./topic/hz.js";
 import { find, info, list, type } from "./topic/list.js";
 import { pub } from "./topic/pub.js";
 import { flag } from "./verb.js";

@@ -2,9 +2,9 @@
 // What a verb of `ros2` is, and what several of them need.
 
 import { Failure, Interrupt, pause } from "../shell/shell.js";
-import { DEFAULT_QOS } from "../../protocol.js";
+import { FLOAT } from "../args/types.js";
 
-/** @import { Endpoint, Qos, Ros } from "../../protocol.js" */
+/** @import { Endpoint, Ros } from "../../protocol.js" */
 /** @import { Argument } from "../args/parse.js" */
 /** @import { Io } from "../shell/shell.js" */
 
@@ -29,12 +29,14 @@ export function option(name, flags, help, more) {
   return { name, flags, help, ...more };
 }
 
-/** Options that ask for the discovery of nodes, which is immediate in a page. */
-export const DISCOVERY = [
-  option("spin_time", ["--spin-time"], "Spin time in seconds to wait for discovery (only applies when not using an already running daemon)"),
+/** Options of verbs with a node of their own; in a page, all nodes are known at once. */
+export const DIRECT = [
+  option("spin_time", ["--spin-time"], "Spin time in seconds to wait for discovery (only applies when not using an already running daemon)", { type: FLOAT, initial: 0.5 }),
   flag("use_sim_time", ["-s", "--use-sim-time"], "Enable ROS simulation time"),
-  flag("no_daemon", ["--no-daemon"], "Do not spawn nor use an already running daemon"),
 ];
+
+/** Options of verbs that ask upstream's daemon. */
+export const DISCOVERY = [...DIRECT, flag("no_daemon", ["--no-daemon"], "Do not spawn nor use an already running daemon")];
 
 /** Whether a topic, service, action or node is hidden: a part of its name begins with an underscore. @param {string} name */
 export function isHidden(name) {
@@ -54,11 +56,9 @@ export function checkName(name, kind) {
   throw new Failure(`Invalid ${kind} name: '${name}'${name ? `\n${" ".repeat(21 + at)}^` : ""}`);
 }
 
-/** Return the definition of a type. Throws a Failure. @param {Ros} ros @param {string} type @param {string} what failed */
-export function defined(ros, type, what) {
-  const found = ros.types[type];
-  if (!found) throw new Failure(what);
-  return found;
+/** Whether there is a type of this name. @param {Ros} ros @param {string} name */
+export function isType(ros, name) {
+  return Object.hasOwn(ros.types, name);
 }
 
 /** Return a type in its full form: std_msgs/String is short for std_msgs/msg/String. @param {string} type @param {string} kind */
@@ -95,6 +95,27 @@ export async function until({ ros, signal }, test, milliseconds = Infinity) {
 
 class Found extends Error {}
 
+/**
+ * A verb that a page does not have: it takes its arguments, and says so. @param {string} group @param {string} name
+ * @param {string} about @param {string} instead what to do @param {Argument[]} args @returns {Verb}
+ */
+export function absent(group, name, about, instead, args) {
+  return {
+    name, about, args,
+    async run() {
+      throw new Failure(`ros2 ${group} ${name} is not available in a page: ${instead}`);
+    },
+  };
+}
+
+/** Return all that comes through a pipe or from a file. @param {Io} io */
+export async function standardInput({ input, signal }) {
+  if (!input) throw new Failure("--stdin: put a command and | before this one, or < and a file behind it");
+  const lines = [];
+  for await (const line of input.lines(signal)) lines.push(line);
+  return lines.join("\n");
+}
+
 /** Wait for Ctrl-C. @param {AbortSignal} signal @returns {Promise<never>} */
 export function forever(signal) {
   return new Promise((_, reject) => {
@@ -106,52 +127,6 @@ export function forever(signal) {
 /** Whether an error is Ctrl-C. @param {unknown} error */
 export function isInterrupt(error) {
   return error instanceof Interrupt;
-}
-
-/** QoS options of topic commands. */
-export const QOS_OPTIONS = [
-  option("qos_profile", ["--qos-profile"], "Quality of service preset profile", { choices: ["unknown", "default", "system_default", "sensor_data", "services_default", "parameters", "parameter_events", "action_status_default", "best_available"] }),
-  option("qos_depth", ["--qos-depth"], "Queue size setting (overrides depth value of --qos-profile option)", { metavar: "N", type: { name: "int", read: natural } }),
-  option("qos_history", ["--qos-history"], "History of samples setting (overrides history value of --qos-profile option)", { choices: ["system_default", "keep_last", "keep_all", "unknown"] }),
-  option("qos_reliability", ["--qos-reliability"], "Quality of service reliability setting (overrides reliability value of --qos-profile option)", { choices: ["system_default", "reliable", "best_effort", "unknown", "best_available"] }),
-  option("qos_durability", ["--qos-durability"], "Quality of service durability setting (overrides durability value of --qos-profile option)", { choices: ["system_default", "transient_local", "volatile", "unknown", "best_available"] }),
-];
-
-/** @type {Record<string, Partial<Qos>>} */
-const PROFILES = {
-  sensor_data: { depth: 5, reliable: false },
-  parameters: { depth: 1000 },
-  parameter_events: { depth: 1000 },
-  action_status_default: { depth: 1, transientLocal: true },
-};
-
-/**
- * Return the QoS that options ask for. @param {any} args @param {Partial<Qos>} [fitting] what fits the other side
- * @returns {Qos}
- */
-export function qosOf(args, fitting = {}) {
-  const qos = { ...DEFAULT_QOS, ...(args.qos_profile ? PROFILES[args.qos_profile] : fitting) };
-  if (args.qos_depth !== undefined) qos.depth = args.qos_depth;
-  if (args.qos_history) qos.keepAll = args.qos_history === "keep_all";
-  if (args.qos_reliability) qos.reliable = args.qos_reliability === "reliable";
-  if (args.qos_durability) qos.transientLocal = args.qos_durability === "transient_local";
-  return qos;
-}
-
-/** @param {string} text */
-function natural(text) {
-  if (!/^\d+$/.test(text)) throw new Error("");
-  return Number(text);
-}
-
-/**
- * Return the policies of a subscription that fit all publishers of a topic, as `ros2 topic echo` chooses them.
- * @param {Ros} ros @param {string} topic
- */
-export function fittingQos(ros, topic) {
-  const publishers = endpoints(ros, { kind: "publisher", name: topic });
-  const all = (/** @type {"reliable" | "transientLocal"} */ policy) => publishers.length > 0 && publishers.every(({ qos }) => qos[policy]);
-  return { reliable: all("reliable"), transientLocal: all("transientLocal") };
 }
 
 /** Work in slices, so that the page can draw: wait from time to time. */

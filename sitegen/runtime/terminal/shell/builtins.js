@@ -2,16 +2,18 @@
 // The commands of the shell itself.
 
 import { download } from "../../ui/download.js";
-import { Failure, Interrupt, pause } from "./shell.js";
+import { Failure, Interrupt, pause, VARIABLES } from "./shell.js";
 import { DIFFERENCES } from "./differences.js";
 
 /** @import { Io, Job, Program } from "./shell.js" */
 
 /** @type {Program[]} */
 export const BUILTINS = [
+  { name: "bg", about: "let a stopped job go on in the background: bg %1", run: (io) => background(io) },
   { name: "cat", about: "print files, or what comes through a pipe", run: cat },
   { name: "clear", about: "empty the screen", run: async (io) => io.shell.clear() },
   { name: "echo", about: "print words", run: echo },
+  { name: "env", about: "list the variables", run: environment },
   { name: "false", about: "fail", run: async () => 1 },
   { name: "fg", about: "bring a job to the foreground: fg %1", run: (io) => foreground(io) },
   { name: "help", about: "list the commands, and what differs from a real shell", run: help },
@@ -19,6 +21,8 @@ export const BUILTINS = [
   { name: "jobs", about: "list what runs in the background", run: jobs },
   { name: "kill", about: "interrupt a job: kill %1", run: kill },
   { name: "ls", about: "list the files of this tab, and recordings", run: list },
+  { name: "printenv", about: "list the variables, or print one", run: environment },
+  { name: "pwd", about: "print the folder, of which there is one", run: (io) => io.out("/\n") },
   { name: "rm", about: "remove files and recordings", run: remove },
   { name: "save", about: "save files and recordings on your device", run: save },
   { name: "sleep", about: "wait some seconds", run: sleep },
@@ -72,8 +76,8 @@ async function jobs({ shell, out }) {
 }
 
 /** How `jobs` shows a job. @param {Job} job */
-export function describe({ id, text, status }) {
-  const state = status === undefined ? "Running" : status === 0 ? "Done" : `Exit ${status}`;
+export function describe({ id, text, status, suspended }) {
+  const state = suspended ? "Stopped" : status === undefined ? "Running" : status === 0 ? "Done" : `Exit ${status}`;
   return `[${id}]  ${state.padEnd(24)}${text}\n`;
 }
 
@@ -83,10 +87,27 @@ async function foreground({ words, shell, out, signal }) {
   await out(`${job.text}\n`);
   const stop = () => job.stop.abort(signal.reason);
   signal.addEventListener("abort", stop);
-  await shell.bring(job);
+  const status = await shell.bring(job);
   signal.removeEventListener("abort", stop);
-  shell.jobs.delete(job.id);
-  return job.status ?? 0;
+  if (job.status !== undefined) shell.jobs.delete(job.id);
+  return status;
+}
+
+/** @param {Io} io */
+async function background({ words, shell, out }) {
+  const job = find(shell, words[0], "bg");
+  job.resume();
+  await out(`[${job.id}]  ${job.text} &\n`);
+}
+
+/** @param {Io} io */
+async function environment({ words: [name], out }) {
+  if (name !== undefined && !Object.hasOwn(VARIABLES, name)) return 1;
+  for (const [key, value] of Object.entries(VARIABLES)) {
+    if (name === undefined) await out(`${key}=${value}\n`);
+    else if (name === key) await out(`${value}\n`);
+  }
+  return 0;
 }
 
 /** @param {Io} io */

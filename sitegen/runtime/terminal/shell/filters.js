@@ -1,9 +1,11 @@
 // @ts-check
-// Filters at the end of a pipe: grep, head, tail, wc.
+// Filters at the end of a pipe: grep, head, tail, wc and what is like them.
 
-import { HelpAsked, INT, parse, UsageError } from "../args/parse.js";
+import { HelpAsked, parse, UsageError } from "../args/parse.js";
+import { INT } from "../args/types.js";
 import { Pipe } from "./pipe.js";
 import { Failure } from "./shell.js";
+import { less, sort, tee, uniq } from "./texts.js";
 
 /** @import { Argument } from "../args/parse.js" */
 /** @import { Io, Program } from "./shell.js" */
@@ -18,6 +20,22 @@ const COUNT = { count: undefined, type: INT, initial: 10, metavar: "N" };
 
 /** @type {Program[]} */
 export const FILTERS = [
+  filter("less", "show a text page by page: Space, Enter, q", [FILES], less),
+  filter("sort", "sort lines", [
+    option("reverse", ["-r", "--reverse"], "in reverse"),
+    option("numeric", ["-n", "--numeric-sort"], "by the numbers that they begin with"),
+    option("unique", ["-u", "--unique"], "without repetitions"),
+    FILES,
+  ], sort),
+  filter("tee", "write what comes through a pipe to files, too", [
+    option("append", ["-a", "--append"], "append to the files"), { ...FILES, help: "files" },
+  ], tee),
+  filter("uniq", "leave out lines that repeat the one before", [
+    option("counted", ["-c", "--count"], "print how often each occurs"),
+    option("repeated", ["-d", "--repeated"], "print repeated lines only"),
+    option("single", ["-u", "--unique"], "print the others only"),
+    FILES,
+  ], uniq),
   filter("grep", "print the lines that match a pattern", [
     option("ignore", ["-i", "--ignore-case"], "ignore case"),
     option("invert", ["-v", "--invert-match"], "the lines that do not match"),
@@ -49,7 +67,7 @@ function filter(name, about, args, run) {
     about,
     async run(io) {
       // head -5 is short for head -n 5.
-      const words = io.words.map((word) => (/^-\d+$/.test(word) && name !== "wc" && name !== "grep" ? `-n${word.slice(1)}` : word));
+      const words = io.words.map((word) => (/^-\d+$/.test(word) && ["head", "tail"].includes(name) ? `-n${word.slice(1)}` : word));
       let found;
       try {
         found = parse({ prog: name, about, args }, words, io.columns);
@@ -58,7 +76,8 @@ function filter(name, about, args, run) {
         if (error instanceof UsageError) throw new Failure(error.message, 2);
         throw error;
       }
-      return run(io, found, linesOf(io, name, found.file));
+      // The files of tee are written.
+      return run(io, found, linesOf(io, name, name === "tee" ? [] : found.file));
     },
   };
 }

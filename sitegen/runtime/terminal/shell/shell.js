@@ -6,6 +6,7 @@ import { parse, Unfinished } from "./parse.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Bags } from "../bags.js" */
+/** @import { Interfaces } from "../interfaces.js" */
 /** @import { Command, List, Pipeline, Word } from "./parse.js" */
 /** @import { Style } from "./style.js" */
 
@@ -21,15 +22,19 @@ import { parse, Unfinished } from "./parse.js";
  * @typedef {(io: Io) => Promise<number | void>} Run returns the status, 0 if none
  * @typedef {{name: string, about: string, run: Run, words?(before: string[]): string[] | undefined}} Program
  *   `words` returns how to complete the next word
- * @typedef {{columns(): number, write(text: string, style?: Style): Promise<void>, clear(): void,
- *   keys: Keys}} Screen
+ * @typedef {{columns(): number, rows(): number, write(text: string, style?: Style): Promise<void>, clear(): void,
+ *   eraseLine(): void, keys: Keys}} Screen
+ * `suspended` is pending while a job is stopped by Ctrl-Z: what it prints waits for that. `halt` ends the wait for a
+ * job in the foreground.
  * @typedef {{id: number, text: string, status: number | undefined, background: boolean, stop: AbortController,
- *   ended: Promise<number>}} Job
+ *   ended: Promise<number>, suspended: Promise<void> | undefined, resume(): void, halt(): void}} Job
  */
 
 /** The status of a command that Ctrl-C or kill has ended, as of shells. */
 export const INTERRUPTED = 130;
 export const NOT_FOUND = 127;
+/** The status of a command that Ctrl-Z has stopped. */
+const STOPPED = 148;
 // The files of a terminal, all together, in characters.
 const MOST = 4_000_000;
 
@@ -60,13 +65,15 @@ export class Shell {
   /**
    * @param {Ros} ros @param {Screen} screen @param {Map<string, Program>} programs
    * @param {Map<string, string>} files that all terminals of the page share @param {Bags} bags of the page
+   * @param {Interfaces} interfaces
    */
-  constructor(ros, screen, programs, files, bags) {
+  constructor(ros, screen, programs, files, bags, interfaces) {
     this.#ros = ros;
     this.#screen = screen;
     this.#programs = programs;
     this.files = files;
     this.bags = bags;
+    this.interfaces = interfaces;
   }
 
   get programs() {
@@ -90,19 +97,40 @@ export class Shell {
         this.status = 0;
         continue;
       }
-      await this.bring(job);
-      // As in other shells, Ctrl-C ends the whole line.
-      if (job.stop.signal.aborted) break;
+      // As in other shells, Ctrl-C and Ctrl-Z end the whole line.
+      if ((await this.bring(job)) === STOPPED || job.stop.signal.aborted) break;
     }
   }
 
-  /** Wait for a job in the foreground. @param {Job} job */
+  /** Wait for a job in the foreground, until it ends or is stopped. @param {Job} job @returns {Promise<number>} its status */
   async bring(job) {
     const before = this.#foreground;
     this.#foreground = job;
     job.background = false;
-    this.status = await job.ended;
+    job.resume();
+    const halted = /** @type {Promise<number>} */ (new Promise((resolve) => {
+      job.halt = () => resolve(STOPPED);
+    }));
+    this.status = await Promise.race([job.ended, halted]);
     this.#foreground = before;
+    return this.status;
+  }
+
+  /** Ctrl-Z: stop the job in the foreground. Return it, if there is one. */
+  suspend() {
+    const job = this.#foreground;
+    if (!job) return undefined;
+    job.background = true;
+    job.suspended = new Promise((resolve) => {
+      job.resume = () => {
+        job.suspended = undefined;
+        resolve();
+      };
+    });
+    // A stopped job can be killed.
+    job.stop.signal.addEventListener("abort", () => job.resume(), { once: true });
+    job.halt();
+    return job;
   }
 
   /** Ctrl-C. Return whether there was something to interrupt. */
@@ -113,6 +141,15 @@ export class Shell {
 
   clear() {
     this.#screen.clear();
+  }
+
+  /** The rows of the screen. */
+  get rows() {
+    return this.#screen.rows();
+  }
+
+  eraseLine() {
+    this.#screen.eraseLine();
   }
 
   /** End everything. */
@@ -149,7 +186,10 @@ export class Shell {
     let id = 1;
     while (this.jobs.has(id)) id++;
     /** @type {Job} */
-    const job = { id, text: list.text, status: undefined, background: list.background, stop, ended: Promise.resolve(0) };
+    const job = {
+      id, text: list.text, status: undefined, background: list.background, stop, ended: Promise.resolve(0),
+      suspended: undefined, resume() {}, halt() {},
+    };
     this.jobs.set(id, job);
     job.ended = this.#runSteps(list, job).then((status) => {
       job.status = status;
@@ -164,6 +204,7 @@ export class Shell {
     let status = 0;
     for (const { pipeline, when } of steps) {
       if (when !== "always" && (status === 0) !== (when === "success")) continue;
+      await job.suspended;
       if (job.stop.signal.aborted) return INTERRUPTED;
       status = await this.#runPipeline(pipeline, job);
       this.status = status;
@@ -184,20 +225,24 @@ export class Shell {
     const words = command.words.map((word) => this.#expand(word));
     const name = words[0] ?? "";
     /** @type {(text: string, style?: Style) => Promise<void>} */
-    let err = this.#screen.write.bind(this.#screen);
+    const write = async (text, style) => {
+      while (job.suspended) await job.suspended;
+      await this.#screen.write(text, style);
+    };
+    let err = write;
     try {
       const from = command.from ? whole(this.readFile(this.#expand(command.from))) : input;
       const to = command.to && this.#file(this.#expand(command.to.file), command.to.append);
-      const out = to ?? (output ? (/** @type {string} */ text) => output.write(text) : this.#screen.write.bind(this.#screen));
+      const out = to ?? (output ? (/** @type {string} */ text) => output.write(text) : write);
       if (command.merged) err = out;
       // Who writes into a pipe ends with its reader.
       const signal = output ? AbortSignal.any([job.stop.signal, output.closed]) : job.stop.signal;
-      const alone = !input && !output && !job.background;
+      const alone = (!input || name === "less") && !output && !job.background;
       const program = this.#programs.get(name);
       if (!program) throw new Failure(`${name}: command not found`, NOT_FOUND);
       const status = await program.run({
         words: words.slice(1), ros: this.#ros, shell: this, signal, columns: this.#screen.columns(), input: from,
-        toScreen: !to && !output, keys: alone ? this.#screen.keys : undefined, out, err,
+        toScreen: !to && !output, keys: alone ? (type) => (job.background ? () => {} : this.#screen.keys(type)) : undefined, out, err,
       });
       return status ?? 0;
     } catch (error) {
@@ -224,7 +269,7 @@ export class Shell {
     return word.map((piece) => {
       if (typeof piece === "string") return piece;
       if (piece.variable === "?") return String(this.status);
-      return VARIABLES[piece.variable] ?? "";
+      return Object.hasOwn(VARIABLES, piece.variable) ? VARIABLES[piece.variable] : "";
     }).join("");
   }
 }

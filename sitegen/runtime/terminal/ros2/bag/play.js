@@ -1,7 +1,7 @@
 // @ts-check
 // ros2 bag play: play a bag into the graph of the page, with the keys of rosbag2.
 
-import { INT } from "../../args/parse.js";
+import { INT } from "../../args/types.js";
 import { Failure, pause } from "../../shell/shell.js";
 import { absolute, flag, isInterrupt, option } from "../verb.js";
 import { checkRegex, error, log, openBag, READER } from "./open.js";

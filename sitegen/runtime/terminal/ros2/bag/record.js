@@ -3,7 +3,7 @@
 
 import { Recording } from "../../../bag/recording.js";
 import { folderOfPage, freshName } from "../../../bag/store.js";
-import { INT } from "../../args/parse.js";
+import { INT } from "../../args/types.js";
 import { Broken } from "../../shell/pipe.js";
 import { Failure } from "../../shell/shell.js";
 import { absolute, checkName, flag, option } from "../verb.js";

@@ -26,7 +26,7 @@ export const list = {
     const found = topics(ros, all || hidden);
     if (count) {
       await out(`${found.length}\n`);
-    } else if (verbose) {
+    } else if (verbose && found.length) {
       for (const [title, word, side] of /** @type {const} */ ([
         ["Published", "publisher", "publishers"], ["Subscribed", "subscriber", "subscriptions"]])) {
         const lines = found.filter((topic) => topic[side].length).map(({ name, types, [side]: { length } }) =>
@@ -45,10 +45,11 @@ export const info = {
   about: "Print information about a topic",
   args: [
     ...DISCOVERY,
-    flag("verbose", ["-v", "--verbose"], "Prints detailed information like the node name, node namespace, topic type, topic type hash, GID and QoS Profile of the publishers and subscribers to this topic"),
     { name: "topic_name", help: "Name of the ROS topic to get info (e.g. '/chatter')", complete: "topic" },
+    flag("verbose", ["--verbose", "-v"], "Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID, and QoS Profile of the publishers and subscribers to this topic"),
   ],
-  async run({ ros, out }, { topic_name: name, verbose }) {
+  async run({ ros, out, shell }, { topic_name: name, verbose }) {
+    const described = (/** @type {ReturnType<typeof endpoints>[number]} */ one) => endpointInfo(one, "Topic", shell.interfaces.hashes);
     const topic = topics(ros, true).find((one) => one.name === name);
     if (!topic) return `Unknown topic '${name}'`;
     const end = verbose ? "\n\n" : "\n";
@@ -56,26 +57,33 @@ export const info = {
     const type = types.length === 1 ? types[0] : `[${types.map((one) => `'${one}'`).join(", ")}]`;
     await out(`Type: ${type}${end}`);
     await out(`Publisher count: ${publishers.length}${end}`);
-    if (verbose) for (const one of endpoints(ros, { kind: "publisher", name })) await out(`${endpointInfo(one)}${end}`);
+    if (verbose) for (const one of endpoints(ros, { kind: "publisher", name })) await out(`${described(one)}${end}`);
     await out(`Subscription count: ${subscriptions.length}${end}`);
-    if (verbose) for (const one of endpoints(ros, { kind: "subscription", name })) await out(`${endpointInfo(one)}${end}`);
+    if (verbose) for (const one of endpoints(ros, { kind: "subscription", name })) await out(`${described(one)}${end}`);
     return 0;
   },
 };
 
-/** Describe an endpoint as rclpy's TopicEndpointInfo. @param {ReturnType<typeof endpoints>[number]} endpoint */
-function endpointInfo({ kind, node, type, gid, qos }) {
+/**
+ * Describe an endpoint as rclpy does. @param {ReturnType<typeof endpoints>[number]} endpoint
+ * @param {"Topic" | "Service"} what @param {Record<string, string>} hashes of types
+ */
+export function endpointInfo({ kind, node, type, gid, qos }, what, hashes) {
   const at = node.lastIndexOf("/");
   return [
     `Node name: ${node.slice(at + 1)}`,
     `Node namespace: ${node.slice(0, at) || "/"}`,
-    `Topic type: ${type}`,
-    `Endpoint type: ${kind.toUpperCase()}`,
+    `${what} type: ${type}`,
+    `${what} type hash: ${hashes[type] ?? "INVALID"}`,
+    `Endpoint type: ${KINDS[kind]}`,
     `GID: ${gidText(gid)}`,
     "QoS profile:",
     ...qosLines(qos),
   ].join("\n");
 }
+
+/** @type {Record<string, string>} */
+const KINDS = { publisher: "PUBLISHER", subscription: "SUBSCRIPTION", client: "CLIENT", service: "SERVER" };
 
 /** @param {Qos} qos */
 export function qosLines(qos) {
@@ -112,8 +120,8 @@ export const type = {
     ...DISCOVERY,
     { name: "topic_name", help: "Name of the ROS topic to get type (e.g. '/chatter')", complete: "topic" },
   ],
-  async run({ ros, out }, { topic_name: name }) {
-    const topic = topics(ros, true).find((one) => one.name === name);
+  async run({ ros, out }, { topic_name: name, hidden }) {
+    const topic = topics(ros, hidden).find((one) => one.name === name);
     if (!topic) return 1;
     for (const one of topic.types) await out(`${one}\n`);
     return 0;
@@ -126,7 +134,7 @@ export const find = {
   about: "Output a list of available topics of a given type",
   args: [
     ...DISCOVERY,
-    { name: "topic_type", help: "Name of the ROS topic type to filter for (e.g. 'std_msgs/msg/String')", complete: "message" },
+    { name: "topic_type", help: "Name of the ROS topic type to filter for (e.g. 'std_msg/msg/String')", complete: "message" },
     flag("count", ["-c", "--count-topics"], "Only display the number of topics discovered"),
     flag("all", ["--include-hidden-topics"], "Consider hidden topics as well"),
   ],

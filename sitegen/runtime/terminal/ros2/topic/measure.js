@@ -1,143 +1,79 @@
 // @ts-check
-// ros2 topic hz, bw and delay.
+// What `ros2 topic hz`, `bw` and `delay` share: a subscription, and a summary each second.
 
-import { Codec } from "../../../messages/codec.js";
-import { Failure, pause } from "../../shell/shell.js";
-import { absolute, checkName, DISCOVERY, fittingQos, flag, option, QOS_OPTIONS, qosOf, until } from "../verb.js";
+import { pause } from "../../shell/shell.js";
+import { POSITIVE_INT } from "../../args/types.js";
+import { qosOptions, subscriptionQos } from "../qos.js";
+import { absolute, checkName, option, until } from "../verb.js";
+import { typeOfTopic } from "./echo.js";
 
 /** @import { MessageInfo } from "../../../protocol.js" */
+/** @import { Argument } from "../../args/parse.js" */
 /** @import { Io } from "../../shell/shell.js" */
-/** @import { Verb } from "../verb.js" */
 
-/** @type {import("../../args/parse.js").Type} */
-const POSITIVE = { name: "positive_int", read: (text) => {
-  if (!/^\d+$/.test(text) || Number(text) <= 0) throw new Error("value must be a positive integer");
-  return Number(text);
-} };
-const WINDOW = (/** @type {number} */ initial) =>
-  option("window", ["--window", "-w"], `window size, in # of messages, for calculating rate, string to (default: ${initial})`, { metavar: "WINDOW", type: POSITIVE, initial });
-const TOPIC = /** @type {const} */ ({ name: "topic_name", complete: "topic" });
+/** Messages of a fast topic, while the page draws. */
+const DEPTH = 1000;
 
-/** @type {Verb} */
-export const hz = {
-  name: "hz",
-  about: "Print the average publishing rate to screen",
-  args: [
-    ...DISCOVERY,
-    { ...TOPIC, help: "Name of the ROS topic to listen to (e.g. '/chatter')" },
-    WINDOW(10_000),
-    option("filter", ["--filter"], "only measure messages matching the specified Python expression", { metavar: "EXPR" }),
-    flag("wall_time", ["--wall-time"], "calculates rate using wall time which can be helpful when clock is not published during simulation"),
-    ...QOS_OPTIONS,
-  ],
-  async run(io, args) {
-    if (args.filter) throw new Failure("ros2 topic hz: --filter takes Python, which this terminal does not run");
-    const times = new Times(args.window);
-    let last = 0;
-    await follow(io, args, (_, { received }) => {
-      if (last) times.add((received - last) / 1000);
-      last = received;
-    }, () => {
-      const { count, mean, least, most, deviation } = times.read();
-      if (!count) return "";
-      return `average rate: ${(mean > 0 ? 1 / mean : 0).toFixed(3)}\n\tmin: ${least.toFixed(3)}s max: ${most.toFixed(3)}s std dev: ${deviation.toFixed(5)}s window: ${count}\n`;
-    });
-  },
-};
+/** QoS options, which these verbs have since Kilted. */
+export const QOS = qosOptions("subscribe", "sensor_data");
 
-/** @type {Verb} */
-export const delay = {
-  name: "delay",
-  about: "Display delay of topic from timestamp in header",
-  args: [...DISCOVERY, { ...TOPIC, help: "Topic name to calculate the delay for" }, WINDOW(10_000), ...QOS_OPTIONS],
-  async run(io, args) {
-    const times = new Times(args.window);
-    const { ros } = io;
-    const codec = new Codec(ros.types);
-    const type = ros.graph.topics().find(({ name }) => name === absolute(args.topic_name))?.types[0] ?? "";
-    if (type && !ros.types[type]?.fields.some(({ name, type: of }) => name === "header" && of === "std_msgs/msg/Header")) {
-      throw new Failure("msg does not have header");
-    }
-    await follow(io, args, (bytes, { received }) => {
-      const { stamp } = codec.read(type, bytes).header;
-      times.add(received / 1000 - stamp.sec - stamp.nanosec / 1e9);
-    }, () => {
-      const { count, mean, least, most, deviation } = times.read();
-      if (!count) return "";
-      return `average delay: ${mean.toFixed(3)}\n\tmin: ${least.toFixed(3)}s max: ${most.toFixed(3)}s std dev: ${deviation.toFixed(5)}s window: ${count}\n`;
-    });
-  },
-};
-
-/** @type {Verb} */
-export const bw = {
-  name: "bw",
-  about: "Display bandwidth used by topic",
-  args: [...DISCOVERY, { ...TOPIC, help: "Topic name to monitor for bandwidth utilization" }, WINDOW(100), ...QOS_OPTIONS],
-  async run(io, args) {
-    /** @type {{time: number, size: number}[]} */
-    let found = [];
-    await follow(io, args, (bytes, { received }) => {
-      found.push({ time: received, size: bytes.length });
-      if (found.length > 2 * args.window) found = found.slice(-args.window);
-    }, () => {
-      const all = found.slice(-args.window);
-      const [first] = all;
-      if (!first || all.length < 2) return "";
-      const sizes = all.map(({ size }) => size);
-      const total = sizes.reduce((sum, size) => sum + size, 0);
-      const rate = total / ((performance.timeOrigin + performance.now() - first.time) / 1000);
-      const [by, unit] = rate < 1000 ? [1, "B"] : rate < 1e6 ? [1e3, "KB"] : [1e6, "MB"];
-      const text = (/** @type {number} */ value) => `${(value / by).toFixed(2)} ${unit}`;
-      return `${text(rate)}/s from ${all.length} messages\n\tMessage size mean: ${text(total / all.length)} min: ${text(Math.min(...sizes))} max: ${text(Math.max(...sizes))}\n`;
-    }, (topic) => `Subscribed to [${topic}]\n`);
-  },
-};
+/** @param {string} help @param {number} initial @param {Partial<Argument>} [more] */
+export function windowOption(help, initial, more) {
+  return option("window", ["--window", "-w"], `${help}(default: ${initial})`, { type: POSITIVE_INT, initial, ...more });
+}
 
 /**
- * Take the messages of a topic and print a summary each second, until Ctrl-C.
- * @param {Io} io @param {any} args
- * @param {(bytes: Uint8Array, info: MessageInfo) => void} take
- * @param {() => string} summary "" to print nothing
- * @param {(topic: string) => string} [begin] what to print first
+ * Wait until a topic is published, and return its type. @param {Io} io @param {string} name as it was given
  */
-async function follow(io, args, take, summary, begin = () => "") {
-  const { ros, signal, out } = io;
-  checkName(args.topic_name, "topic");
-  const topic = absolute(args.topic_name);
-  const type = () => ros.graph.topics().find(({ name }) => name === topic)?.types[0] ?? "";
-  if (!type()) {
-    await out(`WARNING: topic [${topic}] does not appear to be published yet\n`);
-    await until(io, () => type() !== "");
+export async function awaitType(io, name) {
+  checkName(name, "topic");
+  const known = () => typeOfTopic(io.ros, name);
+  if (!known()) {
+    await io.out(`WARNING: topic [${name}] does not appear to be published yet\n`);
+    await until(io, () => known() !== "");
   }
-  let [fresh, failed] = [false, /** @type {unknown} */ (undefined)];
-  const end = ros.subscribeBytes(topic, type(), (bytes, info) => {
-    try {
-      take(bytes, info);
-    } catch (error) {
-      failed = error;
-    }
-    fresh = true;
-  }, qosOf(args, { ...fittingQos(ros, topic), depth: 1000 }));
+  return known();
+}
+
+/**
+ * Take the messages of topics, and print a summary each second, until Ctrl-C.
+ * @param {Io} io @param {any} args
+ * @param {{name: string, type: string, take(bytes: Uint8Array, info: MessageInfo): void}[]} topics
+ * @param {() => string} summary "" to print nothing
+ */
+export async function follow(io, args, topics, summary) {
+  /** @type {(() => void)[]} */
+  const ends = [];
+  /** @type {unknown} */
+  let failed;
   try {
-    await out(begin(topic));
+    for (const { name, type, take } of topics) {
+      const qos = await subscriptionQos(io, args, absolute(name));
+      if (args.qos_depth === undefined) qos.depth = DEPTH;
+      ends.push(io.ros.subscribeBytes(absolute(name), type, (bytes, info) => {
+        try {
+          take(bytes, info);
+        } catch (error) {
+          failed ??= error;
+        }
+      }, qos));
+    }
     for (;;) {
-      await pause(1000, signal);
+      await pause(1000, io.signal);
       if (failed) throw failed;
-      // As upstream, which prints when a message has come.
-      if (fresh) await out(summary());
-      fresh = false;
+      await io.out(summary());
     }
   } finally {
-    end();
+    for (const end of ends) end();
   }
 }
 
 /** The last values, and their statistics. */
-class Times {
+export class Times {
   #window;
   /** @type {number[]} */
   #values = [];
+  #fresh = false;
 
   /** @param {number} window */
   constructor(window) {
@@ -147,15 +83,20 @@ class Times {
   /** @param {number} value */
   add(value) {
     this.#values.push(value);
+    this.#fresh = true;
     if (this.#values.length > 2 * this.#window) this.#values = this.#values.slice(-this.#window);
   }
 
+  /** Return the statistics: undefined if there is no value, and `fresh` if there is one since the last call. */
   read() {
     const all = this.#values.slice(-this.#window);
     const count = all.length;
-    const mean = all.reduce((sum, value) => sum + value, 0) / (count || 1);
-    const deviation = Math.sqrt(all.reduce((sum, value) => sum + (value - mean) ** 2, 0) / (count || 1));
+    if (!count) return undefined;
+    const fresh = this.#fresh;
+    this.#fresh = false;
+    const mean = all.reduce((sum, value) => sum + value, 0) / count;
+    const deviation = Math.sqrt(all.reduce((sum, value) => sum + (value - mean) ** 2, 0) / count);
     const [least, most] = all.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
-    return { count, mean, deviation, least, most };
+    return { count, mean, deviation, least, most, fresh };
   }
 }

@@ -1,29 +1,25 @@
 // @ts-check
 // ros2 topic pub: publish a message, once or again and again.
 
-import { fromYaml } from "../../../messages/yamlReader.js";
-import { filled } from "../filled.js";
-import { FLOAT, INT } from "../../args/parse.js";
+import { INT, POSITIVE_FLOAT } from "../../args/types.js";
 import { Failure, pause } from "../../shell/shell.js";
+import { isDictionary, populated, readYaml, Unfit } from "../populate.js";
 import { repr } from "../python.js";
-import { absolute, checkName, endpoints, flag, fullType, option, QOS_OPTIONS, qosOf, until } from "../verb.js";
+import { qosOf, qosOptions } from "../qos.js";
+import { absolute, checkName, DIRECT, endpoints, flag, fullType, isType, option, Pace, standardInput, until } from "../verb.js";
 
+/** @import { Publisher } from "../../../protocol.js" */
 /** @import { Io } from "../../shell/shell.js" */
 /** @import { Verb } from "../verb.js" */
 
-// Messages are at least so far apart (ms), which is what timers of browsers can do.
+// Timers of browsers are so far apart at least (ms); at a higher rate, several messages are published each time.
 const LEAST = 4;
 
 /** @type {import("../../args/parse.js").Type} */
-const POSITIVE = { name: "positive_float", read: (text) => {
-  const value = FLOAT.read(text);
-  if (!(value > 0)) throw new Error("value must be positive");
-  return value;
-} };
-/** @type {import("../../args/parse.js").Type} */
-const COUNT = { name: "nonnegative_int", read: (text) => {
-  const value = INT.read(text);
-  if (value < 0) throw new Error("value must be positive or zero");
+const COUNT = { name: "nonnegative_int", read: (given) => {
+  const value = INT.read(given);
+  // argparse does not show the text of other errors than its own.
+  if (value < 0) throw new Error("");
   return value;
 } };
 
@@ -34,70 +30,100 @@ export const pub = {
   args: [
     { name: "topic_name", help: "Name of the ROS topic to publish to (e.g. '/chatter')", complete: "topic" },
     { name: "message_type", help: "Type of the ROS message (e.g. 'std_msgs/String')", complete: "topicMessage" },
-    { name: "values", count: "?", initial: "{}", help: "Values to fill the message with in YAML format (e.g. 'data: Hello World'), otherwise the message will be published with default values", complete: "field" },
-    option("rate", ["-r", "--rate"], "Publishing rate in Hz (default: 1)", { metavar: "N", type: POSITIVE, initial: 1 }),
+    { name: "values", count: "?", initial: "{}", group: "values", help: "Values to fill the message with in YAML format (e.g. 'data: Hello World'), otherwise the message will be published with default values", complete: "field" },
+    flag("stdin", ["--stdin"], "Read values from standard input", { group: "values" }),
+    option("rate", ["-r", "--rate"], "Publishing rate in Hz (default: 1)", { metavar: "N", type: POSITIVE_FLOAT, initial: 1 }),
     option("print", ["-p", "--print"], "Only print every N-th published message (default: 1)", { metavar: "N", type: INT, initial: 1 }),
-    flag("once", ["-1", "--once"], "Publish one message and exit"),
-    option("times", ["-t", "--times"], "Publish this number of times and then exit", { type: COUNT, initial: 0 }),
-    option("wait", ["-w", "--wait-matching-subscriptions"], "Wait until finding the specified number of matching subscriptions. Defaults to 1 when using \"-1\"/\"--once\"/\"--times\", otherwise defaults to 0.", { metavar: "WAIT_MATCHING_SUBSCRIPTIONS", type: COUNT }),
-    option("max_wait", ["--max-wait-time-secs"], "This sets the maximum wait time in seconds if --wait-matching-subscriptions is set. By default, this flag is not set meaning the subscriber will wait endlessly.", { metavar: "MAX_WAIT_TIME_SECS", type: POSITIVE }),
-    option("keep_alive", ["--keep-alive"], "Keep publishing node alive for N seconds after the last msg (default: 0.1)", { metavar: "N", type: FLOAT, initial: 0.1 }),
+    flag("once", ["-1", "--once"], "Publish one message and exit", { group: "times" }),
+    option("times", ["-t", "--times"], "Publish this number of times and then exit", { type: COUNT, initial: 0, group: "times" }),
+    option("wait", ["-w", "--wait-matching-subscriptions"], "Wait until finding the specified number of matching subscriptions. Defaults to 1 when using \"-1\"/\"--once\"/\"--times\", otherwise defaults to 0.", { type: COUNT, metavar: "WAIT_MATCHING_SUBSCRIPTIONS" }),
+    option("max_wait", ["--max-wait-time-secs"], "This sets the maximum wait time in seconds if --wait-until-matching-subscriptions is set. By default, this flag is not set meaning the subscriber will wait endlessly.", { type: POSITIVE_FLOAT, metavar: "MAX_WAIT_TIME_SECS" }),
+    option("keep_alive", ["--keep-alive"], "Keep publishing node alive for N seconds after the last msg (default: 0.1)", { metavar: "N", type: POSITIVE_FLOAT, initial: 0.1 }),
     option("node_name", ["-n", "--node-name"], "Name of the created publishing node"),
-    ...QOS_OPTIONS,
+    ...qosOptions("publish", "default"),
+    ...DIRECT,
   ],
   async run(io, args) {
     const { ros } = io;
     checkName(args.topic_name, "topic");
     const topic = absolute(args.topic_name);
     const type = fullType(args.message_type, "msg");
-    if (!ros.types[type]) return "The passed message type is invalid";
-    const message = filled(readValues(args.values, type, io), type, ros.types);
-    const publisher = ros.advertise(topic, type, qosOf(args));
+    if (!isType(ros, type)) return "The passed message type is invalid";
+    const values = await valuesOf(io, args);
+    if (!isDictionary(values)) return "The passed value needs to be a dictionary in YAML format";
+    const own = args.node_name ? ros.node(absolute(args.node_name)) : undefined;
+    const publisher = (own ?? ros).advertise(topic, type, qosOf(args));
     try {
-      return await publish(io, args, topic, () => {
-        publisher.publish(message);
-        return repr(message, type, ros.types);
+      const problem = await awaitSubscriptions(io, args, topic);
+      if (problem) return problem;
+      const { message, stamps } = fitted("Failed to populate field: ", () => populated(values, type, ros.types));
+      await publish(io, args, publisher, () => {
+        const now = performance.timeOrigin + performance.now();
+        for (const stamp of stamps) stamp({ sec: Math.floor(now / 1000), nanosec: Math.floor((now % 1000) * 1e6) });
+        return { message, shown: () => repr(message, type, ros.types) };
       });
+      return 0;
     } finally {
       publisher.close();
+      own?.leave();
     }
   },
 };
 
-/** Parse the values of a message or request. @param {string} values @param {string} type @param {Io} io */
-export function readValues(values, type, { ros }) {
+/** The values of a message, a request or a goal: from the line, or from the pipe. @param {Io} io @param {any} args */
+export async function valuesOf(io, args) {
+  const given = args.stdin ? await standardInput(io) : args.values ?? args.goal;
+  return fitted("", () => readYaml(given));
+}
+
+/**
+ * Return what `make` returns; throw what Python says of values that do not fit.
+ * @template T @param {string} what failed @param {() => T} make @param {(error: Unfit) => string} [shown]
+ * @returns {T}
+ */
+export function fitted(what, make, shown = (error) => error.message) {
   try {
-    return fromYaml(values, type, ros.types);
+    return make();
   } catch (error) {
-    const said = error instanceof Error ? error.message : String(error);
-    if (/^expected the fields of/.test(said)) throw new Failure("The passed value needs to be a dictionary in YAML format");
-    throw new Failure(`Failed to populate field: ${said}`);
+    throw error instanceof Unfit ? new Failure(`${what}${shown(error)}`) : error;
   }
 }
 
-/** @param {Io} io @param {any} args @param {string} topic @param {() => string} send returns repr() of the message */
-async function publish(io, args, topic, send) {
-  const { ros, out, signal } = io;
-  const times = args.once ? 1 : args.times;
-  const wanted = args.wait ?? (times ? 1 : 0);
-  const found = () => endpoints(ros, { kind: "subscription", name: topic }).length >= wanted;
-  const start = performance.now();
-  while (!found()) {
-    if (args.max_wait !== undefined && performance.now() - start > args.max_wait * 1000) {
-      return `Timed out waiting for subscribers: Expected ${wanted} subscribers but only got ${endpoints(ros, { kind: "subscription", name: topic }).length} subscribers`;
-    }
-    await out(`Waiting for at least ${wanted} matching subscription(s)...\n`);
-    await until(io, found, 1000);
+/** Wait as long as the options ask for; return what went wrong. @param {Io} io @param {any} args @param {string} topic */
+async function awaitSubscriptions(io, args, topic) {
+  const wanted = args.wait ?? (args.once || args.times ? 1 : 0);
+  if (!wanted && args.max_wait !== undefined) return "--max-wait-time-secs option is only effective with --wait-matching-subscriptions, --once or --times";
+  const count = () => endpoints(io.ros, { kind: "subscription", name: topic }).length;
+  const end = performance.now() + (args.max_wait ?? Infinity) * 1000;
+  while (count() < wanted) {
+    await io.out(`Waiting for at least ${wanted} matching subscription(s)...\n`);
+    const next = Math.min(performance.now() + 1000, end);
+    // Timers may be early.
+    while (performance.now() < next) if (await until(io, () => count() >= wanted, next - performance.now())) return "";
+    // Spelled as upstream has it.
+    if (next === end) return `Timed out waiting for subscribers: Expected ${wanted} subcribers but only got ${count()} subscribers`;
   }
+  return "";
+}
+
+/** @param {Io} io @param {any} args @param {Publisher} publisher @param {() => {message: any, shown(): string}} next */
+async function publish({ out, signal }, args, publisher, next) {
+  const times = args.once ? 1 : args.times;
   await out("publisher: beginning loop\n");
-  const period = Math.max(1000 / args.rate, LEAST);
+  const period = 1000 / args.rate;
+  const pace = new Pace();
+  let due = performance.now();
   for (let count = 1; ; count++) {
-    const begun = performance.now();
-    const text = send();
-    if (args.print > 0 && count % args.print === 0) await out(`publishing #${count}: ${text}\n\n`);
+    const { message, shown } = next();
+    if (args.print !== 0 && count % args.print === 0) await out(`publishing #${count}: ${shown()}\n\n`);
+    publisher.publish(message);
     if (times && count >= times) break;
-    await pause(Math.max(0, period - (performance.now() - begun)), signal);
+    due += period;
+    const left = due - performance.now();
+    // After a pause of the page, go on at the rate instead of catching up.
+    if (left < -1000) due = performance.now();
+    if (left > 0) await pause(Math.max(left, period < LEAST ? LEAST : 0), signal);
+    else await pace.wait(signal);
   }
   await pause(args.keep_alive * 1000, signal);
-  return 0;
 }
