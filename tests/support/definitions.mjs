@@ -12,5 +12,7 @@ let shown = "";
 const out = async (said) => {
   shown += said;
 };
-await verb.run({ ros: { types }, out }, { type: root });
+// Without files of interfaces, as for types that only nodes of the page know.
+const shell = { interfaces: { text: async () => undefined } };
+await verb.run({ ros: { types }, out, shell }, { type: root });
 console.log(JSON.stringify({ text, read: readDefinitions(root, text), shown }));
