@@ -9,7 +9,9 @@ from dataclasses import dataclass
 ROS = re.compile(r"(```|~~~)[`~ \t{.]*(ya?ml[ \t]+)?ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # A fence at any depth: also in a list, a tab or a quotation.
-INNER_FENCE = re.compile(r"[ \t>]*(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
+INNER_FENCE = re.compile(
+    r"[ \t>]*(?:(?:[-*+]|\d+[.)])[ \t]+)?(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$"
+)
 # `ros2` is a language: that of commands, which a terminal runs.
 NEARLY_ROS = re.compile(r"[{.]*\s*ros1?[\s}]*(?!\S)", re.I)
 # An example: YAML that the page shows, and the widgets that it describes. Options may follow.

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sitegen import workspace
 from sitegen.config.files import locate
 from sitegen.config.schema import FORMS
 from sitegen.config.section import Section
-from sitegen.errors import Problems, nearest
+from sitegen.errors import Problems
 from sitegen.model import Package, Ros2wasm
 
 # The pattern of file names in scripts: scripts made by Emscripten name every file that they load.
@@ -51,7 +51,7 @@ def check_types(section: Section, packages: Mapping[str, Package], problems: Pro
             message = f"'{name}' is not a valid topic or service name; write it like '/chatter'"
             problems.add(given.location, given.key, message)
         if given.text not in known:
-            problems.add(given.location, given.key, _unknown(given.text, known))
+            problems.add(given.location, given.key, workspace.unknown_interface(given.text, known))
 
 
 def _loaded(script: Path) -> Iterator[Path]:
@@ -69,12 +69,3 @@ def _loaded(script: Path) -> Iterator[Path]:
             yield file
             if file.suffix == ".js" and file.is_file():
                 waiting.append(file)
-
-
-def _unknown(name: str, known: Collection[str]) -> str:
-    package = name.partition("/")[0]
-    packages = {one.partition("/")[0] for one in known}
-    if package not in packages:
-        return f"no package '{package}' with interfaces; {nearest(package, packages)}"
-    hint = nearest(name, (one for one in known if one.startswith(f"{package}/")))
-    return f"no type '{name}'; {hint}"

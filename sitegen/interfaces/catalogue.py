@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -10,7 +11,7 @@ from sitegen.interfaces import typesupport
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.generator import shares
 from sitegen.interfaces.messages import MessageType, types
-from sitegen.model import Site
+from sitegen.model import Artifact, Site
 from sitegen.shipped import ROS
 
 # For the tests of client libraries.
@@ -51,6 +52,11 @@ def texts(site: Site, *, cache: Path) -> dict[str, str]:
 def _prefix(site: Site, cache: Path) -> Path:
     own = [name for name, package in site.packages.items() if package.interfaces]
     return described(site, own, cache=cache)
+
+
+def as_artifact(content: bytes) -> Artifact:
+    """Return the file of a site with definitions, whose name says whether they have changed."""
+    return Artifact(f"interfaces/{hashlib.sha256(content).hexdigest()[:10]}.json", content)
 
 
 def as_json(found: Mapping[str, object]) -> bytes:

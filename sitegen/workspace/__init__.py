@@ -2,7 +2,7 @@
 
 from sitegen.workspace.dependencies import with_dependencies, with_plugins
 from sitegen.workspace.folders import report_outside
-from sitegen.workspace.packages import PYTHON, interfaces, scan
+from sitegen.workspace.packages import PYTHON, interfaces, scan, unknown_interface
 from sitegen.workspace.shipped import (
     CELLS,
     NOTEBOOK,
@@ -25,6 +25,7 @@ __all__ = [
     "scan",
     "shipped_packages",
     "sitegen_package",
+    "unknown_interface",
     "with_dependencies",
     "with_plugins",
     "with_replaced",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from functools import cache
 from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
-from sitegen.errors import Location, Problems, relative
+from sitegen.errors import Location, Problems, nearest, relative
 from sitegen.model import Fault, Package, Setup
 from sitegen.workspace import cmakelists, components, folders, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
@@ -42,21 +42,31 @@ def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package
     return packages
 
 
-def interfaces(packages: Mapping[str, Package]) -> frozenset[str]:
-    """Return the names of all messages and services that ROS and the workspace define."""
+def interfaces(packages: Mapping[str, Package], kinds: Collection[str] = KINDS) -> frozenset[str]:
+    """Return the names of all interfaces that ROS and `packages` define: messages and services."""
     given = (
         f"{file.parts[-3]}/{file.parts[-2]}/{file.stem}"
         for share in SHARES
-        for kind in KINDS
+        for kind in kinds
         for file in share.glob(f"*/{kind}/*.{kind}")
     )
     own = (
         f"{package.name}/{Path(name).parent.name}/{Path(name).stem}"
         for package in packages.values()
         for name in package.interfaces
-        if Path(name).parent.name in KINDS
+        if Path(name).parent.name in kinds
     )
     return frozenset([*given, *own])
+
+
+def unknown_interface(name: str, known: Collection[str]) -> str:
+    """Return a message about an interface that is not among the `known` ones."""
+    package = name.partition("/")[0]
+    owners = {one.partition("/")[0] for one in known}
+    if package not in owners:
+        return f"no package '{package}' with interfaces; {nearest(package, owners)}"
+    hint = nearest(name, (one for one in known if one.startswith(f"{package}/")))
+    return f"no type '{name}'; {hint}"
 
 
 @cache

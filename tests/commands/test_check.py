@@ -165,8 +165,7 @@ def test_commands_that_name_what_is_not_there_are_told(tmp_path: Path) -> None:
     assert warnings(write(tmp_path, site=f"{site}      - terminal:\n")) == [
         "text.md:5: ros2: page / has no program 'cpp talkr'; did you mean 'cpp talker'?",
         "text.md:7: ros2: page / has no topic '/chater'; did you mean '/chatter'?",
-        "text.md:11: ros2: 'ros2 interface show std_msgs/msg/Strin' names the unknown type "
-        "'std_msgs/msg/Strin'; check its spelling",
+        "text.md:11: ros2: no type 'std_msgs/msg/Strin'; did you mean 'std_msgs/msg/String'?",
         "text.md:19: ros2: page / has no service '/ad'; did you mean '/add'?",
     ]
 

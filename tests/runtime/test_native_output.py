@@ -1,4 +1,4 @@
-"""What the terminal's `ros2` prints, against a table typed from the sources of ros2cli."""
+"""What the terminal's `ros2` prints, against a table that was compared with ros2cli's sources."""
 
 from __future__ import annotations
 

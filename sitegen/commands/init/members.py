@@ -8,9 +8,9 @@ from pathlib import Path
 
 from sitegen.commands.init.turtle import KEY, turtlesim
 from sitegen.commands.wiring import programs
+from sitegen.commands.wiring.common import is_common
 from sitegen.commands.wiring.endpoint import OPPOSITE, Endpoint, Program
 from sitegen.commands.wiring.names import resolved
-from sitegen.commands.wiring.pages import is_common
 from sitegen.model import Container, Node, Package
 
 

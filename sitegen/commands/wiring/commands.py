@@ -7,18 +7,16 @@ import shlex
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 
+from sitegen import workspace
+from sitegen.commands.wiring.common import is_common
+from sitegen.config.blocks import INNER_FENCE
 from sitegen.errors import Location, Problems, nearest
 from sitegen.model import Markdown, Page, Site
-from sitegen.shipped import INTERFACES, PACKAGES, ROS
 
-_FENCE = re.compile(
-    r"[ \t>]*(?:(?:[-*+]|\d+[.)])[ \t]+)?(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$"
-)
-_TYPE = re.compile(r"(\w+)/(msg|srv|action)/(\w+)")
+_KINDS = ("msg", "srv", "action")
+_TYPE = re.compile(rf"\w+/({'|'.join(_KINDS)})/\w+")
 # The groups whose verbs take the name of a topic, a service or an action.
 _NAMED = {"topic": "topic", "service": "service", "action": "action"}
-# Every node has these, and tools of ROS use them.
-_COMMON = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
 _REMAPPED = re.compile(r"\S+:=(/\S+)")
 
 
@@ -39,6 +37,8 @@ def check(page: Page, site: Site, names: Collection[str] | None, problems: Probl
     commands = [
         command for part in page.leaves if isinstance(part, Markdown) for command in _commands(part)
     ]
+    packages = {**workspace.shipped_packages(), **site.packages}
+    types = workspace.interfaces(packages, _KINDS) if commands else frozenset()
     programs = {(node.package, node.executable) for node in page.nodes.values()}
     # What commands create: topics that they publish, and names that they give to nodes.
     made = {word for one in commands for word in one.words if one.words[:2] == ["topic", "pub"]}
@@ -46,10 +46,8 @@ def check(page: Page, site: Site, names: Collection[str] | None, problems: Probl
     renamed = any("__ns:=" in word or word == "-r" for one in commands for word in one.words)
     for command in commands:
         for word in command.words:
-            match = _TYPE.fullmatch(word)
-            if match and not _is_type(site, *match.groups()):
-                message = f"'{command.shown}' names the unknown type '{word}'; check its spelling"
-                problems.add(command.location, "ros2", message)
+            if _TYPE.fullmatch(word) and word not in types:
+                problems.add(command.location, "ros2", workspace.unknown_interface(word, types))
         _check_program(command, page, programs, problems)
         if names is not None and not renamed:
             _check_name(command, page, {*names, *made}, problems)
@@ -74,36 +72,18 @@ def _check_name(command: _Command, page: Page, names: Collection[str], problems:
     if group not in _NAMED or verb in ([], ["list"], ["find"], ["pub"]):
         return
     given = next((word for word in command.words[2:] if re.fullmatch(r"/[\w/]+", word)), None)
-    hidden = given is not None and any(part.startswith("_") for part in given.split("/"))
-    if given is None or hidden or given in names or given in _COMMON:
-        return
-    if group == "service" and given.rpartition("/")[2] in _PARAMETERS:
+    if given is None or given in names or is_common(given):
         return
     advice = nearest(given, [name for name in names if name.startswith("/")])
     message = f"page /{page.path} has no {_NAMED[group]} '{given}'"
     problems.add(command.location, "ros2", f"{message}; {advice}")
 
 
-# The services of the parameters of each node.
-_PARAMETERS = {
-    *("describe_parameters", "get_parameter_types", "get_parameters", "get_type_description"),
-    *("list_parameters", "set_parameters", "set_parameters_atomically"),
-}
-
-
-def _is_type(site: Site, package: str, kind: str, name: str) -> bool:
-    own = site.packages.get(package)
-    if own is not None:
-        return any(re.split(r"[/.]", file)[-2] == name for file in own.interfaces)
-    folders = (ROS / "share", INTERFACES, PACKAGES)
-    return any([*(folder / package / kind).glob(f"{name}.*")] for folder in folders)
-
-
 def _commands(text: Markdown) -> Iterator[_Command]:
     """Yield the words of each `ros2` in the blocks of commands of a text, without `ros2`."""
     fence, language, begun = "", "", ""
     for number, line in enumerate(text.text.split("\n"), start=text.location.line):
-        edge = _FENCE.match(line)
+        edge = INNER_FENCE.match(line)
         if edge and not fence:
             fence, language = edge["fence"], re.split(r"[\s{}.]", f"{edge['info']} ")[0]
         elif edge and edge["fence"].startswith(fence) and not edge["info"]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from sitegen.commands.wiring import commands, programs, widgets
+from sitegen.commands.wiring.common import is_common
 from sitegen.commands.wiring.endpoint import (
     ACTION,
     ACTION_CLIENT,
@@ -21,12 +22,6 @@ from sitegen.commands.wiring.names import resolved
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Page, Prebuilt, Ros2wasm, Site, Widget
 
-# Every node and the tools of ROS have these endpoints.
-_TOPICS = {"/clock", "/parameter_events", "/rosout", "/diagnostics", "/tf", "/tf_static"}
-_SERVICES = {
-    *("describe_parameters", "get_parameter_types", "get_parameters", "get_type_description"),
-    *("list_parameters", "set_parameters", "set_parameters_atomically"),
-}
 # An action without a client is for visitors, who have a panel for it, as is a service.
 _CHECKED = (SUBSCRIPTION, PUBLISHER, CLIENT, ACTION_CLIENT)
 
@@ -116,12 +111,6 @@ def _check_other_side(page: Page, side: _Side, sides: Iterable[_Side], problems:
     where = f"on page /{page.path}, {missing}"
     key = {CLIENT: "service", ACTION_CLIENT: "action"}.get(endpoint.kind, "topic")
     problems.add(endpoint.location, key, f"{side.who} {does} '{endpoint.name}' {where}; {advice}")
-
-
-def is_common(name: str) -> bool:
-    """Return whether every node or the tools of ROS have endpoints of this name."""
-    hidden = any(part.startswith("_") for part in name.split("/"))
-    return hidden or name in _TOPICS or name.rpartition("/")[2] in _SERVICES
 
 
 def _check_types(sides: Iterable[_Side], problems: Problems) -> None:

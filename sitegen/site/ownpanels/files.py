@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
+from sitegen.interfaces.catalogue import as_artifact
 from sitegen.model import Artifact, Page, Site, Widget
 from sitegen.shipped import BUNDLES
 from sitegen.site.ownpanels.module import Reference, parsed
@@ -70,9 +71,8 @@ def own_panels(
     artifacts += (Artifact(f"runtime/{name}", BUNDLES / name) for name in sorted(found.clients))
     described = ""
     if found.clients or site.messages_from:
-        content = interfaces()
-        described = f"interfaces/{hashlib.sha256(content).hexdigest()[:10]}.json"
-        artifacts.append(Artifact(described, content))
+        artifacts.append(as_artifact(interfaces()))
+        described = artifacts[-1].path
     return OwnPanels({name: folder + name for name in files}, artifacts, described)
 
 

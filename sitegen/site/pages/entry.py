@@ -118,9 +118,7 @@ def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
 
 
 def _argument(argument: Argument) -> dict[str, str]:
-    return {name: value for name, value in asdict(argument).items() if value not in (None, "")} | (
-        {"default": ""} if argument.default == "" else {}
-    )
+    return {name: value for name, value in asdict(argument).items() if value is not None}
 
 
 def _handler(handler: Handler) -> dict[str, object]:

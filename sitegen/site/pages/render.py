@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -15,7 +14,7 @@ from markupsafe import Markup
 
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, nearest
-from sitegen.interfaces.catalogue import as_json, catalogue, texts
+from sitegen.interfaces.catalogue import as_artifact, as_json, catalogue, texts
 from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site.bags import bags
 from sitegen.site.ownpanels import own_panels
@@ -96,11 +95,7 @@ class Renderer:
         """Return the files that terminals of `page` load: all interfaces, and their texts."""
         if not any(isinstance(part, Widget) and part.kind == TERMINAL for part in page.leaves):
             return {}
-        contents = {"interfaces": self._interfaces, "texts": self._texts}
-        return {
-            name: Artifact(f"interfaces/{hashlib.sha256(content).hexdigest()[:10]}.json", content)
-            for name, content in contents.items()
-        }
+        return {"interfaces": as_artifact(self._interfaces), "texts": as_artifact(self._texts)}
 
     def every_page(self) -> list[Rendered]:
         """Return all pages; if there are many, they are rendered in several processes."""
@@ -156,8 +151,7 @@ class Renderer:
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
             artifacts += [*loaded.artifacts, *played.artifacts, *own.artifacts]
-            known = {artifact.path for artifact in own.artifacts}
-            artifacts += [one for one in defined.values() if one.path not in known]
+            artifacts += defined.values()
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))

@@ -56,7 +56,7 @@ export const LAUNCH = {
 /** The arguments of a launch file, as upstream lists them. @param {Launch} launch */
 function shown({ arguments: declared = [] }) {
   const lines = declared.map(({ name, default: value, description }) => [
-    `\n    '${name}':`, `        ${description ?? "no description given"}`,
+    `\n    '${name}':`, `        ${description || "no description given"}`,
     ...(value === undefined ? [] : [`        (default: ${quoted(value)})`]), "",
   ].join("\n"));
   return `Arguments (pass arguments as '<name>:=<value>'):\n${lines.join("") || "\n  No arguments.\n"}`;

@@ -86,7 +86,7 @@ export function endpointInfo({ kind, node, type, gid, qos }, what, hashes) {
 const KINDS = { publisher: "PUBLISHER", subscription: "SUBSCRIPTION", client: "CLIENT", service: "SERVER" };
 
 /** @param {Qos} qos */
-export function qosLines(qos) {
+function qosLines(qos) {
   return [
     `  Reliability: ${qos.reliable ? "RELIABLE" : "BEST_EFFORT"}`,
     `  History (Depth): ${qos.keepAll ? "KEEP_ALL" : `KEEP_LAST (${qos.depth})`}`,
