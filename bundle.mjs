@@ -16,7 +16,7 @@ const START = ["rosMain.js"];
 const IN_START = ["widgets/buttons.js", "widgets/console.js"];
 // These have copies, too: what they share with single panels, such as a reader of YAML or the transforms of the 3D view,
 // would come to every page with a panel.
-const APART = ["widgets/launch.js", "widgets/terminal.js", "widgets/tf.js"];
+const APART = ["widgets/dock.js", "widgets/launch.js", "widgets/terminal.js", "widgets/tf.js"];
 const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
   (name) => ![...IN_START, ...APART].includes(name));
 // What few parts share, and is too large for the file that all of them load.
@@ -47,6 +47,7 @@ const ALONE = [
   "workers/cpp/stackTrace.js",
   "workers/environment.js",
   "workers/gateway/gatewayNode.js",
+  "workers/launch/launchReader.js",
   "workers/python/pythonNode.js",
   "workers/python/pythonSync.js",
   "workers/ros2wasm/ros2wasmNode.js",

@@ -8,15 +8,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from sitegen import pagepath, workspace
+from sitegen import pagepath
 from sitegen.config import launching, level, notebooks, windows
 from sitegen.config.blocks import front_matter, heading
+from sitegen.config.commandlines import with_terminal
 from sitegen.config.connect import KIND as CONNECT
 from sitegen.config.connect import connect
 from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
+from sitegen.config.launchfile import LaunchFile
 from sitegen.config.nodes import Declared, declare
 from sitegen.config.ownpanel import own_script
 from sitegen.config.paths import path_fault
@@ -24,12 +26,8 @@ from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, nearest
-from sitegen.launch import Window, launched
 from sitegen.model import (
-    Argument,
     Connect,
-    Handler,
-    Launch,
     Markdown,
     Node,
     Package,
@@ -167,12 +165,11 @@ class PageReader:
     ) -> Page:
         front, body = written.front, written.body
         known = self._declare(front, self._declare(page, self.nodes))
-        opened: list[Window] = []
-        handlers: list[Handler] = []
         folder = file.parent if file else self.problems.root
-        given = _giver("launch", page, front)
-        arguments: list[Argument] = []
-        started = self._launch(given, known, opened, handlers, folder, arguments)
+        section = _giver("launch", page, front)
+        launch = LaunchFile(section, folder, self.packages, self.problems, self.notes)
+        started = launch.started(known)
+        self.declared += started.values()
         known |= started
         nodes = {name: node for name, (node, _) in known.items()}
         reader = Reader(nodes, self.problems, self.notes, folder)
@@ -183,9 +180,10 @@ class PageReader:
         if lab := page.get("jupyter"):
             parts += reader.jupyter(lab)
         is_bare = not any(isinstance(part, Widget) for part in leaves(parts))
-        if opened and is_bare:
-            parts += windows.shown(opened, [*started], self.problems, self.notes)
-        parts = launching.with_panel(parts, given.get("launch"), handlers, self.problems)
+        if launch.described.windows and is_bare:
+            parts += windows.shown(launch.described.windows, [*started], self.problems, self.notes)
+        handlers = launch.described.handlers
+        parts = launching.with_panel(parts, section.get("launch"), handlers, self.problems)
         parts += launching.panels(started) if is_bare else []
         joined = self._connect(_giver("connect", page, front), parts)
         for kernel in notebooks.kernels(parts):
@@ -200,21 +198,27 @@ class PageReader:
             # Content that could not be read completely has no reliable level.
             self._check_title(page, front, parts, body)
             self._check_level(_giver("level", page, front), parts)
+        placed = [part for part in leaves(parts) if isinstance(part, Widget)]
+        own = [*_declared(page), *_declared(front)]
+        parts = with_terminal(parts, known, own, self.problems)
+        others = launch.others(parts, nodes)
+        self.declared += others.values()
+        nodes |= {name: node for name, (node, _) in others.items()}
         widgets = [part for part in leaves(parts) if isinstance(part, Widget)]
         shown = [name for widget in widgets for name in (widget.target, *widget.runs) if name]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
         script = own_script(_giver("script", page, front), self.problems, folder)
         # A script may use them without a widget.
-        own = [*_declared(page), *_declared(front)] if script else []
+        scripted = own if script else []
         links = _giver("start_from_links", page, front)
         return Page(
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes=_with_needed([*started, *shown, *own], nodes),
+            nodes=_with_needed([*started, *others, *shown, *scripted], nodes),
             content=tuple(parts),
-            level=level.offered(widgets),
+            level=level.offered(placed),
             location=Location(file, 1) if file else page.value.location,
             file=file,
             front=written.yaml,
@@ -225,9 +229,7 @@ class PageReader:
             original=path if original is None else original,
             start_from_links=bool(links.option("start_from_links")),
             layout=self._layout(_giver("layout", page, front)),
-            launch=self._launch_file(given, folder, tuple(started), handlers, arguments)
-            if started
-            else None,
+            launch=launch.launch(others) if started else None,
             script=script,
             connect=joined,
         )
@@ -274,64 +276,12 @@ class PageReader:
         self.declared += declared.values()
         return {**taken, **declared}
 
-    def _launch(
-        self,
-        section: Section,
-        taken: Mapping[str, Declared],
-        opened: list[Window],
-        handlers: list[Handler],
-        folder: Path,
-        asked: list[Argument],
-    ) -> dict[str, Declared]:
-        """Return the nodes that a launch file starts.
-
-        Its windows are added to `opened`, what it does at events to `handlers`, and the arguments
-        that it declares to `asked`; `folder` is that of the page.
-        """
-        given = section.get("launch")
-        file = locate(given, self.problems, page=folder) if given else None
-        if not given or not file:
-            return {}
-        values = section.get("launch_arguments")
-        entries = values.entries(self.problems) if values else {}
-        arguments = {name: entry.text for name, entry in entries.items()}
-        packages = {
-            **workspace.shipped_packages(),
-            **workspace.with_replaced(self.packages()),
-        }
-        found = launched(
-            file, arguments, packages, self.problems, self.notes, opened, handlers, asked
-        )
-        for node in found:
-            if node.name in taken:
-                message = f"'{node.name}', which '{given.text}' starts, is also a node in site.yaml"
-                self.problems.add(given.location, given.key, f"{message}; rename one of them")
-        declared = {node.name: Declared(node, None) for node in found}
-        self.declared += declared.values()
-        return declared
-
     def _layout(self, section: Section) -> str:
         text = section.text("layout")
         if text not in LAYOUTS:
             message = f"unknown layout '{text}'; {nearest(text, LAYOUTS)}"
             self.problems.add(section.location("layout"), section.label("layout"), message)
         return text
-
-    def _launch_file(
-        self,
-        section: Section,
-        folder: Path,
-        nodes: tuple[str, ...],
-        handlers: Sequence[Handler],
-        arguments: Sequence[Argument],
-    ) -> Launch | None:
-        """Return the launch file that has started `nodes`, by its package."""
-        given = section.get("launch")
-        file = locate(given, self.problems, page=folder) if given else None
-        if not file:
-            return None
-        owners = (p.name for p in self.packages().values() if file.is_relative_to(p.path))
-        return Launch(next(owners, ""), file.name, nodes, tuple(handlers), tuple(arguments))
 
     def _path(self, page: Section, *, registered: bool) -> str:
         given = page.get("path")

@@ -153,6 +153,13 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
             "nodes: [talker]",
         ),
         Key("run", "text", "command that runs first", "run: ros2 topic list"),
+        Key(
+            "docked",
+            "flag",
+            "open at the bottom of the window when a visitor runs a command of the text",
+            "docked: true",
+            default=False,
+        ),
     ),
     "3d": (
         Key("frame", "text", "fixed frame; defaults to the root of the frames", "frame: map"),

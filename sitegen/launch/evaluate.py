@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Mapping
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -39,29 +39,37 @@ OF_PROCESSES = ("clean_env", "on_exit", "respawn", "respawn_delay", "respawn_max
 DEEPEST, MOST_FILES = 20, 500
 
 
+@dataclass(frozen=True)
+class LaunchDescription:
+    """What a launch file describes: the nodes that it starts, and what it does while they run.
+
+    `windows` are those that have a counterpart among the widgets; `arguments` are those that the
+    file and the files that it includes declare.
+    """
+
+    nodes: Sequence[Node] = ()
+    windows: Sequence[Window] = ()
+    handlers: Sequence[Handler] = ()
+    arguments: Sequence[Argument] = ()
+
+
 def launched(
     file: Path,
     arguments: Mapping[str, str],
     packages: Mapping[str, Package],
     problems: Problems,
     notes: Problems | None = None,
-    opened: list[Window] | None = None,
-    handlers: list[Handler] | None = None,
-    declared: list[Argument] | None = None,
-) -> list[Node]:
-    """Return the nodes that a launch file starts, and report what does not work on a page.
+) -> LaunchDescription:
+    """Return what a launch file describes, and report what does not work on a page.
 
-    Windows that have a counterpart among the widgets are added to `opened`; other programs that
-    open windows are skipped, with a note in `notes`. What the launch file does while its nodes run
-    is added to `handlers`, and the arguments that it declares to `declared`.
+    Programs that open a window without a counterpart are skipped, with a note in `notes`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
         launch.run(Scope(file, dict(arguments)), Location(file, 1))
-        (opened if opened is not None else []).extend(launch.windows)
-        (handlers if handlers is not None else []).extend(launch.events.handlers.finished())
-        (declared if declared is not None else []).extend(launch.declared)
-        return launch.finished()
+        handlers = launch.events.handlers.finished()
+        nodes = launch.finished()
+        return LaunchDescription(nodes, launch.windows, handlers, launch.declared)
 
 
 class _Launch:

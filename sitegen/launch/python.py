@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from sitegen.errors import Location
+from sitegen.launch import apart
 from sitegen.launch.tree import Action, Exact, UnreadableError
 
 DESCRIBE = Path(__file__).with_name("describe.py")
@@ -46,15 +45,14 @@ def read(
 
     Raises: UnreadableError if the file fails.
     """
-    command = [sys.executable, "-I", "-B", str(DESCRIBE), str(file)]
     paths = {name: str(path) for name, path in folders.items()}
     given = json.dumps(
         {"folders": paths, "roots": [*map(str, roots)], "calls": calls, "reading": reading},
         default=str,
     )
     try:
-        done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
-    except subprocess.TimeoutExpired:
+        done = apart.run(DESCRIBE, [str(file)], given, LIMIT)
+    except TimeoutError:
         raise UnreadableError(
             Location(file, 1), f"the launch file took longer than {LIMIT} s"
         ) from None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 
 from sitegen.launch.environment import Environment
@@ -22,16 +22,15 @@ def argument(action: Action, scope: Scope, texts: Texts) -> None:
     name = texts.needed(action, "name", scope)
     default = _told(action, "default", scope, texts)
     description = _told(action, "description", scope, texts) or ""
-    texts.declared.setdefault(name, Argument(name, default, description))
+    choices = tuple(texts.needed(each, "value", scope) for each in action.of_kind("choice"))
+    texts.declared.setdefault(name, Argument(name, default, description, choices))
     if name not in scope.variables:
         if "default" not in action.attributes:
             raise ValueError(f"'{name}' has no value; give one in 'launch_arguments' of the page")
         scope.variables[name] = texts.text(action, "default", scope)
-    choices: Iterable[str] = BOOLEANS
-    if action.kind != "bool_arg":
-        choices = [texts.needed(each, "value", scope) for each in action.of_kind("choice")]
-    if choices and scope.variables[name] not in choices:
-        value, listed = scope.variables[name], ", ".join(choices)
+    allowed = BOOLEANS if action.kind == "bool_arg" else choices
+    if allowed and scope.variables[name] not in allowed:
+        value, listed = scope.variables[name], ", ".join(allowed)
         raise ValueError(f"'{name}' is '{value}', but must be one of: {listed}")
 
 

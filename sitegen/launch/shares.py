@@ -30,6 +30,12 @@ def shares(packages: Mapping[str, Package]) -> Iterator[dict[str, Path]]:
         yield folders
 
 
+def share_path(file: Path, package: Package) -> str:
+    """Return the path that a file of a package has in its share folder."""
+    installed = (path for path, source in _files(package).items() if source == file)
+    return next(installed, file.relative_to(package.path).as_posix())
+
+
 def on_page(text: str, folders: Mapping[str, Path]) -> str:
     """Replace the share folders in a text by their paths in the page."""
     for name, folder in folders.items():

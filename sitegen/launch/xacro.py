@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import json
 import shlex
-import subprocess
-import sys
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
+from sitegen.launch import apart
 from sitegen.launch.substitutions import SubstitutionError
 
 # Seconds; a description of a robot takes less than one.
@@ -54,12 +53,11 @@ def description(file: Path, folders: Mapping[str, Path]) -> str:
 def _expanded(words: Sequence[str], folders: Mapping[str, Path]) -> str:
     """Return the URDF that `xacro` makes."""
     given = json.dumps({name: str(path) for name, path in folders.items()})
-    command = [sys.executable, "-I", "-B", str(PROGRAM), *words]
     try:
-        done = subprocess.run(command, input=given, text=True, capture_output=True, timeout=LIMIT)
-    except subprocess.TimeoutExpired:
+        done = apart.run(PROGRAM, words, given, LIMIT)
+    except TimeoutError:
         raise SubstitutionError(f"xacro took longer than {LIMIT} s") from None
-    if done.returncode:
+    if done.code:
         # The last line is the error; the lines before it are warnings.
         lines = done.stderr.strip().splitlines() or ["xacro failed"]
         raise SubstitutionError(lines[-1])

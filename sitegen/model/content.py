@@ -29,6 +29,11 @@ class Widget:
     location: Location
 
     @property
+    def is_docked(self) -> bool:
+        """Whether it has no place in the content, and opens at the bottom of the window."""
+        return self.options.get("docked") is True
+
+    @property
     def runs(self) -> Sequence[str]:
         """Return the names of the nodes that visitors start in a terminal or a notebook."""
         if self.kind in ("notebook", "jupyter"):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Literal
 
 # "launched": the nodes that start at once run; "time": `after` seconds later, or after the event
@@ -59,18 +59,24 @@ class Handler:
 
 @dataclass(frozen=True)
 class Argument:
-    """An argument that a launch file declares; a `default` of None makes it necessary."""
+    """An argument that a launch file declares; a `default` of None makes it necessary.
+
+    Without `choices`, any value is right.
+    """
 
     name: str
     default: str | None = None
     description: str = ""
+    choices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Launch:
     """The launch file of a page: its package (or ""), its name, and the nodes that it starts.
 
-    `arguments` are those that it and the files that it includes declare.
+    `arguments` are those that it and the files that it includes declare, `given` the values that
+    the author gives. `path` is that in the share folder of the package. `others` are nodes that
+    it starts with other arguments only.
     """
 
     package: str
@@ -78,6 +84,9 @@ class Launch:
     nodes: tuple[str, ...]
     handlers: tuple[Handler, ...] = ()
     arguments: tuple[Argument, ...] = ()
+    given: Mapping[str, str] = field(default_factory=dict)
+    path: str = ""
+    others: tuple[str, ...] = ()
 
     @property
     def first(self) -> tuple[str, ...]:

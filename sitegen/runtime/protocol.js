@@ -10,8 +10,11 @@
  *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
- *   asked?: string[], arguments?: {name: string, default?: string, description?: string}[]}} Launch the launch file that starts these nodes, and those in `first` at once if not all of them;
- *   those in `asked` only start when the visitor says so
+ *   asked?: string[], arguments?: LaunchArgument[],
+ *   again?: {reader: string, files: string, path: string, given: Record<string, string>}}} Launch the launch file that
+ *   starts these nodes, and those in `first` at once if not all of them; those in `asked` only start when the visitor
+ *   says so. What reads it `again` is in two archives; `given` are the arguments that the author gives
+ * @typedef {{name: string, default?: string, description?: string, choices?: string[]}} LaunchArgument
  * @typedef {{on: LaunchEvent, effects: LaunchEffect[], most?: number}} LaunchHandler what a launch file does at an event,
  *   up to `most` times; see model/launch.py, which has the meaning of all fields
  * @typedef {{kind: "launched" | "time" | "started" | "exited" | "ended" | "state" | "shutdown", nodes?: string[],
@@ -57,7 +60,7 @@
  *     read: () => Shared, restore: (state: Shared, odd: () => void) => void | Promise<void>): void,
  *   link(): string,
  *   run(program: string | {package: string, executable: string},
- *     options?: {arguments?: string[], name?: string}): NodeHandle,
+ *     options?: {arguments?: string[], name?: string, environment?: Record<string, string>}): NodeHandle,
  *   join(file: string, told: (message: any) => void, failed: (error: string) => void): Companion,
  * }} Ros `run` starts a program of the page once more, as a new process, which is gone when it ends; `program` is the
  *   name of a node, or its package and executable. `join` starts a worker of the runtime that takes part in the graph,

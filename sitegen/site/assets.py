@@ -8,7 +8,7 @@ from pathlib import Path
 from sitegen.model import Artifact, Page, Programs, Python, Site, Widget
 from sitegen.nodes.python import pyodide
 from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
-from sitegen.site import bundles
+from sitegen.site import bundles, launches
 
 # Widgets that only start programs and show their output; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
@@ -53,8 +53,6 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
         names.add("messages/filter/contentFilter.js")
     if debug:
         names.add("workers/cpp/stackTrace.js")
-    if any(node.environment for node in nodes):
-        names.add("workers/environment.js")
     if any(widget.kind in ("bag", "terminal") for widget in _widgets(site.pages)):
         # The player and the recorder, and what only recorders load.
         names |= {"workers/bag/bagNode.js", "bag/zstd.js"}
@@ -80,11 +78,20 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if any(widget.kind in ("console", "prompt") for widget in _widgets(site.pages)):
         # Loaded when a visitor wants to find, copy or save lines.
         names.add("ui/lineTools.js")
+    if any(widget.is_docked for widget in _widgets(site.pages)):
+        # Loaded when a visitor runs a command of the text.
+        names.add("widgets/terminal.js")
     if site.messages_from:
         names |= {OUTSIDE, "rosbridge/rosbridge.js"}
     files: list[Path] = []
+    relaunches = any(launches.reads(page) for page in site.pages)
+    if relaunches:
+        names.add("workers/launch/launchReader.js")
+    if relaunches or any(node.environment for node in nodes):
+        names.add("workers/environment.js")
     if "python/pythonNode" in workers:
         names.add("workers/python/pythonSync.js")
+    if relaunches or "python/pythonNode" in workers:
         files += pyodide.files()
     if files or _libraries(names):
         files.append(VENDOR / "licenses.txt")
@@ -115,7 +122,7 @@ def _start(site: Site, page: Page) -> list[str]:
     names = [START]
     if takes_part(site, page):
         names.append("page/pageClient.js")
-    kinds = (f"widgets/{widget.kind}.js" for widget in widgets)
+    kinds = (f"widgets/{'dock' if widget.is_docked else widget.kind}.js" for widget in widgets)
     # The other bundles came with rosMain.js.
     names += (name for name in kinds if name in bundles.bundles())
     robots = (widget for widget in widgets if widget.kind == "robot")

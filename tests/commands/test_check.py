@@ -140,6 +140,8 @@ ros2 interface show std_msgs/msg/Strin
 ros2 service call /add \\
   example_interfaces/srv/AddTwoInts "{a: 1}"
 ros2 service type /talker/list_parameters
+ros2 node info /talker
+ros2 param get /talkr use_sim_time
 ros2 topic echo 'unfinished
 ```
 
@@ -160,14 +162,16 @@ def test_commands_that_name_what_is_not_there_are_told(tmp_path: Path) -> None:
         "      - console: talker", "      - markdown: text.md\n      - console: talker"
     )
     (tmp_path / "text.md").write_text(COMMANDS)
-    # Without a terminal, they are code.
-    assert warnings(write(tmp_path, site=site)) == []
-    assert warnings(write(tmp_path, site=f"{site}      - terminal:\n")) == [
+    expected = [
         "text.md:5: ros2: page / has no program 'cpp talkr'; did you mean 'cpp talker'?",
         "text.md:7: ros2: page / has no topic '/chater'; did you mean '/chatter'?",
         "text.md:11: ros2: no type 'std_msgs/msg/Strin'; did you mean 'std_msgs/msg/String'?",
-        "text.md:19: ros2: page / has no service '/ad'; did you mean '/add'?",
+        "text.md:16: ros2: page / has no node '/talkr'; did you mean '/talker'?",
+        "text.md:21: ros2: page / has no service '/ad'; did you mean '/add'?",
     ]
+    # A terminal opens for them on a page that has none.
+    assert warnings(write(tmp_path, site=site)) == expected
+    assert warnings(write(tmp_path, site=f"{site}      - terminal:\n")) == expected
 
 
 def test_who_calls_nobody_is_told() -> None:

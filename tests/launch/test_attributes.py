@@ -94,7 +94,7 @@ def test_what_is_ignored_is_noted(root: Path, kind: str) -> None:
     (root / f"x.launch.{kind}").write_text(IGNORED[kind])
     problems, notes = Problems(root), Problems(root)
     file = root / f"x.launch.{kind}"
-    assert len(launched(file, {}, workspace.scan(root), problems, notes)) == 1
+    assert len(launched(file, {}, workspace.scan(root), problems, notes).nodes) == 1
     assert problems.lines == []
     assert sorted(line.partition(": ")[2].split(" ignored")[0] for line in notes.lines) == [
         "node: 'cwd' is",

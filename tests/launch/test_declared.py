@@ -44,16 +44,12 @@ def generate_launch_description():
 )
 def test_declared_arguments_are_told(tmp_path: Path, name: str, text: str) -> None:
     (tmp_path / name).write_text(text)
-    problems, declared = Problems(tmp_path), list[Argument]()
-    launched(
-        tmp_path / name,
-        {"needed": "1", "red": "3"},
-        workspace.scan(tmp_path),
-        problems,
-        declared=declared,
+    problems = Problems(tmp_path)
+    found = launched(
+        tmp_path / name, {"needed": "1", "red": "3"}, workspace.scan(tmp_path), problems
     )
     assert problems.lines == []
-    assert declared == [
+    assert found.arguments == [
         Argument("red", "69", "How red it is"),
         Argument("copy", "3"),
         Argument("needed"),

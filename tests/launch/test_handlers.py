@@ -9,7 +9,7 @@ import pytest
 from sitegen import workspace
 from sitegen.errors import Problems
 from sitegen.launch import launched
-from sitegen.model import Effect, Handler, Node
+from sitegen.model import Effect, Handler
 
 HEAD = """
 from launch import LaunchDescription
@@ -46,12 +46,10 @@ class Read:
     def __init__(self, root: Path, text: str, name: str = "x.launch.py") -> None:
         (root / name).write_text(text)
         problems, notes = Problems(root), Problems(root)
-        handlers: list[Handler] = []
-        self.nodes: list[Node] = launched(
-            root / name, {}, workspace.scan(root), problems, notes, handlers=handlers
-        )
+        found = launched(root / name, {}, workspace.scan(root), problems, notes)
+        self.nodes = found.nodes
         self.problems, self.notes = problems.lines, notes.lines
-        self.said = [told(handler) for handler in handlers]
+        self.said = [told(handler) for handler in found.handlers]
 
 
 def told(handler: Handler) -> str:

@@ -114,7 +114,7 @@ def test_what_a_page_does_without_is_left_out(root: Path, kind: str, expected: l
     assert problems.lines == []
     said = [
         " ".join([node.name, *node.arguments, *node.parameters, node.namespace.strip("/")]).strip()
-        for node in found
+        for node in found.nodes
     ]
     assert said == [each.format(packages["mine"].path) for each in expected]
     kinds = Counter(line.split(": ")[1] for line in notes.lines)

@@ -58,7 +58,7 @@ def test_processes_that_are_nodes_of_the_workspace_run(tmp_path: Path, kind: str
     problems, notes = Problems(tmp_path), Problems(tmp_path)
     found = launched(file, {}, workspace.scan(tmp_path), problems, notes)
     assert problems.lines == []
-    assert {node.name: (node.executable, *node.command_line()) for node in found} == {
+    assert {node.name: (node.executable, *node.command_line()) for node in found.nodes} == {
         "talk": ("talk", "very good", "--depth", "1"),
         "listen": ("listen", "--ros-args", "-r", "__node:=ear"),
         "talk_2": ("talk",),

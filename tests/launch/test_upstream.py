@@ -317,7 +317,7 @@ def test_substitutions(root: Path, source: str, text: str, expected: str, kind: 
             f'<launch><node pkg="mine" exec="x"><env name="V" value="{text}"/></node></launch>'
         )
     problems = Problems(root)
-    [found] = launched(file, {}, workspace.scan(root), problems)
+    [found] = launched(file, {}, workspace.scan(root), problems).nodes
     assert problems.lines == [], source
     place = expected.format(root=root, kind=kind)
     assert found.environment["V"] == place.replace(f"{root}/src/mine", "/ros/share/mine")

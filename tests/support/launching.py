@@ -16,4 +16,4 @@ def nodes(root: Path, name: str, **arguments: str) -> tuple[list[Node], list[str
     """Return the nodes that a launch file starts, and what is wrong with it."""
     problems = Problems(root)
     found = launched(root / name, arguments, workspace.scan(root), problems)
-    return found, problems.lines
+    return [*found.nodes], problems.lines

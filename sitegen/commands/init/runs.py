@@ -12,8 +12,8 @@ from sitegen.commands.init.members import Member, member
 from sitegen.commands.init.robots import Robot, name_of, robots
 from sitegen.config.nodes import Declared, check_package
 from sitegen.errors import Location, Problems, relative
-from sitegen.launch import Window, launched
-from sitegen.model import Handler, Node, Package
+from sitegen.launch import launched
+from sitegen.model import Node, Package
 from sitegen.nodes.python import archives, dependencies
 from sitegen.workspace.unsupported import unsupported_libraries
 
@@ -70,20 +70,19 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         for file in files(package, LAUNCH):
             problems = Problems(root)
             path = package.path / file
-            windows: list[Window] = []
-            handlers: list[Handler] = []
-            started = launched(path, {}, there, problems, opened=windows, handlers=handlers)
-            lines = [*problems.lines, *_faults(root, started, packages, missing).values()]
-            if not started and not lines:
-                what = "opens windows, but starts" if windows else "starts"
+            found = launched(path, {}, there, problems)
+            lines = [*problems.lines, *_faults(root, found.nodes, packages, missing).values()]
+            if not found.nodes and not lines:
+                what = "opens windows, but starts" if found.windows else "starts"
                 lines = [f"{what} no node that can run in the browser"]
             if lines:
                 where = relative(path, root)
                 faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
                 continue
-            members = [member(node, there, packages) for node in started]
-            launches.append(Launched(package, file, members, bool(windows), not handlers))
-            described |= {name_of(node) for node in started}
+            members = [member(node, there, packages) for node in found.nodes]
+            plain = not found.handlers
+            launches.append(Launched(package, file, members, bool(found.windows), plain))
+            described |= {name_of(node) for node in found.nodes}
     shown, unclear = robots(root, packages, there, described)
     return Runs(programs, launches, shown, [*faults, *unclear])
 

@@ -3,71 +3,74 @@
 from __future__ import annotations
 
 import re
-import shlex
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from typing import NamedTuple
 
 from sitegen import workspace
 from sitegen.commands.wiring.common import is_common
-from sitegen.config.blocks import INNER_FENCE
-from sitegen.errors import Location, Problems, nearest
+from sitegen.config.commandlines import Command, commands
+from sitegen.errors import Problems, nearest
 from sitegen.model import Markdown, Page, Site
 
 _KINDS = ("msg", "srv", "action")
 _TYPE = re.compile(rf"\w+/({'|'.join(_KINDS)})/\w+")
 # The groups whose verbs take the name of a topic, a service or an action.
 _NAMED = {"topic": "topic", "service": "service", "action": "action"}
+# The verbs that take the name of a node.
+_OF_NODES = {
+    "node": {"info"},
+    "param": {"delete", "describe", "dump", "get", "load", "set"},
+    "lifecycle": {"get", "list", "set"},
+    "component": {"unload"},
+}
 _REMAPPED = re.compile(r"\S+:=(/\S+)")
 
 
-class _Command(NamedTuple):
-    words: list[str]
-    location: Location
+class Names(NamedTuple):
+    """The names of a page's topics, services and actions, and of its nodes; None if not known."""
 
-    @property
-    def shown(self) -> str:
-        return " ".join(["ros2", *self.words[:3]])
+    endpoints: Collection[str] | None
+    nodes: Collection[str] | None
 
 
-def check(page: Page, site: Site, names: Collection[str] | None, problems: Problems) -> None:
-    """Report what commands of the texts of `page` name and the page does not have.
-
-    `names` are those of its topics, services and actions, or None if not all are known.
-    """
-    commands = [
-        command for part in page.leaves if isinstance(part, Markdown) for command in _commands(part)
+def check(page: Page, site: Site, names: Names, problems: Problems) -> None:
+    """Report what commands of the texts of `page` name and the page does not have."""
+    given = [
+        command for part in page.leaves if isinstance(part, Markdown) for command in commands(part)
     ]
     packages = {**workspace.shipped_packages(), **site.packages}
-    types = workspace.interfaces(packages, _KINDS) if commands else frozenset()
+    types = workspace.interfaces(packages, _KINDS) if given else frozenset()
     programs = {(node.package, node.executable) for node in page.nodes.values()}
     # What commands create: topics that they publish, and names that they give to nodes.
-    made = {word for one in commands for word in one.words if one.words[:2] == ["topic", "pub"]}
-    made |= {name for one in commands for word in one.words for name in _REMAPPED.findall(word)}
-    renamed = any("__ns:=" in word or word == "-r" for one in commands for word in one.words)
-    for command in commands:
+    made = {word for one in given for word in one.words if one.words[:2] == ["topic", "pub"]}
+    made |= {name for one in given for word in one.words for name in _REMAPPED.findall(word)}
+    loaded = any(one.words[0] == "component" for one in given)
+    renamed = any("__ns:=" in word or word == "-r" for one in given for word in one.words)
+    for command in given:
         for word in command.words:
             if _TYPE.fullmatch(word) and word not in types:
                 problems.add(command.location, "ros2", workspace.unknown_interface(word, types))
         _check_program(command, page, programs, problems)
-        if names is not None and not renamed:
-            _check_name(command, page, {*names, *made}, problems)
+        if names.endpoints is not None and not renamed:
+            _check_name(command, page, {*names.endpoints, *made}, problems)
+        if names.nodes is not None and not renamed and not loaded:
+            _check_node(command, page, names.nodes, problems)
 
 
 def _check_program(
-    command: _Command, page: Page, programs: Collection[tuple[str, str]], problems: Problems
+    command: Command, page: Page, programs: Collection[tuple[str, str]], problems: Problems
 ) -> None:
-    if command.words[0] != "run" or ("", "") in programs:
+    program = command.program
+    if program is None or program in programs or ("", "") in programs:
         return
-    words = [word for word in command.words[1:] if not word.startswith("-")]
-    if len(words) < 2 or words[0] == "rclcpp_components" or (words[0], words[1]) in programs:
+    if program[0] == "rclcpp_components":
         return
-    known = [" ".join(program) for program in programs]
-    message = f"page /{page.path} has no program '{words[0]} {words[1]}'"
-    advice = nearest(f"{words[0]} {words[1]}", known)
+    message = f"page /{page.path} has no program '{' '.join(program)}'"
+    advice = nearest(" ".join(program), [" ".join(known) for known in programs])
     problems.add(command.location, "ros2", f"{message}; {advice}")
 
 
-def _check_name(command: _Command, page: Page, names: Collection[str], problems: Problems) -> None:
+def _check_name(command: Command, page: Page, names: Collection[str], problems: Problems) -> None:
     group, verb = command.words[0], command.words[1:2]
     if group not in _NAMED or verb in ([], ["list"], ["find"], ["pub"]):
         return
@@ -79,40 +82,15 @@ def _check_name(command: _Command, page: Page, names: Collection[str], problems:
     problems.add(command.location, "ros2", f"{message}; {advice}")
 
 
-def _commands(text: Markdown) -> Iterator[_Command]:
-    """Yield the words of each `ros2` in the blocks of commands of a text, without `ros2`."""
-    fence, language, begun = "", "", ""
-    for number, line in enumerate(text.text.split("\n"), start=text.location.line):
-        edge = INNER_FENCE.match(line)
-        if edge and not fence:
-            fence, language = edge["fence"], re.split(r"[\s{}.]", f"{edge['info']} ")[0]
-        elif edge and edge["fence"].startswith(fence) and not edge["info"]:
-            fence = begun = ""
-        elif fence and language in ("ros2", "console"):
-            begun += line
-            if line.endswith("\\"):
-                begun = begun.removesuffix("\\")
-                continue
-            where = Location(text.location.file, number)
-            yield from (_Command(words, where) for words in _split(begun, language))
-            begun = ""
-
-
-def _split(line: str, language: str) -> Iterator[list[str]]:
-    plain = line.strip()
-    if language == "console" and not plain.startswith("$ "):
+def _check_node(command: Command, page: Page, names: Collection[str], problems: Problems) -> None:
+    group, verb = command.words[0], command.words[1] if len(command.words) > 1 else ""
+    if verb not in _OF_NODES.get(group, ()):
         return
-    lexer = shlex.shlex(plain.removeprefix("$ "), posix=True, punctuation_chars="|;&<>")
-    lexer.whitespace_split = True
-    try:
-        words = list(lexer)
-    except ValueError:
+    # Before the name, there may be options with values.
+    given = [word for word in command.words[2:] if re.fullmatch(r"/?\w[\w/]*", word)]
+    full = [word if word.startswith("/") else f"/{word}" for word in given]
+    if not given or any(name in names for name in full):
         return
-    command: list[str] = []
-    for word in [*words, ";"]:
-        if not set(word) <= set("|;&"):
-            command.append(word)
-            continue
-        if command[:1] == ["ros2"] and len(command) > 1:
-            yield command[1:]
-        command = []
+    likely = next((word for word in given if word.startswith("/")), full[0])
+    message = f"page /{page.path} has no node '{likely}'"
+    problems.add(command.location, "ros2", f"{message}; {nearest(likely, sorted(names))}")

@@ -31,6 +31,20 @@ def resolved(program: Program, node: Node) -> Program:
     return replace(program, endpoints=found, open=program.open or missing)
 
 
+def of_nodes(program: Program, node: Node) -> frozenset[str] | None:
+    """Return the full names of the nodes of `program`, started as `node`; None if one is unknown.
+
+    It may be a node that another program of the package creates in the same source.
+    """
+    namespace = _namespace(program, node)
+    given = node.remap.get("__node")
+    names = {given} if given else program.names
+    unclear = program.renames or "--ros-args" in node.arguments or None in names or not names
+    if namespace is None or unclear:
+        return None
+    return frozenset(f"{namespace}{name}" for name in names)
+
+
 def _namespace(program: Program, node: Node) -> str | None:
     """Return the namespace of the program's nodes, ending in `/`; None if it is unknown."""
     if len(program.namespaces) != 1 or None in program.namespaces:

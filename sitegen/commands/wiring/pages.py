@@ -18,7 +18,7 @@ from sitegen.commands.wiring.endpoint import (
     Endpoint,
     Program,
 )
-from sitegen.commands.wiring.names import resolved
+from sitegen.commands.wiring.names import of_nodes, resolved
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Page, Prebuilt, Ros2wasm, Site, Widget
 
@@ -57,10 +57,13 @@ def _look_at(
     some_unknown = some_unknown or unclear
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
+    nodes: set[str] | None = set()
     for name, node in page.nodes.items():
         key = (node.package, node.executable)
         if key not in known:
             known[key] = _program(site, node)
+        found = of_nodes(known[key], node)
+        nodes = None if nodes is None or found is None else nodes | found
         program = resolved(known[key], node)
         unclear = unclear or program.open
         some_unknown = some_unknown or unclear
@@ -74,8 +77,9 @@ def _look_at(
     _check_types(sides, problems)
     has_terminal = any(isinstance(part, Widget) and part.kind == "terminal" for part in page.leaves)
     if has_terminal:
-        known_names = frozenset(name for side in sides for name in side.endpoint.names)
-        commands.check(page, site, None if unclear else known_names, problems)
+        endpoints = {name for side in sides for name in side.endpoint.names}
+        names = commands.Names(None if unclear else endpoints, None if unclear else nodes)
+        commands.check(page, site, names, problems)
 
 
 def _program(site: Site, node: Node) -> Program:

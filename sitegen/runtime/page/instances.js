@@ -33,9 +33,9 @@ export class Instances {
   /**
    * Start a program of the page once more; see Ros in protocol.js. Throws an Error if the page has no such program.
    * @param {string | {package: string, executable: string}} program
-   * @param {{arguments?: string[], name?: string}} [options]
+   * @param {{arguments?: string[], name?: string, environment?: Record<string, string>}} [options]
    */
-  run(program, { arguments: words = [], name: wanted } = {}) {
+  run(program, { arguments: words = [], name: wanted, environment } = {}) {
     const all = [...this.#nodes.values()].filter(({ name }) => !this.has(name));
     const node = typeof program === "string" ? this.#nodes.get(program) : all.find(
       (one) => one.package === program.package && one.executable === program.executable);
@@ -48,6 +48,7 @@ export class Instances {
     const { python, needs: _, ...entry } = node.entry;
     // A launch file sets it for the node that it starts, not for the program.
     if (typeof program !== "string") delete entry.environment;
+    if (environment) entry.environment = environment;
     // Beside the others of its group, its modules would be theirs.
     const alone = python && { ...python, group: undefined };
     const instance = this.#add(name, { ...entry, ...(alone && { python: alone }), arguments: words, autostart: false });

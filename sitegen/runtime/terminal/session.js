@@ -48,6 +48,9 @@ export class Session {
   #fresh = true;
   /** @type {(() => void) | undefined} */
   #resume;
+  #control = false;
+  /** Called when the letter after `holdControl` was typed. */
+  released = () => {};
   shell;
 
   /**
@@ -83,7 +86,7 @@ export class Session {
     const programs = new Map([ROS2, ...BUILTINS, ...FILTERS].map((one) => [one.name, one]));
     this.shell = new Shell(ros, screen, programs, files, bags, interfaces);
     this.shell.history = history.lines;
-    this.#terminal.onData((data) => this.#receive(data));
+    this.#terminal.onData((data) => this.#receive(this.#modified(data)));
     this.#terminal.onResize(() => this.#line.redraw());
     this.#terminal.attachCustomKeyEventHandler((event) => this.#handle(event));
     this.fit();
@@ -100,6 +103,12 @@ export class Session {
   /** Press a key, by what a terminal sends for it. @param {string} data */
   press(data) {
     this.#receive(data);
+    this.focus();
+  }
+
+  /** Let the next letter be typed with Ctrl, for keyboards that lack it, or not. @param {boolean} on */
+  holdControl(on) {
+    this.#control = on;
     this.focus();
   }
 
@@ -156,6 +165,14 @@ export class Session {
       this.#waiting -= data.length;
       if (this.#waiting <= WAITING) this.#resume?.();
     });
+  }
+
+  /** @param {string} data */
+  #modified(data) {
+    if (!this.#control) return data;
+    this.#control = false;
+    this.released();
+    return /^[@-_a-z]$/.test(data) ? String.fromCharCode(data.toUpperCase().charCodeAt(0) & 31) : data;
   }
 
   #prompt() {
@@ -263,7 +280,7 @@ export class Session {
     if (this.#busy || this.#line.before !== before || !words.length) return;
     const typed = before.slice(start);
     const common = words.reduce(commonStart);
-    if (words.length === 1) this.#line.insert(`${common.slice(typed.length)}${/[/.]$/.test(common) ? "" : " "}`);
+    if (words.length === 1) this.#line.insert(`${common.slice(typed.length)}${/[/.=]$/.test(common) ? "" : " "}`);
     else if (common.length > typed.length) this.#line.insert(common.slice(typed.length));
     else this.#line.aside(styled(inColumns(words, this.#terminal.cols)), (data) => this.#put(data));
   }

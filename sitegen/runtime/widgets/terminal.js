@@ -1,195 +1,24 @@
 // @ts-check
-// Terminals in which `ros2` works on the nodes of the page, each in a tab of the widget.
+// A terminal in which `ros2` works on the nodes of the page.
 
-import { button, create, enable, toggle } from "../ui/elements.js";
-import { watchColours } from "../ui/colours.js";
-import { fullScreenButton } from "../ui/fullScreen.js";
-import { tool } from "../ui/toolbar.js";
-import { say } from "../ui/words.js";
-import { ArrowDown, ArrowUp, Plus, X } from "../vendor/icons.js";
-import { Bags } from "../terminal/bags.js";
-import { Interfaces } from "../terminal/interfaces.js";
-import { History } from "../terminal/line/history.js";
-import { Session } from "../terminal/session.js";
-import { offerCommands } from "./terminal/offers.js";
+import { bringIntoView, offerCommands } from "./terminal/offers.js";
+import { open } from "./terminal/terminals.js";
 
 /** @import { Ros } from "../protocol.js" */
-/** @import { Icon } from "../ui/toolbar.js" */
+/** @import { Options } from "./terminal/terminals.js" */
 
-/** The terminals of one widget, at most. */
-const MOST = 8;
-/**
- * Keys that a phone's keyboard lacks: what is on them, what they do, and what a terminal sends for them.
- * @type {[string | Icon, string, string][]}
- */
-const KEYS = [
-  ["Tab", say("Complete"), "\t"], ["Ctrl-C", say("Interrupt"), "\x03"],
-  [ArrowUp, say("Earlier line"), "\x1b[A"], [ArrowDown, say("Later line"), "\x1b[B"],
-  [turned(ArrowUp, -90), say("Cursor left"), "\x1b[D"], [turned(ArrowUp, 90), say("Cursor right"), "\x1b[C"],
-];
+// For dock.js, which has no terminal before a visitor needs one.
+export { open };
 
-/** @param {Icon} icon @param {number} degrees clockwise @returns {Icon} */
-function turned(icon, degrees) {
-  return icon.map(([tag, attributes]) => [tag, { ...attributes, transform: `rotate(${degrees} 12 12)` }]);
-}
-
-/**
- * @param {HTMLElement} element
- * @param {Ros} ros
- * @param {{run?: string, bags?: Record<string, string>, interfaces: string, texts: string}} options `run` is the first
- *   line; `bags` are the addresses of the bags that the page plays, by path; `interfaces` and `texts` are those of
- *   the definitions of all interfaces
- * @returns {() => void} unmount
- */
-export function mount(element, ros, { run, bags = {}, interfaces, texts }) {
-  const terminals = new Terminals(element, ros, new Bags(ros, bags), new Interfaces(ros.types, interfaces, texts));
-  const first = terminals.add();
-  if (run) first.enter(run);
-  const unoffer = offerCommands((text) => terminals.enter(text), element);
+/** @param {HTMLElement} element @param {Ros} ros @param {Options} options @returns {() => void} unmount */
+export function mount(element, ros, options) {
+  const terminals = open(element, ros, options);
+  const unoffer = offerCommands((text) => {
+    bringIntoView(element);
+    terminals.enter(text);
+  });
   return () => {
     unoffer();
     terminals.close();
   };
-}
-
-/** @typedef {{session: Session, tab: HTMLButtonElement, screen: HTMLElement}} Open */
-
-class Terminals {
-  #element;
-  #ros;
-  /** @type {Open[]} */
-  #open = [];
-  /** @type {Open | undefined} */
-  #shown;
-  #number = 0;
-  #loud = false;
-  #files = new Map();
-  #bags;
-  #interfaces;
-  #history = new History();
-  #tabs = create("div", "ros-tabs");
-  #add = tool(say("New terminal"), Plus, () => {
-    this.add();
-    this.#shown?.session.focus();
-  });
-  #close = tool(say("Close terminal"), X, () => this.#remove());
-  #unwatch;
-  #observer = new ResizeObserver(() => this.#shown?.session.fit());
-
-  /** @param {HTMLElement} element @param {Ros} ros @param {Bags} bags @param {Interfaces} interfaces */
-  constructor(element, ros, bags, interfaces) {
-    this.#element = element;
-    this.#interfaces = interfaces;
-    this.#bags = bags;
-    this.#ros = ros;
-    this.#tabs.setAttribute("role", "tablist");
-    this.#tabs.setAttribute("aria-label", say("Terminals"));
-    const loud = toggle(say("Screen reader"), (on) => {
-      this.#loud = on;
-      for (const { session } of this.#open) session.readAloud(on);
-    });
-    loud.title = say("Screen readers read the output. Press Esc, then Tab to leave the terminal.");
-    const controls = create("div", "ros-controls", this.#add, this.#close, fullScreenButton(element));
-    const keys = create("div", "ros-keys", ...KEYS.map(([sign, name, data]) => {
-      const press = () => this.#shown?.session.press(data);
-      const key = typeof sign === "string" ? button(sign, "", press) : tool(name, sign, press);
-      key.title = name;
-      // The keyboard of the phone stays where it is.
-      key.addEventListener("pointerdown", (event) => event.preventDefault());
-      return key;
-    }));
-    const title = create("span", "ros-title", say("Terminal"));
-    element.replaceChildren(create("div", "ros-bar", title, this.#tabs, loud, controls), keys);
-    this.#unwatch = watchColours(() => {
-      for (const { session } of this.#open) session.paint(coloursOf(element));
-    });
-  }
-
-  /** Open another terminal, and show it. */
-  add() {
-    const number = ++this.#number;
-    const screen = create("div", "ros-screen");
-    screen.id = `${this.#element.id}-${number}`;
-    screen.setAttribute("role", "tabpanel");
-    screen.setAttribute("aria-label", say("Terminal {}", number));
-    this.#element.insertBefore(screen, this.#element.lastElementChild);
-    const tab = button(String(number), "", () => {
-      this.#show(opened);
-      opened.session.focus();
-    });
-    tab.setAttribute("role", "tab");
-    tab.setAttribute("aria-label", say("Terminal {}", number));
-    tab.setAttribute("aria-controls", screen.id);
-    this.#tabs.append(tab);
-    for (const other of this.#open) other.screen.hidden = true;
-    const session = new Session(screen, this.#ros, {
-      files: this.#files, bags: this.#bags, interfaces: this.#interfaces, history: this.#history, colours: coloursOf(this.#element),
-      size: parseFloat(getComputedStyle(screen).fontSize),
-    });
-    session.readAloud(this.#loud);
-    const opened = { session, tab, screen };
-    this.#open.push(opened);
-    this.#observer.observe(screen);
-    this.#show(opened);
-    return session;
-  }
-
-  /** Run a line in the terminal that is shown. @param {string} text */
-  enter(text) {
-    this.#shown?.session.enter(text);
-    this.#shown?.session.focus();
-  }
-
-  close() {
-    this.#unwatch();
-    this.#observer.disconnect();
-    for (const { session } of this.#open) session.close();
-    this.#element.replaceChildren();
-  }
-
-  /** Close the terminal that is shown; the last one is replaced. */
-  #remove() {
-    const gone = this.#shown;
-    if (!gone) return;
-    gone.session.close();
-    gone.tab.remove();
-    gone.screen.remove();
-    const at = this.#open.indexOf(gone);
-    this.#open.splice(at, 1);
-    const next = this.#open[Math.min(at, this.#open.length - 1)];
-    if (next) this.#show(next);
-    else this.add();
-    this.#shown?.session.focus();
-  }
-
-  /** @param {Open} opened */
-  #show(opened) {
-    this.#shown = opened;
-    for (const one of this.#open) {
-      one.screen.hidden = one !== opened;
-      one.tab.ariaSelected = String(one === opened);
-      one.tab.tabIndex = one === opened ? 0 : -1;
-    }
-    this.#tabs.hidden = this.#open.length < 2;
-    enable([[this.#add, this.#open.length < MOST], [this.#close, true]]);
-    opened.session.fit();
-  }
-}
-
-/** The colours of the theme, for xterm. @param {HTMLElement} element */
-function coloursOf(element) {
-  const probe = create("span", "");
-  element.append(probe);
-  const colour = (/** @type {string} */ name) => {
-    probe.style.color = `var(--${name})`;
-    return getComputedStyle(probe).color;
-  };
-  const found = {
-    background: colour("terminal"), foreground: colour("terminal-text"), cursor: colour("terminal-accent"),
-    cursorAccent: colour("terminal"), selectionBackground: colour("terminal-line"),
-    red: colour("severity-error"), green: colour("severity-debug"), yellow: colour("severity-warn"),
-    blue: colour("terminal-accent"), cyan: colour("terminal-accent"), brightGreen: colour("severity-debug"),
-  };
-  probe.remove();
-  return found;
 }

@@ -57,10 +57,14 @@ class ShownCell:
 
 @dataclass(frozen=True)
 class Block:
-    """A block of the page: text, a row of panels, or a layout of the kind `layout`."""
+    """A block of the page: text, a row of panels, or a layout of the kind `layout`.
+
+    A `docked` panel is not shown before a visitor needs it.
+    """
 
     html: str = ""
     panels: tuple[Panel, ...] = ()
+    docked: bool = False
     layout: str = ""
     cells: tuple[ShownCell, ...] = ()
 
@@ -81,16 +85,19 @@ def blocks(site: Site, page: Page, prose: Prose, problems: Problems) -> list[Blo
 
     def made(content: Iterable[Part], place: str = "") -> Iterator[Block]:
         for kind, parts in itertools.groupby(content, _kind):
-            if kind is Layout:
+            if kind == "layout":
                 yield from (laid_out(part) for part in parts if isinstance(part, Layout))
-            elif kind is Markdown:
+            elif kind == "text":
                 texts = (part for part in parts if isinstance(part, Markdown))
                 yield from (Block(Markup(prose.html(part))) for part in texts)
             else:
                 row = [part for part in parts if isinstance(part, Widget | Source)]
                 groups = itertools.groupby(row, lambda part: part.target or id(part))
                 panels = (_panel(list(group), slots, site, problems) for _, group in groups)
-                yield Block(panels=tuple(numbered(panel, place) for panel in panels))
+                yield Block(
+                    panels=tuple(numbered(panel, place) for panel in panels),
+                    docked=kind == "docked",
+                )
 
     def laid_out(part: Layout) -> Block:
         number = next(numbers)
@@ -133,8 +140,10 @@ def slots_of(page: Page) -> Iterator[tuple[Widget, Slot]]:
             yield widget, Slot(name + number, widget.kind)
 
 
-def _kind(part: Part) -> type[Part]:
-    return Widget if isinstance(part, Source) else type(part)
+def _kind(part: Part) -> str:
+    if isinstance(part, Widget) and part.is_docked:
+        return "docked"
+    return {Layout: "layout", Markdown: "text"}.get(type(part), "row")
 
 
 def _place(part: Layout, cell: Cell) -> str:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Collection, Mapping
-from dataclasses import asdict, fields
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
 from functools import partial
 from typing import Any
 
-from sitegen.model import Argument, Effect, Handler, Launch, Page, Programs, Site, Widget
+from sitegen.launch.written import launch_entry
+from sitegen.model import Launch, Page, Programs, Site, Widget
 from sitegen.site import assets
+from sitegen.site.launches import Reading
 from sitegen.site.ownpanels import KIND as OWN
 from sitegen.site.ownpanels import OwnPanels
 from sitegen.site.pages.blocks import slots_of
@@ -23,6 +25,8 @@ VIEW = "3d"
 CONNECT = "connect"
 # The widget that plays bags by name.
 TERMINAL = "terminal"
+# The module of a docked one, which loads it when a visitor runs a command.
+DOCK = "dock"
 
 
 def page_entry(
@@ -53,6 +57,7 @@ def page_entry(
     # What is on the page only because other nodes need it has a button beside these.
     shown = {widget.target for widget, _ in slots_of(page)}
     waiting |= {need for node in page.nodes.values() for need in node.needs} - shown
+    waiting |= set(page.launch.others if page.launch else ())
     later = page.launch.later - pressed if page.launch else frozenset()
     waiting |= later
     described = (programs[node.program].types(node) for node in page.nodes.values())
@@ -69,7 +74,7 @@ def page_entry(
         },
         "widgets": [
             {
-                "kind": widget.kind,
+                "kind": DOCK if widget.is_docked else widget.kind,
                 "element": slot.id,
                 "target": widget.target,
                 "options": {
@@ -95,7 +100,7 @@ def page_entry(
     if assets.takes_part(site, page):
         entry["types"] = {name: _without_hash(one) for name, one in types.items()}
     if page.launch:
-        entry["launch"] = _launch(page.launch, pressed)
+        entry["launch"] = launch_entry(page.launch, pressed)
     if page.start_from_links:
         entry["startFromLinks"] = True
     if assets.isolates(site, page):
@@ -103,34 +108,14 @@ def page_entry(
     return entry
 
 
-def _launch(launch: Launch, pressed: Collection[str]) -> dict[str, object]:
-    """Return a launch file; those of its nodes in `pressed` start when a visitor presses Start."""
-    own = [name for name in launch.nodes if name in pressed]
+def again_entry(launch: Launch, files: Reading, link: Callable[[str], str]) -> dict[str, object]:
+    """Return what the page needs to read its launch file anew."""
     return {
-        "package": launch.package,
-        "file": launch.file,
-        "nodes": list(launch.nodes),
-        **({"first": [*launch.first]} if launch.later else {}),
-        **({"handlers": [_handler(each) for each in launch.handlers]} if launch.handlers else {}),
-        **({"asked": own} if own else {}),
-        **({"arguments": [*map(_argument, launch.arguments)]} if launch.arguments else {}),
+        "reader": link(files.reader.path),
+        "files": link(files.files.path),
+        "path": f"{launch.package}/{launch.path}",
+        "given": dict(launch.given),
     }
-
-
-def _argument(argument: Argument) -> dict[str, str]:
-    return {name: value for name, value in asdict(argument).items() if value is not None}
-
-
-def _handler(handler: Handler) -> dict[str, object]:
-    """Return what a launch file does at an event, without what is left open."""
-    on = {name: value for name, value in asdict(handler.on).items() if value}
-    return {"on": on, "effects": [*map(_effect, handler.effects)], "most": handler.most}
-
-
-def _effect(effect: Effect) -> dict[str, object]:
-    plain = {field.name: getattr(effect, field.name) for field in fields(effect)}
-    inside = {"handler": _handler(effect.handler)} if effect.handler else {}
-    return {name: value for name, value in plain.items() if value} | inside
 
 
 def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -17,13 +17,14 @@ from sitegen.errors import Problems, nearest
 from sitegen.interfaces.catalogue import as_artifact, as_json, catalogue, texts
 from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site.bags import bags
+from sitegen.site.launches import reading
 from sitegen.site.ownpanels import own_panels
 from sitegen.site.pages import app, discovery, preview, search, tags
 from sitegen.site.pages.abilities import abilities
 from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
 from sitegen.site.pages.early import modules, programs
 from sitegen.site.pages.editor import edited
-from sitegen.site.pages.entry import TERMINAL, page_entry, written
+from sitegen.site.pages.entry import TERMINAL, again_entry, page_entry, written
 from sitegen.site.pages.history import changed_days, edit_link
 from sitegen.site.pages.missing import missing
 from sitegen.site.pages.nav import Link, Navigation
@@ -146,12 +147,18 @@ class Renderer:
             entry = page_entry(
                 site, page, self._programs, files, loaded.paths, played.paths, own, paths
             )
+            # A page that is a single file does not contain Python for it.
+            again = None if alone else reading(site, page)
+            if again and page.launch:
+                link = partial(address, page)
+                entry["launch"]["again"] = again_entry(page.launch, again, link)
         html, sheets = self._html(page, parts, prose, entry, alone=alone)
         artifacts = [Artifact(page.html, html.encode())]
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
             artifacts += [*loaded.artifacts, *played.artifacts, *own.artifacts]
             artifacts += defined.values()
+            artifacts += [again.reader, again.files] if again else []
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
@@ -302,7 +309,10 @@ class Renderer:
         own_fonts = any(isinstance(font, Path) for font in fonts)
         return {
             "live": live,
-            "wide": any(isinstance(p, Widget) for p in leaves(page.content, examples=False)),
+            "wide": any(
+                isinstance(part, Widget) and not part.is_docked
+                for part in leaves(page.content, examples=False)
+            ),
             "share": live and not alone,
             "runtime": address(page, "runtime/"),
             "modules": modules(self.site, page, self._programs, entry),

@@ -217,10 +217,9 @@ class _Writer(HTMLParser):
             for name, address in widget["options"].get("bags", {}).items():
                 meshes.append(self._path(address) or "")
                 widget["options"]["bags"][name] = f"sitegen:{meshes[-1]}"
-            if widget["kind"] == "terminal":
-                for name in ("interfaces", "texts"):
-                    meshes.append(self._path(widget["options"][name]) or "")
-                    widget["options"][name] = f"sitegen:{meshes[-1]}"
+            for name in {"interfaces", "texts"} & widget["options"].keys():
+                meshes.append(self._path(widget["options"][name]) or "")
+                widget["options"][name] = f"sitegen:{meshes[-1]}"
             if "module" in widget["options"]:
                 own.append(self._path(widget["options"]["module"]) or "")
                 widget["options"]["module"] = f"sitegen:{own[-1]}"

@@ -13,7 +13,7 @@ from playwright.sync_api import Page
 
 from sitegen import rclyaml, workspace
 from sitegen.errors import Problems
-from sitegen.launch import Window, launched
+from sitegen.launch import launched
 
 SITE = SITES / "tf"
 FOUND = """
@@ -242,21 +242,22 @@ def test_launch_files_may_include_those_of_urdf_launch() -> None:
     file = SITE / "src/arm/launch/shown.launch.py"
     found = launched(file, {"gui": "false"}, packages, problems)
     assert problems.lines == []
-    assert [node.executable for node in found] == ["robot_state_publisher", "joint_state_publisher"]
-    assert "<robot name=" in found[0].parameters["robot_description"]
-    opened: list[Window] = []
-    found = launched(file, {}, packages, problems, opened=opened)
-    assert [node.executable for node in found] == ["robot_state_publisher"]
-    assert [window.kind for window in opened] == ["joints", "3d"]
+    assert [node.executable for node in found.nodes] == [
+        "robot_state_publisher",
+        "joint_state_publisher",
+    ]
+    assert "<robot name=" in found.nodes[0].parameters["robot_description"]
+    found = launched(file, {}, packages, problems)
+    assert [node.executable for node in found.nodes] == ["robot_state_publisher"]
+    assert [window.kind for window in found.windows] == ["joints", "3d"]
 
 
 def test_what_draws_on_a_screen_is_a_window() -> None:
     problems, notes = Problems(SITE), Problems(SITE)
     file = SITE / "src/arm/launch/display.launch.py"
-    opened: list[Window] = []
-    found = launched(file, {}, workspace.scan(SITE), problems, notes, opened)
-    assert "rviz2" not in [node.package for node in found]
-    assert [window.executable for window in opened] == ["rviz2"]
+    found = launched(file, {}, workspace.scan(SITE), problems, notes)
+    assert "rviz2" not in [node.package for node in found.nodes]
+    assert [window.executable for window in found.windows] == ["rviz2"]
     assert notes.lines == []
 
 

@@ -6,7 +6,7 @@
 /**
  * @typedef {"topic" | "service" | "action" | "node" | "message" | "serviceType" | "actionType" | "interface" |
  *   "interfacePackage" | "bag" | "parameter" | "package" | "executable" | "lifecycleNode" | "plugin" | "file" | "field" |
- *   "launchPackage" | "launchFile" | "topicMessage" | "serviceRequest" | "actionGoal"} Kind
+ *   "launchPackage" | "launchFile" | "launchArgument" | "topicMessage" | "serviceRequest" | "actionGoal"} Kind
  */
 
 const ACTION = "/_action/";

@@ -111,6 +111,7 @@ function words(kind, values, ros, shell) {
     case "executable": return programsOf(ros, first).map(executableOf);
     case "launchPackage": return ros.launch ? [ros.launch.package] : [];
     case "launchFile": return ros.launch ? [ros.launch.file] : [];
+    case "launchArgument": return (ros.launch?.arguments ?? []).map(({ name }) => `${name}:=`);
     case "bag": return shell.bags.names();
     case "file": return [...shell.files.keys()];
     case "field": return second ? message(ros, second, "") : fields(ros, ros.graph.topics().find(({ name }) => name === first)?.types[0] ?? "");

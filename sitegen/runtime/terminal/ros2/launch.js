@@ -1,12 +1,14 @@
 // @ts-check
 // ros2 launch: start the nodes that the launch file of the page starts, as new processes.
 
+import { isCold, readAgain } from "../../launch/again.js";
 import { LaunchRun, isOver } from "../../launch/launchRun.js";
 import { Output } from "./output.js";
 import { quoted } from "./python.js";
 import { Failure } from "../shell/shell.js";
 import { flag, option } from "./verb.js";
 
+/** @import { LaunchedNode } from "../../launch/again.js" */
 /** @import { Launch, NodeHandle } from "../../protocol.js" */
 /** @import { Io } from "../shell/shell.js" */
 /** @import { Style } from "../shell/style.js" */
@@ -30,7 +32,7 @@ export const LAUNCH = {
       option("launch_prefix_filter", ["--launch-prefix-filter"], "Regex pattern for filtering which executables the --launch-prefix is applied to by matching the executable name."),
       { name: "package_name", help: "Name of the ROS package which contains the launch file", complete: "launchPackage" },
       { name: "launch_file_name", count: "?", help: "Name of the launch file", complete: "launchFile" },
-      { name: "launch_arguments", count: "*", help: "Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)" },
+      { name: "launch_arguments", count: "*", help: "Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)", complete: "launchArgument" },
     ],
     async run(io, args) {
       const { package_name: name, launch_file_name: file, launch_arguments: given } = args;
@@ -46,26 +48,57 @@ export const LAUNCH = {
         await io.out(shown(launch));
         return 0;
       }
-      for (const word of given) checkArgument(word);
-      if (given.length) return "the launch file was read when the page was built, so it takes no arguments here";
-      return attend(io, launch);
+      const values = Object.fromEntries(given.map(argument));
+      if (!given.length) return attend(io, launch);
+      if (!launch.again) return noArguments(launch);
+      return launchAgain(io, launch.again, values);
     },
   },
 };
 
 /** The arguments of a launch file, as upstream lists them. @param {Launch} launch */
 function shown({ arguments: declared = [] }) {
-  const lines = declared.map(({ name, default: value, description }) => [
-    `\n    '${name}':`, `        ${description || "no description given"}`,
+  const lines = declared.map(({ name, default: value, description, choices }) => [
+    `\n    '${name}':`, `        ${described(description, choices)}`,
     ...(value === undefined ? [] : [`        (default: ${quoted(value)})`]), "",
   ].join("\n"));
   return `Arguments (pass arguments as '<name>:=<value>'):\n${lines.join("") || "\n  No arguments.\n"}`;
 }
 
-/** @param {string} word */
-function checkArgument(word) {
+/** @param {string} [description] of an argument @param {string[]} [choices] */
+function described(description, choices) {
+  if (!choices) return description || "no description given";
+  const listed = `[${choices.map(quoted).join(", ")}]`;
+  return description ? `${description.replace(/\.?$/, ".")} Valid choices are: ${listed}` : `One of: ${listed}`;
+}
+
+/** @param {string} word @returns {[name: string, value: string]} */
+function argument(word) {
   const [, name, value] = /^([^]*?):=([^]*)$/.exec(word) ?? [];
-  if (!name || value === "") throw new Failure(`malformed launch argument '${word}', expected format '<name>:=<value>'`);
+  if (!name || !value) throw new Failure(`malformed launch argument '${word}', expected format '<name>:=<value>'`);
+  return [name, value];
+}
+
+/** Why a launch file cannot be read again. @param {Launch} launch */
+function noArguments({ arguments: declared = [] }) {
+  if (!declared.length) return "this launch file declares no arguments";
+  return "a page that is a single file cannot read its launch file again, so it takes no arguments here";
+}
+
+/** @param {Io} io @param {NonNullable<Launch["again"]>} again @param {Record<string, string>} given */
+async function launchAgain(io, again, given) {
+  const { err, signal, ros } = io;
+  if (isCold()) await err("[INFO] [launch]: Loading Python to read the launch file\n", "faint");
+  const { launch, nodes, problems, notes } = await readAgain(again, given, signal);
+  for (const note of notes) await err(`[WARNING] [launch]: ${note}\n`, STYLES.WARNING);
+  const programs = new Set([...ros.nodes.values()].map((one) => `${one.package} ${one.executable}`));
+  const missing = nodes.filter((one) => !programs.has(`${one.package} ${one.executable}`));
+  const faults = [...problems, ...missing.map(({ package: name, executable }) =>
+    `executable '${executable}' of package '${name}' is not on this page`)];
+  for (const fault of faults) {
+    await err(`[ERROR] [launch]: Caught exception in launch (see debug for traceback): ${fault}\n`, STYLES.ERROR);
+  }
+  return faults.length ? 1 : attend(io, launch, nodes);
 }
 
 /** @param {Io} io */
@@ -73,9 +106,12 @@ function known({ ros: { launch } }) {
   return launch ? `${launch.package} ${launch.file}` : "no launch file";
 }
 
-/** Run what a launch file starts until it has ended, or until Ctrl-C. @param {Io} io @param {Launch} launch */
-async function attend(io, launch) {
-  const processes = new Processes(io, launch);
+/**
+ * Run what a launch file starts until it has ended, or until Ctrl-C.
+ * @param {Io} io @param {Launch} launch @param {LaunchedNode[]} [nodes] those of the page, if nothing else is given
+ */
+async function attend(io, launch, nodes) {
+  const processes = new Processes(io, launch, nodes);
   const stop = () => processes.run.shutdown();
   io.signal.addEventListener("abort", stop, { once: true });
   await processes.ended();
@@ -83,9 +119,10 @@ async function attend(io, launch) {
   return processes.failed && !io.signal.aborted ? 1 : 0;
 }
 
-/** The processes of a launch file: nodes of the page that run once more. */
+/** The processes of a launch file: programs of the page that run once more. */
 class Processes {
   #io;
+  #nodes;
   #count = 0;
   /** By the name of the node. @type {Map<string, {title: string, node: NodeHandle}>} */
   #running = new Map();
@@ -96,9 +133,10 @@ class Processes {
   /** Whether a process ended with an error. */
   failed = false;
 
-  /** @param {Io} io @param {Launch} launch */
-  constructor(io, launch) {
+  /** @param {Io} io @param {Launch} launch @param {LaunchedNode[]} [nodes] */
+  constructor(io, launch, nodes) {
     this.#io = io;
+    this.#nodes = new Map(nodes?.map((node) => [node.name, node]));
     this.run = new LaunchRun(launch, {
       start: (name) => this.#start(name),
       stop: (name) => this.#running.get(name)?.node.stop(),
@@ -126,11 +164,12 @@ class Processes {
   /** @param {string} name */
   #start(name) {
     const { ros } = this.#io;
-    const own = ros.nodes.get(name);
+    const described = this.#nodes.get(name);
+    const own = described ?? ros.nodes.get(name);
     if (!own) return;
     // A process that is started again keeps its number.
     const title = this.#running.get(name)?.title ?? `${own.executable.replace(/-[0-9a-f]{8}$/, "")}-${++this.#count}`;
-    const node = ros.run(name, { arguments: own.arguments });
+    const node = described ? ros.run(described, described) : ros.run(name, { arguments: own.arguments });
     this.#running.set(name, { title, node });
     this.#write("INFO", title, "process started");
     const output = new Output(this.#io, node, `[${title}] `);

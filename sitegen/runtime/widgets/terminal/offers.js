@@ -8,10 +8,10 @@ const BUTTONS = "button[data-ros-run]";
 
 /**
  * Show the buttons of the commands.
- * @param {(text: string) => void} run @param {HTMLElement} element of the terminal
+ * @param {(text: string, by: HTMLElement) => void} run called with a command and its button
  * @returns {() => void} hide them
  */
-export function offerCommands(run, element) {
+export function offerCommands(run) {
   const listening = new AbortController();
   const { signal } = listening;
   // Of several terminals, the first one runs the commands.
@@ -20,10 +20,7 @@ export function offerCommands(run, element) {
     one.hidden = false;
     one.setAttribute("aria-label", say("Run {}", one.dataset.rosRun ?? ""));
     one.title = say("Run in the terminal");
-    one.addEventListener("click", () => {
-      bringIntoView(element);
-      run(one.dataset.rosRun ?? "");
-    }, { signal });
+    one.addEventListener("click", () => run(one.dataset.rosRun ?? "", one), { signal });
   }
   return () => {
     listening.abort();
@@ -32,7 +29,7 @@ export function offerCommands(run, element) {
 }
 
 /** Select the tabs that contain an element, and scroll to it. @param {HTMLElement} element */
-function bringIntoView(element) {
+export function bringIntoView(element) {
   for (let part = element.closest(".tabbed-block"); part; part = part.parentElement?.closest(".tabbed-block") ?? null) {
     const set = part.closest(".tabbed-set");
     const index = [...(part.parentElement?.children ?? [])].indexOf(part);
@@ -40,5 +37,5 @@ function bringIntoView(element) {
     if (tab instanceof HTMLInputElement) tab.checked = true;
   }
   for (let part = element.closest("details"); part; part = part.parentElement?.closest("details") ?? null) part.open = true;
-  element.closest(".ros-panel")?.scrollIntoView({ block: "nearest" });
+  (element.closest(".ros-panel") ?? element).scrollIntoView({ block: "nearest" });
 }

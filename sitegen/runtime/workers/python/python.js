@@ -1,15 +1,13 @@
 // @ts-check
 // The Python interpreter of a worker. It is loaded once, and the files of all programs are unpacked in it.
 
-import { moduleWorkers, place } from "../../place.js";
+import { place } from "../../place.js";
 import { Download } from "./download.js";
+import { loadPython, PREFIX, unpack } from "./loading.js";
 import { setAside } from "./stacks.js";
 
 /** @import { Checked, FromWorker, Interpret } from "../../protocol.js" */
 /** @import { Printer } from "../printer.js" */
-
-// As in rclpy_backend/program.py.
-const PREFIX = "/ros";
 
 export class Python {
   #download = new Download();
@@ -77,21 +75,9 @@ export class Python {
   }
 
   async #load() {
-    const browsers = globalThis.fetch;
-    // Pyodide's loader does not report missing files.
-    globalThis.fetch = this.#download.fetch;
-    try {
-      const loader = place("vendor/pyodide/pyodide.mjs");
-      const { loadPyodide } = await import(loader).catch(() => this.#download.lackModule(new URL(loader)));
-      const python = await Promise.race([loadPyodide(await options()), this.#download.failed]);
-      const sys = python.pyimport("sys");
-      sys.path.insert(0, `${PREFIX}/python`);
-      setAside(python);
-      sys.dont_write_bytecode = true; // no other interpreter would read it
-      return python;
-    } finally {
-      globalThis.fetch = browsers;
-    }
+    const python = await loadPython(this.#download);
+    setAside(python);
+    return python;
   }
 
   /** @param {string} url @returns {Promise<ArrayBuffer> | undefined} undefined if it was unpacked */
@@ -104,16 +90,9 @@ export class Python {
   async #unpack(python, url, file) {
     const content = await file;
     if (this.#unpacked.has(url) || !content) return;
-    python.unpackArchive(content, "zip", { extractDir: PREFIX });
+    unpack(python, content);
     this.#unpacked.add(url);
   }
-}
-
-/** Where Python's own loader finds its files. In a page that is a single file, it could not import its module. */
-async function options() {
-  if (moduleWorkers) return { indexURL: place("vendor/pyodide/") };
-  const module = await import(place("vendor/pyodide/pyodide.asm.mjs"));
-  return { indexURL: "sitegen:runtime/vendor/pyodide/", createPyodideModule: module.default };
 }
 
 /** @param {unknown} error */

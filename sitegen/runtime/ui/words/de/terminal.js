@@ -13,6 +13,7 @@ export const terminal = {
   "Later line": "Spätere Zeile",
   "Cursor left": "Zeichen nach links",
   "Cursor right": "Zeichen nach rechts",
+  "Type the next letter with Ctrl": "Den nächsten Buchstaben mit Strg tippen",
   "Screen reader": "Vorlesen",
   "Screen readers read the output. Press Esc, then Tab to leave the terminal.":
     "Screenreader lesen die Ausgabe vor. Esc, dann Tab verlässt das Terminal.",

@@ -1,0 +1,123 @@
+"""Read the launch file of a page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
+from pathlib import Path
+
+from sitegen import workspace
+from sitegen.config.commandlines import KIND as TERMINAL
+from sitegen.config.files import locate
+from sitegen.config.nodes import Declared, check_package
+from sitegen.config.section import Section
+from sitegen.errors import Problems
+from sitegen.launch import LaunchDescription, launched, share_path
+from sitegen.launch.names import numbered
+from sitegen.model import Argument, Launch, Node, Package, Part, Widget, leaves
+
+BOOLEANS = {"true": "false", "false": "true"}
+# It is read for each value of each argument, up to this number.
+MOST_READINGS = 20
+
+
+class LaunchFile:
+    """The launch file that a section names, if it does, and what it describes."""
+
+    def __init__(
+        self,
+        section: Section,
+        folder: Path,
+        packages: Callable[[], Mapping[str, Package]],
+        problems: Problems,
+        notes: Problems,
+    ) -> None:
+        self._given = section.get("launch")
+        self._file = locate(self._given, problems, page=folder) if self._given else None
+        self._workspace = packages
+        self._problems = problems
+        self.described = LaunchDescription()
+        if self._file:
+            values = section.get("launch_arguments")
+            entries = values.entries(problems) if values else {}
+            self._arguments = {name: entry.text for name, entry in entries.items()}
+            self.described = launched(
+                self._file, self._arguments, self._packages(), problems, notes
+            )
+
+    def started(self, taken: Mapping[str, Declared]) -> dict[str, Declared]:
+        """Return the nodes that it starts, whose names must not be `taken`."""
+        for node in self.described.nodes:
+            if node.name in taken and self._given:
+                what = f"'{node.name}', which '{self._given.text}' starts,"
+                message = f"{what} is also a node in site.yaml; rename one of them"
+                self._problems.add(self._given.location, self._given.key, message)
+        return {node.name: Declared(node, None) for node in self.described.nodes}
+
+    def others(self, parts: Iterable[Part], taken: Mapping[str, Node]) -> dict[str, Declared]:
+        """Return a node for each program that it starts only if an argument is another one.
+
+        Visitors of a page with a terminal can launch it with such arguments. What is wrong with it
+        then is told to who tries it, as is a program that a page cannot have.
+        """
+        kinds = {part.kind for part in leaves(parts) if isinstance(part, Widget)}
+        if not self._file or TERMINAL not in kinds:
+            return {}
+        found: dict[str, Declared] = {}
+        known = {node.program for node in self.described.nodes}
+        packages = self._packages()
+        for name, value in islice(self._values(), MOST_READINGS):
+            given = {**self._arguments, name: value}
+            other = launched(self._file, given, packages, Problems(self._problems.root))
+            for node in other.nodes:
+                if node.program not in known and _runs(node, packages):
+                    known.add(node.program)
+                    own = _free(node.name, {*taken, *found})
+                    found[own] = Declared(replace(node, name=own), None)
+        return found
+
+    def launch(self, others: Iterable[str]) -> Launch | None:
+        """Return it by its package; `others` are the names of the nodes that `others()` returns."""
+        file = self._file
+        if not file:
+            return None
+        owners = (each for each in self._workspace().values() if file.is_relative_to(each.path))
+        owner = next(owners, None)
+        return Launch(
+            package=owner.name if owner else "",
+            file=file.name,
+            nodes=tuple(node.name for node in self.described.nodes),
+            handlers=tuple(self.described.handlers),
+            arguments=tuple(self.described.arguments),
+            given=self._arguments,
+            path=share_path(file, owner) if owner else "",
+            others=tuple(others),
+        )
+
+    def _values(self) -> Iterable[tuple[str, str]]:
+        for argument in self.described.arguments:
+            value = self._arguments.get(argument.name, argument.default or "")
+            yield from ((argument.name, other) for other in _other_values(argument, value))
+
+    def _packages(self) -> Mapping[str, Package]:
+        return {**workspace.shipped_packages(), **workspace.with_replaced(self._workspace())}
+
+
+def _other_values(argument: Argument, value: str) -> Sequence[str]:
+    """Return the values of an argument that may change which nodes start, without `value`."""
+    opposite = BOOLEANS.get(value.lower())
+    choices = argument.choices or ((opposite,) if opposite else ())
+    return [choice for choice in choices if choice != value]
+
+
+def _runs(node: Node, packages: Mapping[str, Package]) -> bool:
+    problems = Problems(Path())
+    check_package(Declared(node, None), workspace.with_shipped(packages, [node.package]), problems)
+    return not problems.found
+
+
+def _free(name: str, taken: set[str]) -> str:
+    return next(
+        own for own in (numbered(name, n) for n in range(1, len(taken) + 2)) if own not in taken
+    )
