@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
+from sitegen.config import notebooks
 from sitegen.config.blocks import front_matter
 from sitegen.config.content import Reader
 from sitegen.config.document import read
@@ -30,7 +31,7 @@ def read_again(page: Page, root: Path) -> Page | None:
         return None
     reader = Reader(page.nodes, problems, Problems(root), page.file.parent)
     start = Location(page.file, 1 + body.line)
-    content = tuple(reader.markdown(body.text, start, page.file.parent))
+    content = tuple(notebooks.numbered([*reader.markdown(body.text, start, page.file.parent)]))
     if problems.found or _frame(content) != _frame(page.content):
         return None
     if first_heading(content) != first_heading(page.content):
