@@ -71,7 +71,7 @@ def live_plot(
 ) -> Panel:
     """Return curves of numbers in messages, of the last `history` seconds.
 
-    A path is like "/odom.twist.twist.linear.x", or as in Jupyter-ROS "/cmd_vel/linear:x:y".
+    A path is like "/odom.twist.twist.linear.x", or as in Jupyter-ROS "/turtle1/pose/:x:y".
     """
     given = [paths] if isinstance(paths, str) else paths
     series = [one for path in given for one in _series(path)]
@@ -117,8 +117,7 @@ def _series(path: str) -> list[str]:
     topic, *fields = path.split(":")
     if not fields:
         return [_full(path)]
-    # In Jupyter-ROS, the message is named like a topic below its own.
-    return [f"{_full(topic)}.{field}" for field in fields]
+    return [f"{_full(topic.rstrip('/'))}.{field}" for field in fields]
 
 
 def _full(name: str) -> str:
