@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from browser import Serve
+from browser import Built, Serve, serving
 from panel import Panel, graph
-from playwright.sync_api import Browser, FrameLocator, Locator, expect
+from paths import ROOT
+from playwright.sync_api import Browser, Error, FrameLocator, Locator, expect
 from playwright.sync_api import Page as Tab
+from waiting import until
 
 CELL = ".jp-Notebook .jp-Cell"
 # The application has a tab for each notebook; the others are hidden.
@@ -273,3 +276,56 @@ def test_only_the_lab_has_a_policy_that_allows_more(lab: Path) -> None:
     }
     assert loose and all(name.startswith("jupyter/") for name in loose)
     assert "jupyter/panel.html" not in loose
+
+
+def make(folder: Path, keys: str) -> Path:
+    """Return the folder of sites/lab without its C++ node, with other keys of the site."""
+    shutil.copytree(ROOT / "tests/sites/lab", folder)
+    pages = "pages:\n  - {path: /, title: Start, content: [{markdown: Hello.}]}\n"
+    pages += "  - {path: lab/, title: Lab, jupyter: {notebooks: notebooks, open: second.ipynb}}\n"
+    (folder / "site.yaml").write_text(f"site:\n  title: Lab\n  {keys}\n{pages}")
+    return folder
+
+
+@pytest.mark.chromium
+def test_an_isolated_lab_interrupts_a_loop_and_works_without_a_network(
+    tab: Tab, built: Built, tmp_path: Path
+) -> None:
+    dist = built(make(tmp_path / "site", "isolate: true\n  offline: true"))
+    with serving(dist, "/robot/") as url:
+        tab.goto(f"{url}lab/")
+        until(lambda: told(tab, "crossOriginIsolated && document.readyState === 'complete'"))
+        notebook = Notebook(tab, tab.frame_locator("iframe"))
+        notebook.expect_ready()
+        notebook.run(0)
+        notebook.expect_done(0)
+        notebook.run(5)
+        expect(notebook.cell(5).locator(".jp-InputPrompt")).to_have_text("[*]:")
+        notebook.press("Interrupt")
+        expect(notebook.output(5)).to_contain_text("KeyboardInterrupt")
+        until(lambda: told(tab, KEPT))
+    tab.reload()
+    notebook = Notebook(tab, tab.frame_locator("iframe"))
+    notebook.expect_ready()
+    expect(notebook.run(0)).to_have_text("'second'")
+
+
+def told(tab: Tab, expression: str) -> object:
+    """Return what a page says; one that is about to be loaded again says nothing."""
+    try:
+        return tab.evaluate(expression)
+    except Error:
+        return None
+
+
+# All that the page needs without a network is in the cache.
+KEPT = """async () => {
+  const worker = await (await fetch("../sw.js")).text();
+  const { pages } = JSON.parse(worker.match(/^const BUILD = (.*);$/m)[1]);
+  const kept = new Set();
+  for (const name of await caches.keys()) {
+    const requests = await (await caches.open(name)).keys();
+    for (const { url } of requests) kept.add(decodeURIComponent(new URL(url).pathname));
+  }
+  return pages["lab/"].every((name) => name.includes(".asyncify.") || kept.has(`/robot/${name}`));
+}"""
