@@ -132,22 +132,26 @@ def test_panels_are_shown_below_cells(cells: Tab) -> None:
     run(cells, 4)
     run(cells, 5)
     form = cell(cells, 4).locator(".ros-publish")
-    form.get_by_role("textbox", name="data").fill("hello")
+    form.get_by_label("data string").fill("hello")
+    form.get_by_role("button", name="Publish once").click()
+    expect(form.get_by_role("status")).to_have_text("1 message published")
+    # The other panel hears what comes after its subscription.
+    cells.wait_for_function(ENDPOINTS, arg=["/typed", "subscriptions", 1])
     form.get_by_role("button", name="Publish once").click()
     expect(cell(cells, 5).locator(".ros-topics")).to_contain_text("hello")
-    cells.wait_for_function(GRAPH_HAS, arg=["/typed", 1])
     # A cell that runs again takes its panel away first.
     cells.get_by_role("textbox", name="Python cell 4").focus()
     cells.keyboard.press("Control+A")
     cells.keyboard.type("None")
     run(cells, 4)
     expect(form).to_have_count(0)
-    cells.wait_for_function(GRAPH_HAS, arg=["/typed", 0])
+    cells.wait_for_function(ENDPOINTS, arg=["/typed", "publishers", 0])
 
 
-GRAPH_HAS = """async ([topic, count]) => {
+# Whether so many endpoints of a topic are there.
+ENDPOINTS = """async ([topic, kind, count]) => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
-  return (ros.graph.topics().find(({ name }) => name === topic)?.publishers.length ?? 0) === count;
+  return (ros.graph.topics().find(({ name }) => name === topic)?.[kind].length ?? 0) === count;
 }"""
 
 

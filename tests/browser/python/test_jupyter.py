@@ -222,8 +222,9 @@ def test_panels_of_the_page_are_shown_in_outputs(tab: Tab, notebook: Notebook) -
     notebook.open("", "second.ipynb")
     notebook.run(3)
     panel = notebook.cell(3).frame_locator("iframe")
-    panel.get_by_role("textbox", name="data").fill("from the lab")
+    panel.get_by_label("data string").fill("from the lab")
     panel.get_by_role("button", name="Publish once").click()
+    expect(panel.get_by_role("status")).to_have_text("1 message published")
     tab.wait_for_function(
         """async () => {
           const { ros } = await import(document.querySelector("script[type=module]").src);
