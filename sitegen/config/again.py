@@ -12,7 +12,7 @@ from sitegen.config.content import Reader
 from sitegen.config.document import read
 from sitegen.config.page import first_heading
 from sitegen.errors import Location, Problems
-from sitegen.model import Layout, Markdown, Page, Part
+from sitegen.model import Layout, Markdown, Page, Part, Widget
 
 NOWHERE = Location(Path(), 0)
 
@@ -22,7 +22,8 @@ def read_again(page: Page, root: Path) -> Page | None:
 
     The nodes, the title and the tags of a page affect other pages, too; its text does not.
     """
-    if not page.file:
+    if not page.file or any(_is_lab(part) for part in page.leaves):
+        # A page with JupyterLab also lists its notebooks, which have pages of their own.
         return None
     problems = Problems(root)
     text = read(page.file, problems)
@@ -37,6 +38,10 @@ def read_again(page: Page, root: Path) -> Page | None:
     if first_heading(content) != first_heading(page.content):
         return None
     return replace(page, content=content)
+
+
+def _is_lab(part: Part) -> bool:
+    return isinstance(part, Widget) and part.kind == notebooks.KIND
 
 
 def _frame(content: Iterable[Part]) -> list[Part]:

@@ -255,6 +255,8 @@ def test_fifty_restarts_leave_nothing(tab: Tab, notebook: Notebook) -> None:
 def test_a_cell_calls_a_compiled_server_of_the_page_beside_it(
     tab: Tab, serve: Serve, beside: Path
 ) -> None:
+    # In a narrow column, notebooks are shown without JupyterLab around them.
+    tab.set_viewport_size({"width": 1900, "height": 900})
     tab.goto(f"{serve(beside, '/robot/')}lab/")
     notebook = Notebook(tab, tab.frame_locator("iframe"))
     notebook.expect_ready()
