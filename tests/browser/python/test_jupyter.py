@@ -255,11 +255,12 @@ def test_fifty_restarts_leave_nothing(tab: Tab, notebook: Notebook) -> None:
 def test_a_cell_calls_a_compiled_server_of_the_page_beside_it(
     tab: Tab, serve: Serve, beside: Path
 ) -> None:
-    # In a narrow column, notebooks are shown without JupyterLab around them.
+    # In a narrow column, JupyterLab hides the indicator of a notebook.
     tab.set_viewport_size({"width": 1900, "height": 900})
     tab.goto(f"{serve(beside, '/robot/')}lab/")
     notebook = Notebook(tab, tab.frame_locator("iframe"))
-    notebook.expect_ready()
+    status = tab.frame_locator("iframe").locator("#jp-main-statusbar")
+    expect(status).to_contain_text("Python (ROS 2) | Idle")
     Panel(tab, "server").start()
     expect(notebook.run(0)).to_have_text("42")
 
