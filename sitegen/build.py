@@ -69,6 +69,8 @@ def make(
     # Convert the bags that pages cannot read, and put panels beside those with a page of their own.
     bags.convert(site, report)
     site = bags.with_views(site)
+    # Show each notebook of a JupyterLab as a page, too.
+    site = jupyter.with_pages(site)
 
     # Render Markdown pages to HTML, each with its page.json.
     with report.during("pages", f"rendering {len(site.pages)}"):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sitegen.build import make
 from sitegen.cache.folder import cache_folder
-from sitegen.commands import wiring
+from sitegen.commands import notebooks, wiring
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Markdown, Site
@@ -25,6 +25,7 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
     site = make(folder, report, options=Options(compile=False)).site
     warnings = [*site.notes, *_absent(site), *_definitions(site), *_images(site)]
     warnings += wiring.warnings(site)
+    warnings += notebooks.warnings(site, report)
     warnings = list(dict.fromkeys(warnings))
     if strict and warnings:
         raise SiteError(warnings)

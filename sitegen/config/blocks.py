@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-ROS = re.compile(r"(```|~~~)[`~ \t{.]*(ya?ml[ \t]+)?ros", re.I)
+ROS = re.compile(r"(```|~~~)[`~ \t{.]*((ya?ml|python)[ \t]+)?ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # A fence at any depth: also in a list, a tab or a quotation.
 INNER_FENCE = re.compile(
@@ -17,6 +17,8 @@ NEARLY_ROS = re.compile(r"[{.]*\s*ros1?[\s}]*(?!\S)", re.I)
 # An example: YAML that the page shows, and the widgets that it describes. Options may follow.
 EXAMPLE = re.compile(r"yaml[ \t]+ros(?!\S)")
 NEARLY_EXAMPLE = re.compile(r"ya?ml\s+ros(?!\S)", re.I)
+# Python that visitors run.
+CELL = re.compile(r"python[ \t]+ros(?!\S)")
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 
@@ -78,7 +80,7 @@ def misplaced(text: str) -> Iterator[int]:
             continue
         if not fence:
             fence = match["fence"]
-            if match["info"] == "ros" or EXAMPLE.match(match["info"]):
+            if match["info"] == "ros" or EXAMPLE.match(match["info"]) or CELL.match(match["info"]):
                 yield number
         elif match["fence"].startswith(fence) and not match["info"]:
             fence = ""
@@ -111,7 +113,7 @@ def _prose(lines: list[str], end: int) -> Iterator[Block]:
 
 def _is_ros(info: str) -> bool:
     """Return whether a fence is a `ros` block, or meant to be one: its reader reports the error."""
-    return bool(NEARLY_ROS.match(info) or NEARLY_EXAMPLE.match(info))
+    return any(form.match(info) for form in (NEARLY_ROS, NEARLY_EXAMPLE, CELL))
 
 
 def _lines(text: str) -> Iterator[_Line]:

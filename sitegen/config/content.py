@@ -10,7 +10,7 @@ from pathlib import Path
 from sitegen.config import notebooks, scene
 from sitegen.config.bag import KIND as BAG
 from sitegen.config.bag import bag
-from sitegen.config.blocks import EXAMPLE, NEARLY_EXAMPLE, Block, misplaced, split
+from sitegen.config.blocks import CELL, EXAMPLE, NEARLY_EXAMPLE, Block, misplaced, split
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.layout import layout
@@ -87,6 +87,15 @@ class Reader:
             self.problems.add(fence, "ros", "this block is not closed; close it with ```")
             return
         info = block.info or ""
+        if cell := CELL.match(info):
+            if rest := info[cell.end() :].strip():
+                message = f"a cell must begin with 'python ros' alone, found '{rest}'; remove it"
+                self.problems.add(fence, "ros", message)
+            elif not block.text.strip():
+                self.problems.add(fence, "ros", "this cell is empty; write Python into it")
+            else:
+                yield notebooks.cell(block.text, location)
+            return
         example = EXAMPLE.match(info)
         if not example and info.split()[:1] != ["ros"]:
             wanted = "```yaml ros" if NEARLY_EXAMPLE.match(info) else "```ros"

@@ -2,40 +2,37 @@
 
 from __future__ import annotations
 
-import base64
-import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from sitegen import workspace
+from sitegen import pagepath, workspace
+from sitegen.config import ipynb
 from sitegen.config.blocks import split
 from sitegen.config.document import Value, read
 from sitegen.config.files import locate
+from sitegen.config.ipynb import SUFFIX
 from sitegen.config.section import check, conforms
 from sitegen.config.widgetkeys import WIDGETS
 from sitegen.errors import Location, Problems, nearest
-from sitegen.model import Markdown, Node, Part, Widget, leaves
+from sitegen.ignored import is_ignored
+from sitegen.model import Layout, Markdown, Node, Part, Widget, leaves
 
 KIND = "jupyter"
 # The widget above the cells of a page.
 CELLS = "notebook"
+CELL = "cell"
 # The node that runs the cells of notebooks; each notebook is a process of it.
 KERNEL = "notebook"
 # The node that the cells of a page share.
 INTERPRETER = "cells"
 PROGRAMS = {KIND: workspace.NOTEBOOK, CELLS: workspace.CELLS}
-SUFFIX = ".ipynb"
-# What is shown of a saved value, by media type.
-SHOWN = ("text/plain", "image/png", "image/jpeg", "image/svg+xml")
-# The oldest format whose cells are a list.
-FORMAT = 4
 
 
 def jupyter(value: Value, problems: Problems, page: Path) -> Widget | None:
     """Return the widget that `value` describes; `page` is the folder of the page."""
     if value.kind == "nothing":
-        options = {"node": KERNEL, "notebooks": None, "open": None}
+        options = {"node": KERNEL, "notebooks": None, "open": None, "page": None}
         return Widget(KIND, "", options, value.location)
     if value.kind != "mapping":
         message = f"expected its options or nothing, found {value.found}"
@@ -56,6 +53,7 @@ def jupyter(value: Value, problems: Problems, page: Path) -> Widget | None:
         "node": KERNEL,
         "notebooks": folder.relative_to(problems.root.resolve()).as_posix() if folder else None,
         "open": opened.text if opened else None,
+        "page": pagepath.normalized(shown.text) if (shown := section.get("page")) else None,
     }
     return Widget(KIND, "", options, value.location)
 
@@ -72,24 +70,51 @@ def notebook(value: Value, problems: Problems, page: Path) -> Iterator[Part]:
     if not given or not file:
         return
     if file.suffix == SUFFIX:
-        fault = _fault(file)
-        if fault:
+        if fault := ipynb.fault(file):
             problems.add(Location(file, 1), "notebook", fault)
             return
-        parts = list(_cells(file, given.location))
+        parts = list(_cells(file))
     else:
         parts = list(_fences(file, problems))
-    cells = sum(isinstance(part, Widget) for part in parts)
-    if not cells:
+    if not any(isinstance(part, Widget) for part in parts):
         message = f"no Python cell in '{given.text}'; write one between ```python and ```"
         problems.add(given.location, given.key, message)
-    yield Widget(CELLS, "", {"node": INTERPRETER, "cells": cells}, given.location)
-    number = 0
-    for part in parts:
-        if isinstance(part, Widget):
-            number += 1
-            part = replace(part, options={**part.options, "number": number})
-        yield part
+    yield _buttons(given.location)
+    yield from parts
+
+
+def numbered(parts: Sequence[Part]) -> list[Part]:
+    """Return the parts of a page with its cells numbered, which all share one interpreter.
+
+    Cells that stand in the text of the page itself get the buttons above the first of them.
+    """
+    widgets = [one for one in leaves(parts) if isinstance(one, Widget)]
+    cells = [one for one in widgets if one.kind == CELL]
+    if not cells:
+        return [*parts]
+    numbers = {id(one): number for number, one in enumerate(cells, 1)}
+    bare = not any(one.kind == CELLS for one in widgets)
+
+    def made(parts: Iterable[Part]) -> Iterator[Part]:
+        for part in parts:
+            if isinstance(part, Layout):
+                inside = (replace(one, content=tuple(made(one.content))) for one in part.cells)
+                yield replace(part, cells=tuple(inside))
+            elif isinstance(part, Widget) and part.kind == CELLS:
+                yield replace(part, options={**part.options, "cells": len(cells)})
+            elif id(part) in numbers and isinstance(part, Widget):
+                if bare and numbers[id(part)] == 1:
+                    buttons = _buttons(part.location)
+                    yield replace(buttons, options={**buttons.options, "cells": len(cells)})
+                yield replace(part, options={**part.options, "number": numbers[id(part)]})
+            else:
+                yield part
+
+    return list(made(parts))
+
+
+def _buttons(location: Location) -> Widget:
+    return Widget(CELLS, "", {"node": INTERPRETER, "cells": 0}, location)
 
 
 def _fences(file: Path, problems: Problems) -> Iterator[Part]:
@@ -102,55 +127,23 @@ def _fences(file: Path, problems: Problems) -> Iterator[Part]:
         elif not block.closed:
             problems.add(location, "python", "this cell is not closed; close it with ```")
         else:
-            yield _cell(block.text, [], location)
+            yield cell(block.text, location)
 
 
-def _cells(file: Path, location: Location) -> Iterator[Part]:
+def _cells(file: Path) -> Iterator[Part]:
     """Yield the cells of a Jupyter notebook, with the outputs that its author saved."""
-    for cell in json.loads(file.read_text(encoding="utf-8-sig"))["cells"]:
-        if not isinstance(cell, dict):
-            continue
-        text = _joined(cell.get("source"))
-        if cell.get("cell_type") == "markdown":
-            yield Markdown(text, file.parent, Location(file, 1))
-        elif cell.get("cell_type") == "code" and text.strip():
-            outputs = cell.get("outputs")
-            saved = outputs if isinstance(outputs, list) else []
-            yield _cell(text, [one for each in saved for one in _shown(each)], location)
+    for saved in ipynb.cells(file):
+        location = Location(file, saved.line)
+        if saved.kind == "markdown":
+            yield Markdown(saved.text, file.parent, location)
+        else:
+            yield cell(saved.text, location, saved.outputs)
 
 
-def _cell(text: str, outputs: list[dict[str, object]], location: Location) -> Widget:
+def cell(text: str, location: Location, outputs: Sequence[Mapping[str, object]] = ()) -> Widget:
+    """Return a cell with its Python, and the outputs that its author saved."""
     options: dict[str, object] = {"node": INTERPRETER, "text": text}
-    return Widget("cell", "", {**options, **({"outputs": outputs} if outputs else {})}, location)
-
-
-def _shown(output: object) -> Iterator[dict[str, object]]:
-    """Yield an output of a saved cell as widgets/cell.js shows it."""
-    if not isinstance(output, dict):
-        return
-    kind, data = output.get("output_type"), output.get("data")
-    if kind == "stream":
-        name = "stderr" if output.get("name") == "stderr" else "stdout"
-        yield {"kind": name, "text": _joined(output.get("text")).rstrip("\n")}
-    elif kind == "error":
-        yield {"kind": "error", "text": "\n".join(map(str, output.get("traceback") or ()))}
-    elif isinstance(data, dict):
-        yield {
-            "kind": "value",
-            "data": {one: _data(one, data[one]) for one in SHOWN if one in data},
-        }
-
-
-def _data(kind: str, value: object) -> str:
-    text = _joined(value)
-    if kind == "image/svg+xml":
-        return base64.b64encode(text.encode()).decode()
-    return text if kind == "text/plain" else "".join(text.split())
-
-
-def _joined(text: object) -> str:
-    """Return a text of a notebook, which may be a list of lines."""
-    return "".join(map(str, text)) if isinstance(text, list) else str(text or "")
+    return Widget(CELL, "", {**options, **({"outputs": outputs} if outputs else {})}, location)
 
 
 def kernels(parts: Iterable[Part]) -> list[Node]:
@@ -165,22 +158,15 @@ def kernels(parts: Iterable[Part]) -> list[Node]:
 
 def _notebooks(folder: Path, problems: Problems) -> list[str]:
     """Return the notebooks of a folder, and report those that are not valid."""
-    found = sorted(folder.rglob(f"*{SUFFIX}"))
+    found = list(files(folder))
     for file in found:
-        if fault := _fault(file):
+        if fault := ipynb.fault(file):
             problems.add(Location(file, 1), "notebook", fault)
     return [file.relative_to(folder).as_posix() for file in found]
 
 
-def _fault(file: Path) -> str:
-    try:
-        notebook = json.loads(file.read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError, RecursionError):
-        return "not a Jupyter notebook: it is not valid JSON; save it again in Jupyter"
-    cells = notebook.get("cells") if isinstance(notebook, dict) else None
-    version = notebook.get("nbformat") if isinstance(notebook, dict) else None
-    if not isinstance(version, int) or not isinstance(cells, list):
-        return "not a Jupyter notebook: it has no 'cells' and 'nbformat'; save it again in Jupyter"
-    if version < FORMAT:
-        return f"a notebook of format {version}; convert it with 'jupyter nbconvert --to notebook'"
-    return ""
+def files(folder: Path) -> Iterator[Path]:
+    """Yield the notebooks of a folder, at any depth, without the copies that Jupyter keeps."""
+    for file in sorted(folder.rglob(f"*{SUFFIX}")):
+        if not any(is_ignored(name, at_root=False) for name in file.relative_to(folder).parts):
+            yield file

@@ -179,6 +179,7 @@ class PageReader:
             parts += reader.markdown(body.text, body.location, body.folder)
         if lab := page.get("jupyter"):
             parts += reader.jupyter(lab)
+        parts = notebooks.numbered(parts)
         is_bare = not any(isinstance(part, Widget) for part in leaves(parts))
         if launch.described.windows and is_bare:
             parts += windows.shown(launch.described.windows, [*started], self.problems, self.notes)

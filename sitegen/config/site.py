@@ -10,6 +10,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from sitegen import workspace
+from sitegen.config.beside import with_pages_beside
 from sitegen.config.connect import connect
 from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
@@ -78,6 +79,7 @@ def _site(file: Section, problems: Problems) -> Site:
     joined = connect(file.get("connect"), problems)
     reader = PageReader(problems, declared, themes, languages, scanned, joined)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
+    pages = with_pages_beside(pages, problems)
     packages = _packages(scanned, reader.declared, problems) if folder else {}
     if folder and reader.declared:
         # A package that is not found may be behind such a link.

@@ -97,6 +97,9 @@ WIDGETS: Mapping[str, tuple[Key, ...]] = {
     "jupyter": (
         Key("notebooks", "path", "folder of notebooks", "notebooks: notebooks"),
         Key("open", "text", "notebook that is open first", "open: first.ipynb"),
+        Key(
+            "page", "text", "path of the page whose nodes and panels are beside it", "page: demo05"
+        ),
     ),
     "joints": (
         Key(

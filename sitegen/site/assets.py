@@ -13,6 +13,12 @@ from sitegen.site import bundles, launches
 # Widgets that only start programs and show their output; all others take part in the graph.
 PLAIN = {"buttons", "console", "editor", "prompt"}
 START = "rosMain.js"
+# The widgets whose cells can show panels, and the panels that the module jupyros describes.
+CELLS = {"jupyter", "notebook"}
+IN_CELLS = (
+    *("3d", "actions", "bag", "image", "joints", "parameters", "plot", "publish", "services"),
+    *("tf", "topics"),
+)
 # What other pages load to use the graph of one.
 OUTSIDE = "rosbridge/outside.js"
 
@@ -27,6 +33,12 @@ def takes_part(site: Site, page: Page) -> bool:
     if page.script or site.messages_from:
         return is_live(page)
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
+
+
+def shown_kinds(page: Page) -> set[str]:
+    """Return the kinds of the widgets of `page`, and of those that cells on it may show."""
+    kinds = {widget.kind for widget in _widgets([page])}
+    return kinds | {*IN_CELLS} if kinds & CELLS else kinds
 
 
 def isolates(site: Site, page: Page) -> bool:
@@ -45,6 +57,10 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
         return []
     # Loaded for those who come by a shared link, or when the script of a page fails.
     names.add("page/notice.js")
+    kinds = {kind for page in site.pages for kind in shown_kinds(page)}
+    if kinds & CELLS:
+        panels = (f"widgets/{kind}.js" for kind in IN_CELLS)
+        names |= {"widgets/cell/panel.js", *bundles.with_imports([*panels])}
     nodes = [node for page in site.pages for node in page.nodes.values()]
     workers = {programs[node.program].worker for node in nodes}
     names |= {f"workers/{worker}.js" for worker in workers}
@@ -53,29 +69,29 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
         names.add("messages/filter/contentFilter.js")
     if debug:
         names.add("workers/cpp/stackTrace.js")
-    if any(widget.kind in ("bag", "terminal") for widget in _widgets(site.pages)):
+    if kinds & {"bag", "terminal"}:
         # The player and the recorder, and what only recorders load.
         names |= {"workers/bag/bagNode.js", "bag/zstd.js"}
-    if any(widget.kind == "connect" for widget in _widgets(site.pages)):
+    if "connect" in kinds:
         names.add("workers/gateway/gatewayNode.js")
-    if any(widget.kind == "console" for widget in _widgets(site.pages)):
+    if "console" in kinds:
         # Loaded by consoles whose program reads its input.
         names.add("ui/keyboard.js")
     if any(widget.options.get("kind") == "vernie" for widget in _widgets(site.pages)):
         # Loaded by visitors who connect the real robot.
         names.add("widgets/robots/parts/moveHub.js")
-    if any(widget.kind == "jupyter" for widget in _widgets(site.pages)):
-        names |= {"jupyter/extension.js", "jupyter/ownGraph.js"}
-    if any(widget.kind == "buttons" for widget in _widgets(site.pages)):
+    if "jupyter" in kinds:
+        names |= {"jupyter/extension.js", "jupyter/ownGraph.js", "jupyter/panel.js"}
+    if "buttons" in kinds:
         # Loaded by visitors who open the options of a node.
         names.add("widgets/buttons/options.js")
-    if any(widget.kind == "parameters" for widget in _widgets(site.pages)):
+    if "parameters" in kinds:
         # Loaded by visitors who load a file of parameters.
         names.add("messages/parameters/fileReader.js")
-    if any(widget.kind == "3d" for widget in _widgets(site.pages)):
+    if "3d" in kinds:
         # Loaded when a visitor adds a camera.
         names.add("widgets/image/decode.js")
-    if any(widget.kind in ("console", "prompt") for widget in _widgets(site.pages)):
+    if kinds & {"console", "prompt"}:
         # Loaded when a visitor wants to find, copy or save lines.
         names.add("ui/lineTools.js")
     if any(widget.is_docked for widget in _widgets(site.pages)):

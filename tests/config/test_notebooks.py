@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.config import load
+from sitegen.config import ipynb, load
 from sitegen.errors import SiteError
 from sitegen.model import Markdown, Widget
 
@@ -89,3 +89,52 @@ def test_the_name_of_the_kernel_is_taken(tmp_path: Path) -> None:
     file.write_text(nodes + file.read_text())
     with pytest.raises(SiteError, match="need the name 'notebook'; choose another"):
         load(file)
+
+
+def test_cells_stand_in_the_text_of_a_page(tmp_path: Path) -> None:
+    text = "Run it:\n\n```python ros\n1 + 1\n```\n\nNot this:\n\n```python\n2\n```\n\n"
+    text += "```python ros\n3\n```\n"
+    (tmp_path / "page.md").write_text(f"# Cells\n\n{text}")
+    (tmp_path / "site.yaml").write_text("site: {title: A}\npages: [{path: /, file: page.md}]\n")
+    [page] = load(tmp_path / "site.yaml").pages
+    widgets = [part for part in page.content if isinstance(part, Widget)]
+    assert [one.kind for one in widgets] == ["notebook", "cell", "cell"]
+    assert [one.options.get("number") for one in widgets] == [None, 1, 2]
+    assert [one.options.get("text") for one in widgets] == [None, "1 + 1", "3"]
+    assert widgets[0].options["cells"] == 2
+    assert widgets[1].location.line == 6
+    assert page.level == "I5"
+
+
+@pytest.mark.parametrize(
+    ("fence", "message"),
+    [
+        ("```python ros later\n1\n```", "a cell must begin with 'python ros' alone, found 'later'"),
+        ("```python ros\n```", "this cell is empty; write Python into it"),
+        ("```python ros\n1", "this block is not closed"),
+        ("> ```python ros\n> 1\n> ```", "cannot stand in a list"),
+    ],
+)
+def test_what_is_wrong_with_a_cell_is_said(tmp_path: Path, fence: str, message: str) -> None:
+    (tmp_path / "page.md").write_text(f"# Cells\n\n{fence}\n")
+    (tmp_path / "site.yaml").write_text("site: {title: A}\npages: [{path: /, file: page.md}]\n")
+    with pytest.raises(SiteError) as raised:
+        load(tmp_path / "site.yaml")
+    assert message in "\n".join(raised.value.lines)
+
+
+def test_the_cells_of_all_notebooks_of_a_page_have_different_numbers(tmp_path: Path) -> None:
+    (tmp_path / "guide.md").write_text("```python\n1\n```\n")
+    content = "      - notebook: notebooks/first.ipynb\n      - notebook: guide.md\n"
+    [page] = load(site(tmp_path, content, first=VALID)).pages
+    cells = [part for part in page.content if isinstance(part, Widget) and part.kind == "cell"]
+    assert [cell.options["number"] for cell in cells] == [1, 2]
+
+
+def test_a_cell_of_a_notebook_knows_its_line(tmp_path: Path) -> None:
+    file = site(tmp_path, "", first=VALID).parent / "notebooks/first.ipynb"
+    file.write_text(json.dumps(VALID, indent=1))
+    lines = file.read_text().splitlines()
+    markdown, code = ipynb.cells(file)
+    assert [lines[number - 1].strip() for number in markdown.lines] == ['"# Title\\n",', '"text"']
+    assert '"source": "1 + 1"' in lines[code.line - 1]

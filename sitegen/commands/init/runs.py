@@ -113,8 +113,8 @@ def _faults(
             faults[node.name] = f"{folder}: {message}"
             continue
         if not problems.lines and setup and node.executable in setup.scripts:
-            for module, (location, _) in archives.missing_modules(node, there).items():
-                problems.add(location, f"import {module}", dependencies.unavailable(module))
+            for module, one in archives.missing_modules(node, there).items():
+                problems.add(one.location, f"import {module}", dependencies.unavailable(module))
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults

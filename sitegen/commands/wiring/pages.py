@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from sitegen.commands.wiring import commands, programs, widgets
+from sitegen.commands.wiring import commands, programs, python, widgets
 from sitegen.commands.wiring.common import is_common
 from sitegen.commands.wiring.endpoint import (
     ACTION,
@@ -19,6 +19,8 @@ from sitegen.commands.wiring.endpoint import (
     Program,
 )
 from sitegen.commands.wiring.names import of_nodes, resolved
+from sitegen.config import notebooks
+from sitegen.config.cellsources import sources
 from sitegen.errors import Problems, nearest
 from sitegen.model import Node, Page, Prebuilt, Ros2wasm, Site, Widget
 
@@ -58,7 +60,10 @@ def _look_at(
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
     nodes: set[str] | None = set()
+    cells = _cells(page, site)
     for name, node in page.nodes.items():
+        if name in cells:
+            continue
         key = (node.package, node.executable)
         if key not in known:
             known[key] = _program(site, node)
@@ -69,17 +74,32 @@ def _look_at(
         some_unknown = some_unknown or unclear
         sides += (_Side(f"'{name}'", endpoint) for endpoint in program.endpoints)
         heard = heard or any(each.kind == SUBSCRIPTION for each in program.endpoints)
-    for side in sides:
+    typed = [_Side("this cell", one) for program in cells.values() for one in program.endpoints]
+    some_unknown = some_unknown or any(program.open for program in cells.values())
+    # A visitor may let a cell be the other side of anything.
+    checked = typed if cells else sides
+    sides += typed
+    for side in checked:
         kind = side.endpoint.kind
         # A page that contains only talkers is intended.
         if side.endpoint.sure and not some_unknown and (kind != PUBLISHER or heard):
             _check_other_side(page, side, sides, problems)
     _check_types(sides, problems)
+    unclear = unclear or bool(cells)
     has_terminal = any(isinstance(part, Widget) and part.kind == "terminal" for part in page.leaves)
     if has_terminal:
         endpoints = {name for side in sides for name in side.endpoint.names}
         names = commands.Names(None if unclear else endpoints, None if unclear else nodes)
         commands.check(page, site, names, problems)
+
+
+def _cells(page: Page, site: Site) -> dict[str, Program]:
+    """Return what the cells of a page tell, by the node that runs them."""
+    found = {node.name: Program() for node in notebooks.kernels(page.content)}
+    for source in sources(site.root, page):
+        program = resolved(python.read_cells(source), page.nodes[source.node])
+        found[source.node].take(program)
+    return found
 
 
 def _program(site: Site, node: Node) -> Program:

@@ -7,7 +7,7 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from sitegen.commands.wiring.endpoint import (
@@ -25,6 +25,7 @@ from sitegen.commands.wiring.endpoint import (
     Endpoint,
     Program,
 )
+from sitegen.config.cellsources import CellSource
 from sitegen.errors import Location
 from sitegen.model import Setup
 
@@ -72,6 +73,19 @@ def read(setup: Setup, executable: str) -> Program:
         for statement in module.tree.body:
             sure = not isinstance(statement, _Definition) or statement.name in used
             _read(statement, module, program, sure=sure)
+    return program
+
+
+def read_cells(source: CellSource) -> Program:
+    """Return what the cells of a notebook tell, as if all of them were run."""
+    tree = source.tree
+    module = _Module(source.file, tree, dict(_imports(tree, "")), dict(_texts(tree)))
+    program = Program()
+    for statement in tree.body:
+        _read(statement, module, program, sure=True)
+    program.endpoints = [
+        replace(each, location=source.location(each.location.line)) for each in program.endpoints
+    ]
     return program
 
 

@@ -15,7 +15,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, dependencies, imports, ipython, syntax
+from sitegen.nodes.python import bytecode, cellimports, dependencies, imports, ipython, syntax
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.report import Report
@@ -121,6 +121,11 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) ->
     common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
     missing = _wanted(programs, needs, common)
     small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
+    for program in missing:
+        if program[0] == workspace.SITEGEN:
+            there = _there(common)
+            found = cellimports.imported(site, program[1])
+            missing[program] |= {name: one for name, one in found.items() if name not in there}
     for program in small:
         del missing[program]["numpy"]
     collected = dependencies.collect(site, missing, cache=cache, report=report)
@@ -175,8 +180,7 @@ def _wanted(
     common: Iterable[str],
 ) -> dict[tuple[str, str], dict[str, imports.Import]]:
     """Return the modules that each program imports and that not every page has."""
-    there = {path.split("/")[1].removesuffix(".py") for path in common}
-    there |= sys.stdlib_module_names | IN_THE_PAGE
+    there = _there(common)
     found = {}
     for package, executable in programs:
         modules = imports.outside(*_program(needs[package], executable))
@@ -184,6 +188,12 @@ def _wanted(
             name: path for name, path in modules.items() if name not in there
         }
     return found
+
+
+def _there(common: Iterable[str]) -> set[str]:
+    """Return the modules that every page with Python has; `common` are paths of modules."""
+    there = {path.split("/")[1].removesuffix(".py") for path in common}
+    return there | sys.stdlib_module_names | IN_THE_PAGE
 
 
 def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:

@@ -70,13 +70,14 @@ def collect(
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
     for program, modules in wanted.items():
-        for module, (location, sure) in modules.items():
+        for module, (location, sure, quiet) in modules.items():
             wrong = problems if sure else notes
             if module in given:
                 # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif module not in origins or not site.pyodide.packages:
-                wrong.add(location, f"import {module}", _unavailable(module, origins, lock))
+                if not quiet:
+                    wrong.add(location, f"import {module}", _unavailable(module, origins, lock))
             else:
                 names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
@@ -90,6 +91,19 @@ def collect(
     for line in dict.fromkeys(notes.lines):
         report.say(f"{line} (skipped: imported only conditionally)")
     return {program: list(wheels.values()) for program, wheels in found.items()}
+
+
+def provided(site: Site, *, cache: Path, report: Report) -> set[str]:
+    """Return the modules that `pyodide` in site.yaml provides, or an empty set."""
+    lock = json.loads(DISTRIBUTION.read_text())["packages"]
+    file = site.pyodide.requirements
+    wheels = (
+        requirements.pinned(file, site.root, cache=cache / "wheels", report=report) if file else ()
+    )
+    known = {module for each in lock.values() for module in each["imports"]}
+    return {module for wheel in wheels for module in wheel.modules} | (
+        known if site.pyodide.packages else set()
+    )
 
 
 def unavailable(module: str) -> str:

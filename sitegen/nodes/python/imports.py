@@ -14,10 +14,14 @@ CAUGHT = {"ImportError", "ModuleNotFoundError", "Exception"}
 
 
 class Import(NamedTuple):
-    """The location of an import, and whether it always runs: not if it is conditional."""
+    """The location of an import, and whether it always runs: not if it is conditional.
+
+    A build says nothing of one that is `quiet`.
+    """
 
     location: Location
     sure: bool
+    quiet: bool = False
 
 
 def outside(files: Mapping[str, Path], program: str) -> dict[str, Import]:
@@ -126,7 +130,7 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
         tree = ast.parse(file.read_bytes())
     except (SyntaxError, ValueError):
         return  # reported by syntax.check()
-    for node, sure in _unconditional(tree):
+    for node, sure in unconditional(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno, sure) for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -138,7 +142,7 @@ def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
                 yield from ((f"{base}.{alias.name}", node.lineno, sure) for alias in node.names)
 
 
-def _unconditional(
+def unconditional(
     tree: ast.AST, *, within: bool = False, sure: bool = True
 ) -> Iterator[tuple[ast.AST, bool]]:
     """Yield the nodes below `tree` that are not type checks, and whether they always run.
@@ -148,12 +152,12 @@ def _unconditional(
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Try) and any(_catches(each) for each in node.handlers):
             for part in (*node.handlers, *node.orelse, *node.finalbody):
-                yield from _unconditional(part, within=within, sure=sure)
+                yield from unconditional(part, within=within, sure=sure)
             continue
         if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
             continue
         yield node, sure
-        yield from _unconditional(
+        yield from unconditional(
             node,
             within=within or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef),
             sure=sure and not (within and isinstance(node, ast.If)),

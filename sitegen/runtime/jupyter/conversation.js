@@ -105,6 +105,8 @@ export class Conversation {
     const shows = this.#shows;
     switch (op) {
       case "ready":
+        // The files of the notebooks' folder; the lab is beside them.
+        this.#send({ op: "at", address: new URL("../files/", location.href).href });
         return this.#begin();
       case "done":
         this.#asked.get(id)?.(content);

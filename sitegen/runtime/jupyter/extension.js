@@ -2,11 +2,17 @@
 // The extension of JupyterLab that runs notebooks in nodes of the page around it, or in a graph of their own.
 
 import { kernelClass } from "./kernel.js";
+import { panelFactory } from "./panels.js";
 
 /** @import { Kernels } from "./kernel.js" */
+/** @import { Lent } from "./panel.js" */
+/** @typedef {{rosKernels?: Kernels, rosPanels?: Lent}} Around what the page lends to the frame */
 
 // JupyterLab shows it where the kernel of a notebook is chosen. Notebooks made on a desktop name the same kernel.
 const SPEC = { name: "python3", display_name: "Python (ROS 2)", language: "python", argv: [], resources: {} };
+
+// JupyterLab shows the form of an output with the lowest rank; that of text is 100.
+const RANK = 10;
 
 /**
  * Return the plugins of the extension.
@@ -14,7 +20,10 @@ const SPEC = { name: "python3", display_name: "Python (ROS 2)", language: "pytho
  */
 export async function extension(scope) {
   const { BaseKernel, IKernelClient, IKernelSpecs } = await shared(scope, "@jupyterlite/services");
-  const Kernel = kernelClass(BaseKernel, await around());
+  const { IRenderMimeRegistry } = await shared(scope, "@jupyterlab/rendermime");
+  const { Widget } = await shared(scope, "@lumino/widgets");
+  const page = /** @type {Around | null} */ (/** @type {unknown} */ (window.frameElement));
+  const Kernel = kernelClass(BaseKernel, page?.rosKernels ?? (await ownKernels()));
   /** @type {Map<string, {interrupt(): void}>} */
   const running = new Map();
   return [{
@@ -34,6 +43,15 @@ export async function extension(scope) {
       });
       if (client) interruptAlso(client, running);
     },
+  }, {
+    id: "sitegen-ros:panels",
+    autoStart: true,
+    requires: [IRenderMimeRegistry],
+    /** @param {any} _ @param {any} registry */
+    activate(_, registry) {
+      // Before the text, which every panel has, too.
+      registry.addFactory(panelFactory(Widget, page?.rosPanels), RANK);
+    },
   }];
 }
 
@@ -49,12 +67,9 @@ function interruptAlso(client, running) {
   };
 }
 
-/** Return the kernels of the page around this frame, or those of a graph of its own. @returns {Promise<Kernels>} */
-async function around() {
-  const frame = /** @type {{rosKernels?: Kernels} | null} */ (/** @type {unknown} */ (window.frameElement));
-  if (frame?.rosKernels) return frame.rosKernels;
-  const own = await import(new URL("ownGraph.js", import.meta.url).href);
-  return own.kernels();
+/** Return the kernels of a graph of their own. @returns {Promise<Kernels>} */
+async function ownKernels() {
+  return (await import(new URL("ownGraph.js", import.meta.url).href)).kernels();
 }
 
 /** Return a module that JupyterLab shares. @param {any} scope @param {string} name */

@@ -70,8 +70,9 @@ const marked = StateField.define({
  * Content-Security-Policy allows; inline styles are blocked.
  * @param {HTMLElement} element @param {string} text @param {string} label
  * @param {(text: string) => void} changed @param {() => void} run called for Ctrl-Enter
+ * @param {() => void} [complete] called for Tab after a word; without it, Tab always indents
  */
-export function codeView(element, text, label, changed, run) {
+export function codeView(element, text, label, changed, run, complete) {
   const root = element.attachShadow({ mode: "open" });
   const view = new EditorView({
     root,
@@ -81,7 +82,7 @@ export function codeView(element, text, label, changed, run) {
       extensions: [
         lineNumbers(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(),
         indentUnit.of("    "), python(), syntaxHighlighting(COLOURS), LOOK, marked,
-        keymap.of([...runKeys(run), ...defaultKeymap, ...historyKeymap, indentWithTab]),
+        keymap.of([...runKeys(run), ...completeKeys(complete), ...defaultKeymap, ...historyKeymap, indentWithTab]),
         EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged) changed(update.state.doc.toString());
@@ -94,6 +95,12 @@ export function codeView(element, text, label, changed, run) {
     set(other) {
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: other } });
     },
+    /** Replace a part of the text, and put the cursor behind. @param {number} from @param {number} to @param {string} other */
+    replace(from, to, other) {
+      const at = from + other.length;
+      view.dispatch({ changes: { from, to, insert: other }, selection: { anchor: at } });
+    },
+    cursor: () => ({ text: view.state.doc.toString(), at: view.state.selection.main.head }),
     /** @param {number} line */
     mark(line) {
       view.dispatch({ effects: mark.of(line) });
@@ -112,4 +119,18 @@ function runKeys(run) {
       return true;
     },
   }));
+}
+
+/** Tab completes a word; at the start of a line, or with a selection, it indents. @param {(() => void) | undefined} complete */
+function completeKeys(complete) {
+  if (!complete) return [];
+  return [{
+    key: "Tab",
+    run(/** @type {EditorView} */ { state }) {
+      const { empty, head } = state.selection.main;
+      if (!empty || !/[\w.]$/.test(state.doc.lineAt(head).text.slice(0, head - state.doc.lineAt(head).from))) return false;
+      complete();
+      return true;
+    },
+  }];
 }

@@ -14,10 +14,11 @@ const NARROW = 700;
  * Show JupyterLab, with the notebook `open` if it is given.
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{node: string, open?: string | null}} options `node` is the node that runs cells
+ * @param {{node: string, open?: string | null, interfaces?: string, resources?: Record<string, string>}} options `node`
+ *   is the node that runs cells; panels in outputs need the others
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { node, open }) {
+export function mount(element, ros, { node, open: first, interfaces, resources }) {
   /** @type {Set<NodeHandle>} */
   const running = new Set();
   const state = create("span", "ros-state");
@@ -26,7 +27,12 @@ export function mount(element, ros, { node, open }) {
   const frame = document.createElement("iframe");
   frame.className = "ros-jupyter";
   frame.title = "JupyterLab";
+  const around = {
+    ...(interfaces && { interfaces: address(interfaces) }),
+    ...(resources && { resources: Object.fromEntries(Object.entries(resources).map(([url, one]) => [url, address(one)])) }),
+  };
   Object.assign(frame, {
+    rosPanels: { ros, around, document },
     rosKernels: {
       run() {
         const kernel = ros.run(node);
@@ -40,6 +46,8 @@ export function mount(element, ros, { node, open }) {
       },
     },
   });
+  // Pages of notebooks link to the lab with the name of one.
+  const open = new URLSearchParams(location.search).get("notebook") ?? first;
   const app = open && element.clientWidth < NARROW ? "notebooks" : "lab";
   frame.src = place(`../jupyter/${app}/index.html${open ? `?path=${encodeURIComponent(open)}` : ""}`);
   frame.loading = "lazy";
@@ -51,6 +59,11 @@ export function mount(element, ros, { node, open }) {
     for (const kernel of running) kernel.stop();
     element.replaceChildren();
   };
+}
+
+/** The address of a file of the page, also for documents in frames. @param {string} file */
+function address(file) {
+  return new URL(file, document.baseURI).href;
 }
 
 /** @param {Set<NodeHandle>} kernels */

@@ -11,12 +11,14 @@ import { say } from "../ui/words.js";
 /**
  * @param {HTMLElement} element
  * @param {Ros} ros
- * @param {{node: string, cells: number}} options the node that runs the cells, and their number
+ * @param {{node: string, cells: number, interfaces?: string, resources?: Record<string, string>}} options the node that
+ *   runs the cells, their number, and what panels below them need
  * @returns {() => void} unmount
  */
-export function mount(element, ros, { node: name, cells }) {
+export function mount(element, ros, { node: name, cells, ...around }) {
   const node = ros.nodes.get(name);
   if (!node) throw new Error(`notebook: no node '${name}' on this page`);
+  kernelOf(node).around = around;
   const listening = new AbortController();
   const state = new NodeStateView(node, listening.signal);
   state.label.setAttribute("aria-live", "polite");

@@ -39,10 +39,31 @@ POLICY = (
     "frame-src 'self' blob: data:; manifest-src 'self'; base-uri 'none'; form-action 'none'"
 )
 HEAD = "<head>"
+# The document of a panel in an output: its script adds the styles of the page around.
+PANEL = """\
+<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<title>Panel</title>
+<script type="module" src="../runtime/jupyter/panel.js"></script>
+</head>
+<body></body>
+</html>
+"""
+# What the policy of a page allows its panels.
+PANEL_POLICY = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; "
+    "img-src 'self' data: blob:; font-src 'self'; connect-src 'self' data: blob:; "
+    "worker-src 'self' blob:; base-uri 'none'; form-action 'none'"
+)
 # The service worker of JupyterLite is for kernels that share its files.
 DISABLED = ("@jupyterlite/application-extension:service-worker-manager",)
 SETTINGS: dict[str, dict[str, Any]] = {
     "@jupyterlab/apputils-extension:themes": {"adaptive-theme": True},
+    # A notebook that is closed leaves the graph; without this, its kernel would go on.
+    "@jupyterlab/notebook-extension:tracker": {"kernelShutdown": True},
     # The files have the dates of the build.
     "@jupyterlab/filebrowser-extension:browser": {"showLastModifiedColumn": False},
     # Nothing is requested from elsewhere.
@@ -75,6 +96,8 @@ def artifacts(site: Site, cache: Path, report: Report) -> list[Artifact]:
     found.append(Artifact(f"{FOLDER}/jupyter-lite.json", json.dumps(config).encode()))
     entry = f"{FOLDER}/extensions/{EXTENSION}/static/{ENTRY.name}"
     found.append(Artifact(entry, ENTRY.read_bytes()))
+    panel = PANEL.format(policy=PANEL_POLICY)
+    found.append(Artifact(f"{FOLDER}/panel.html", panel.encode()))
     folders = {str(widget.options.get("notebooks") or "") for _, widget in shown} - {""}
     found += contents.artifacts([site.root / name for name in sorted(folders)], FOLDER)
     return found

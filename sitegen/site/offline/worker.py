@@ -19,7 +19,8 @@ RETIRED = (HERE / "retired.js").read_bytes()
 # A site up to this size in bytes is cached as a whole; the programs and images of a larger site are
 # cached with the first page that needs them.
 WHOLE = 8_000_000
-LATER = ("nodes/", "ros2wasm/", "media/", "runtime/vendor/pyodide/")
+LAB = "jupyter/"
+LATER = (LAB, "nodes/", "ros2wasm/", "media/", "runtime/vendor/pyodide/")
 # Of a larger bag, a page loads the parts that it plays, which no cache has.
 BAGS = "bags/"
 # Files that are useless without a network.
@@ -72,7 +73,10 @@ def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequenc
         return []
     addresses = SOURCE.findall(contents[pagepath.file_of(path)].decode())
     found = set()
-    for node in json.loads(contents.get(f"{path}page.json", b'{"nodes": {}}'))["nodes"].values():
+    entry = json.loads(contents.get(f"{path}page.json", b'{"nodes": {}, "widgets": []}'))
+    if any(widget["kind"] == "jupyter" for widget in entry["widgets"]):
+        found |= {name for name in later if name.startswith(LAB)}
+    for node in entry["nodes"].values():
         for build in node.get("builds", {}).values():
             addresses += build.values()
         if "python" in node:

@@ -19,8 +19,8 @@ from sitegen.site.prose import address
 
 # Widgets that let visitors start a node, so that it need not start with the page.
 STARTING = {"buttons", "editor", "prompt"}
-# The widget that loads meshes.
-VIEW = "3d"
+# The widgets that load meshes: the view, and those whose cells may show one.
+MESHES = {"3d", *assets.CELLS}
 # The widget that joins gateways.
 CONNECT = "connect"
 # The widget that plays bags by name.
@@ -43,7 +43,8 @@ def page_entry(
 
     `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
     3D views load, by URL, `bags` those of the bags that it plays, by the path in site.yaml, and
-    `own` has those of its author's modules. `definitions` are the paths of what its terminals load.
+    `own` has those of its author's modules. `definitions` are the paths of what its terminals and
+    the panels below its cells load.
     """
     link = partial(address, page)
     known = {name: link(path) for name, path in bags.items()}
@@ -80,10 +81,10 @@ def page_entry(
                 "options": {
                     **widget.options,
                     **edited.get(slot.id, {}),
-                    **({"resources": found} if found and widget.kind == VIEW else {}),
+                    **({"resources": found} if found and widget.kind in MESHES else {}),
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
-                    **(defined if widget.kind == TERMINAL else {}),
+                    **_definitions(widget, defined),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -128,6 +129,13 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
         name.removesuffix("_Request"): one["hash"] for name, one in types.items() if "hash" in one
     }
     return {"connect": given, "hashes": hashes}
+
+
+def _definitions(widget: Widget, paths: Mapping[str, str]) -> Mapping[str, str]:
+    """Return what a widget loads of the definitions of interfaces."""
+    if widget.kind in assets.CELLS:
+        return {"interfaces": paths["interfaces"]}
+    return paths if widget.kind == TERMINAL else {}
 
 
 def _without_hash(one: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,9 +13,11 @@ from typing import Any
 from markupsafe import Markup
 
 from sitegen.cache.folder import cache_folder
+from sitegen.config.ipynb import SUFFIX as NOTEBOOK
 from sitegen.errors import Problems, nearest
 from sitegen.interfaces.catalogue import as_artifact, as_json, catalogue, texts
 from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
+from sitegen.site import assets
 from sitegen.site.bags import bags
 from sitegen.site.launches import reading
 from sitegen.site.ownpanels import own_panels
@@ -93,10 +95,14 @@ class Renderer:
         return as_json(texts(self.site, cache=cache_folder()))
 
     def _definitions(self, page: Page) -> dict[str, Artifact]:
-        """Return the files that terminals of `page` load: all interfaces, and their texts."""
-        if not any(isinstance(part, Widget) and part.kind == TERMINAL for part in page.leaves):
-            return {}
-        return {"interfaces": as_artifact(self._interfaces), "texts": as_artifact(self._texts)}
+        """Return what terminals and panels below cells load: all interfaces, and their texts."""
+        kinds = assets.shown_kinds(page)
+        found = {}
+        if kinds & {TERMINAL, *assets.CELLS}:
+            found["interfaces"] = as_artifact(self._interfaces)
+        if TERMINAL in kinds:
+            found["texts"] = as_artifact(self._texts)
+        return found
 
     def every_page(self) -> list[Rendered]:
         """Return all pages; if there are many, they are rendered in several processes."""
@@ -163,14 +169,18 @@ class Renderer:
         if self.site.url and not page.base:
             artifacts.append(preview.artifact(self.site, page))
         slots = {slot.id for _, slot in slots_of(page)}
+        found, anchors = tuple(problems.found), tuple(prose.links.anchors)
+        if page.location.file.suffix == NOTEBOOK and not slots:
+            # It was written for Jupyter: what is wrong with it as a page must not stop a build.
+            notes, found, anchors = (*notes, *problems.lines), (), ()
         return Rendered(
             page,
             tuple(artifacts),
             frozenset(prose.ids | slots | ALWAYS),
-            tuple(prose.links.anchors),
+            anchors,
             tuple(search.passages(page, (block.html for block in shown))),
             tuple(sheets),
-            tuple(problems.found),
+            found,
             notes,
         )
 
@@ -288,7 +298,7 @@ class Renderer:
         return {
             "theme": address(page, theme.path),
             "style": address(page, f"{theme.path}site.css") if theme.style else "",
-            "widget_sheets": theme.own_sheets(widget.kind for widget, _ in slots_of(page)),
+            "widget_sheets": theme.own_sheets(assets.shown_kinds(page)),
             "logo": address(page, lasting_name(look.logo)) if look.logo else "",
             "footer": Markup(prose.html(look.footer) if look.footer else ""),
         }

@@ -53,7 +53,7 @@ class Library:
         sources: dict[str, Page] = {}
         for page in site.pages:
             for location in (page.location, *(part.location for part in page.leaves)):
-                if location.file.suffix == ".md":
+                if location.file.suffix in (".md", ".ipynb"):
                     sources.setdefault(os.path.realpath(location.file), page)
         return cls(site, {page.path: page for page in site.pages}, sources)
 

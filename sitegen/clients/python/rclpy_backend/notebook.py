@@ -15,6 +15,9 @@ import ros_host
 
 from rclpy_backend.system import blocking, loops
 
+# What addresses in a notebook are relative to: its page, or the folder of the notebooks.
+address = ""
+
 
 class Loop(loops.Loop):
     """An event loop that also starts what the page asks for."""
@@ -79,6 +82,9 @@ class Kernel:
             request = json.loads(typed.text)
             if request["op"] == "end":
                 self._over = True
+            elif request["op"] == "at":
+                global address
+                address = request["address"]
             elif request["op"] == "reply":
                 self._replies.append(request["text"])
             else:
