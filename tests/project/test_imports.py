@@ -18,7 +18,8 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "ignored", "pagepath", "report", "yamlnodes", "rclyaml", "rowe"),
+    *("errors", "shipped", "ignored", "pagepath", "mediatype", "report", "yamlnodes", "rclyaml"),
+    "rowe",
     "options",
     *("model", "cache", "workspace", "launch", "config", "interfaces", "nodes", "site", "build"),
     *("gateway", "commands", "__main__"),
