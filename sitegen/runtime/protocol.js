@@ -156,7 +156,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
  *   | {op: "missed", id: number, count: number}
- *   | {op: "complain", peer: number, text: string}
+ *   | {op: "complain", peer: number, what: Refusal, count: number}
  *   | {op: "look"}
  *   | {op: "settle"}
  *   | {op: "lines", lines: Line[]}
@@ -172,6 +172,11 @@ export const DEFAULT_QOS = Object.freeze({
  *
  * The first syntax error in a source text, as Python describes it. The line is 0 if there is none.
  * @typedef {{text: string, line: number, error: string}} Checked
+ */
+
+/**
+ * What a worker refuses to take from another one; see REFUSALS in page/reports.js.
+ * @typedef {"frame" | "large" | "unmatched" | "overrun" | "response" | "news"} Refusal
  */
 
 /**
@@ -273,6 +278,12 @@ export function writeHead(frame, offset, head, size) {
   view.setUint32(8, head.sequence, true);
   view.setUint32(12, size, true);
   view.setFloat64(16, head.timestamp, true);
+}
+
+/** Whether a frame is exactly one record. @param {ArrayBuffer} frame */
+export function isRecord(frame) {
+  const size = HEAD_SIZE + new DataView(frame).getUint32(12, true);
+  return frame.byteLength >= size && frame.byteLength - size < 8;
 }
 
 /**
