@@ -2,6 +2,7 @@
 // A Python node in a browser without JavaScript Promise Integration. While Python waits, this worker is blocked and
 // receives nothing, so its participant is in the worker that started it, pythonNode.js.
 
+import { siteFolder } from "../../place.js";
 import { confine } from "../confine.js";
 import { Caller } from "./calls.js";
 import { Printer } from "../printer.js";
@@ -12,7 +13,7 @@ import { remoteParticipant } from "./remoteParticipant.js";
 /** @import { FromWorker, Interpret } from "../../protocol.js" */
 /** @import { FromCaller } from "./calls.js" */
 
-confine();
+confine(siteFolder);
 const python = new Python();
 const post = (/** @type {FromWorker | FromCaller} */ message) => postMessage(message);
 const printer = new Printer(post);
