@@ -17,7 +17,7 @@ from sitegen.config.content import Reader
 from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
-from sitegen.config.nodes import Declared, declare
+from sitegen.config.nodes import Declared, declare, present
 from sitegen.config.ownpanel import own_script
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
@@ -208,11 +208,12 @@ class PageReader:
         # A script may use them without a widget.
         own = [*_declared(page), *_declared(front)] if script else []
         links = _giver("start_from_links", page, front)
+        used = _with_needed([*started, *shown, *own], nodes)
         return Page(
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes=_with_needed([*started, *shown, *own], nodes),
+            nodes=used,
             content=tuple(parts),
             level=level.offered(widgets),
             location=Location(file, 1) if file else page.value.location,
@@ -223,7 +224,7 @@ class PageReader:
             date=_giver("date", page, front).text("date"),
             language=language,
             original=path if original is None else original,
-            start_from_links=bool(links.option("start_from_links")),
+            start_from_links=present(links.get("start_from_links"), used, self.problems),
             layout=self._layout(_giver("layout", page, front)),
             launch=self._launch_file(given, folder, tuple(started), handlers, arguments)
             if started

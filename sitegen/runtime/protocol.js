@@ -3,11 +3,11 @@
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>, startFromLinks?: boolean, isolate?: string,
+ *   types?: Record<string, MessageType>, startFromLinks?: string[], isolate?: string,
  *   launch?: Launch, script?: {file: string, module: string}, interfaces?: string,
  *   messagesFrom?: string[]}} PageEntry `types` if a widget or a script
  *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
- *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
+ *   that may use the graph; shared links start the nodes in `startFromLinks` without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
  *   asked?: string[], arguments?: {name: string, default?: string, description?: string}[]}} Launch the launch file that starts these nodes, and those in `first` at once if not all of them;

@@ -97,7 +97,7 @@ def page_entry(
     if page.launch:
         entry["launch"] = _launch(page.launch, pressed)
     if page.start_from_links:
-        entry["startFromLinks"] = True
+        entry["startFromLinks"] = list(page.start_from_links)
     if assets.isolates(site, page):
         entry["isolate"] = address(page, "sw.js")
     return entry
