@@ -27,7 +27,15 @@ ROOMS = (
 
 # The same for the browser's modules. Rooms that stand together in a line do not know one another.
 RUNTIME_ROOMS = (
-    {"protocol.js", "budgets.js", "graphNames.js", "place.js", "engine.js", "interrupt.js", "vendor"},
+    {
+        "protocol.js",
+        "budgets.js",
+        "graphNames.js",
+        "place.js",
+        "engine.js",
+        "interrupt.js",
+        "vendor",
+    },
     {"worker.js"},
     {"ui"},
     {"messages"},

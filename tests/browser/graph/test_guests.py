@@ -238,6 +238,32 @@ def test_who_reports_without_end_is_told_and_stopped(play: Any, code: str, reaso
     assert uncaught == []
 
 
+def test_a_burst_of_reports_is_taken(play: Any) -> None:
+    found = play("""
+      const node = start("node", `report("running");
+        for (let n = 0; n < 39_000; n += 1) report("memory", { bytes: n });
+        say("done");`);
+      await until(() => node.lines.includes("done"));
+      return [node.lines, node.state];
+    """)
+    assert found == [["done"], "running"]
+
+
+def test_a_burst_of_lines_is_shown(play: Any) -> None:
+    """Long lines count as several."""
+    found = play("""
+      const send = (count, text) => `report("lines", { lines: Array.from({ length: ${count} },
+        () => ({ severity: "info", text: ${text} })) });`;
+      const short = start("short", `${send(100_000, '"x"')} ${send(99_000, '"x"')} say("done");`);
+      const long = start("long", `${send(4_000, '"x".repeat(60_000)')} report("running");`);
+      let count = 0;
+      short.addEventListener("lines", ({ detail }) => { count += detail.length; });
+      await until(() => count === 199_001 && long.state === "running");
+      return [short.told, long.told];
+    """)
+    assert found == [[], ["long: prints more than 20000 lines a second; some are dropped"]]
+
+
 def test_lines_are_cut(play: Any) -> None:
     found = play("""
       const node = start("evil", `say("x".repeat(65_536)); say("y".repeat(70_000)); say("done");`);

@@ -81,6 +81,17 @@ def test_messages_that_match_nothing_wait_within_a_budget(play: Any) -> None:
     assert found == [[0, 0, 0], [said]]
 
 
+def test_large_messages_that_match_nothing_wait_within_a_budget(play: Any) -> None:
+    found = play(f"""{FOREIGN}
+      const secret = victim.create("subscription", "/v", "/secret", type, qos);
+      for (let n = 1; n <= 9; n += 1) forge(secret, n, 8 * 1024 * 1024);
+      await until(() => graph.refused(foreign) === 1);
+      await until(() => graph.refused(foreign) === 9);
+      return taken(secret);
+    """)
+    assert found == 0
+
+
 def test_credits_are_taken_only_from_readers(play: Any) -> None:
     found = play(f"""{FOREIGN}
       const own = victim.create("publisher", "/v", "/own", type, qos);
@@ -165,6 +176,29 @@ def test_requests_wait_at_their_client_while_the_server_sleeps(play: Any) -> Non
     """)
     end = "5000 requests wait for /add, which takes no more"
     assert found == [6024, True, True, end, []]
+
+
+def test_requests_of_many_bytes_wait_within_a_budget(play: Any) -> None:
+    found = play(f"""{FOREIGN}
+      const other = join("other");
+      const client = other.create("client", "/o", "/add", type, qos);
+      const service = victim.create("service", "/v", "/add", type, qos);
+      await until(() => other.matched(client));
+      let asked = 0;
+      try {{
+        for (;; asked += 1) other.request(client, new Uint8Array(8 * 1024 * 1024));
+      }} catch {{
+        other.flush();
+      }}
+      let came = 0;
+      await until(() => {{
+        came += taken(service);
+        victim.flush();
+        return came === asked;
+      }});
+      return [asked, complaints];
+    """)
+    assert found == [4 + 8, []]
 
 
 def test_a_client_that_does_not_keep_to_its_credits_is_refused(play: Any) -> None:
