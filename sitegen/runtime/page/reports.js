@@ -65,7 +65,8 @@ const CHECKS = {
   create: ({ endpoint }) => isEndpoint(endpoint),
   destroy: ({ id }) => isId(id),
   missed: ({ id, count }) => isId(id) && isCount(count),
-  complain: ({ peer, what, count }) => isCount(peer) && isCount(count) && Object.hasOwn(REFUSALS, what),
+  complain: ({ peer, what, count }) =>
+    [peer, count].every(isCount) && typeof what === "string" && Object.hasOwn(REFUSALS, what),
   look: () => true,
   settle: () => true,
   lines: ({ lines }) =>
