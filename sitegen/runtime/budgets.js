@@ -3,8 +3,10 @@
 
 /** How much may be in transit to one endpoint. More would not be faster, and cannot be taken back. */
 export const WINDOW = { records: 1024, bytes: 32 * 1024 * 1024 };
-/** The largest history of a publisher with keepAll, and the most requests that wait for room at their server. Fast DDS
- * keeps 5000 messages. */
+/**
+ * The largest history of a publisher with keepAll, and the most requests that wait for room at their server. Fast DDS
+ * keeps 5000 messages.
+ */
 export const KEPT = { records: 5000, bytes: 64 * 1024 * 1024 };
 /** The largest frame of several records (bytes). */
 export const BATCH_SIZE = 64 * 1024;

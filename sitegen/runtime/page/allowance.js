@@ -15,7 +15,10 @@ export class Allowance {
     this.#since = time;
   }
 
-  /** Spend `units`; return false, and spend nothing, if fewer are left. @param {number} units @param {number} time in ms */
+  /**
+   * Spend `units`; return false, and spend nothing, if fewer are left.
+   * @param {number} units @param {number} time in ms
+   */
   spend(units, time) {
     this.#left = Math.min(this.#burst, this.#left + (time - this.#since) * this.#rate);
     this.#since = time;

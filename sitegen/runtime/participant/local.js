@@ -23,8 +23,9 @@ import { Writer } from "./writer.js";
  *   credit(writer: number, records: number, bytes: number): void,
  *   refuse(writer: number, what: Refusal): void,
  *   early: Early,
- * }} Actions what an endpoint calls: after an event; to send a message, as Writer says, or a request; to give a sender credits; to
- *   tell that it drops what a writer had no right to send. `early` is how much of it waits for the news of its match
+ * }} Actions what an endpoint calls: after an event; to send a message, as Writer says, or a request; to give a sender
+ *   credits; to tell that it drops what a writer had no right to send. `early` is how much waits for the news of its
+ *   match
  */
 
 export class Local {
