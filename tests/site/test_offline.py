@@ -166,6 +166,7 @@ def test_what_somebody_else_says_about_a_cached_file_is_not_believed(host: Host,
     url = host.on()
     tab.goto(url)
     until(tab, READY)
+    tab.reload()
     tab.evaluate("""async () => {
       for (const name of await caches.keys()) {
         const cache = await caches.open(name);

@@ -10,7 +10,7 @@
  */
 export function confine(site) {
   // Standard ECMAScript; then what a worker is, has and hears; streams, text, events and pictures; and what the runtime
-  // itself has added.
+  // itself has added. PERSISTENT and TEMPORARY are numbers that Chromium does not let go of.
   const globals = new Set(`
     AggregateError Array ArrayBuffer AsyncDisposableStack AsyncIterator Atomics BigInt BigInt64Array BigUint64Array Boolean
     DataView Date DisposableStack Error EvalError FinalizationRegistry Float16Array Float32Array Float64Array Function
@@ -33,7 +33,7 @@ export function confine(site) {
     WritableStreamDefaultWriter addEventListener dispatchEvent removeEventListener
     ImageBitmap ImageBitmapRenderingContext ImageData OffscreenCanvas OffscreenCanvasRenderingContext2D Path2D TextMetrics
     CanvasGradient CanvasPattern DOMMatrix DOMMatrixReadOnly DOMPoint DOMPointReadOnly DOMQuad DOMRect DOMRectReadOnly
-    createImageBitmap cancelAnimationFrame requestAnimationFrame
+    PERSISTENT TEMPORARY createImageBitmap cancelAnimationFrame requestAnimationFrame
     sitegenFiles Module`.trim().split(/\s+/));
   const navigators = new Set(`appCodeName appName appVersion constructor hardwareConcurrency language languages onLine
     platform product userAgent`.split(/\s+/));

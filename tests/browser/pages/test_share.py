@@ -226,7 +226,7 @@ def test_the_author_decides_whether_links_start_nodes(
     # Only the nodes that the author named start by themselves.
     tab.goto(f"{home}some/{everything}")
     expect(shown("node0")).to_be_disabled()
-    expect(word(tab)).to_contain_text("This link starts node1, node2, node3, node4 and node5.")
+    expect(word(tab)).to_contain_text("This link starts node1, node2, node3, node4, and node5.")
     expect(shown("node1")).to_be_enabled()
     tab.goto(f"{home}{everything}")
     expect(shown("node0")).to_be_enabled()

@@ -215,7 +215,9 @@ def _running(handler: type[BaseHTTPRequestHandler]) -> Iterator[int]:
 def ways_out(other: str) -> str:
     """Return the script that tries every way, for a server of somebody else."""
     script = (SUPPORT / "peers/waysOut.js").read_text().replace("<other>", other)
-    return script.replace("<left>", " ".join([*listed()[0], *listed()[1]]))
+    # A classic script has its own functions among the global names, and can load others of its site.
+    own = ["answered", "importScripts", "left", "opened", "tryAll"]
+    return script.replace("<left>", " ".join([*listed()[0], *listed()[1], *own]))
 
 
 def hostile(folder: Path, other: str) -> Path:
