@@ -70,6 +70,16 @@ def declare(value: Value, taken: Mapping[str, Declared], problems: Problems) -> 
     return {name: _with_needs(each, known, problems) for name, each in declared.items()}
 
 
+def present(given: Value | None, nodes: Mapping[str, Node], problems: Problems) -> tuple[str, ...]:
+    """Return the names in a list, noting those that are not of `nodes`, which a page has."""
+    names = given.items() if given else []
+    for name in names:
+        if name.text not in nodes:
+            message = f"no node '{name.text}' on this page; {nearest(name.text, nodes)}"
+            problems.add(name.location, name.key, message)
+    return tuple(name.text for name in names)
+
+
 def _with_needs(declared: Declared, known: Mapping[str, Declared], problems: Problems) -> Declared:
     """Return the node with the nodes that it needs, noting those that are not `known`."""
     node, section = declared

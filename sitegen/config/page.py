@@ -19,7 +19,7 @@ from sitegen.config.document import Value, parse, read
 from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
 from sitegen.config.launchfile import LaunchFile
-from sitegen.config.nodes import Declared, declare
+from sitegen.config.nodes import Declared, declare, present
 from sitegen.config.ownpanel import own_script
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
@@ -213,11 +213,12 @@ class PageReader:
         # A script may use them without a widget.
         scripted = own if script else []
         links = _giver("start_from_links", page, front)
+        used = _with_needed([*started, *others, *shown, *scripted], nodes)
         return Page(
             path=path,
             title=_title(page, front, parts),
             description=_giver("description", page, front).text("description"),
-            nodes=_with_needed([*started, *others, *shown, *scripted], nodes),
+            nodes=used,
             content=tuple(parts),
             level=level.offered(placed),
             location=Location(file, 1) if file else page.value.location,
@@ -228,7 +229,7 @@ class PageReader:
             date=_giver("date", page, front).text("date"),
             language=language,
             original=path if original is None else original,
-            start_from_links=bool(links.option("start_from_links")),
+            start_from_links=present(links.get("start_from_links"), used, self.problems),
             layout=self._layout(_giver("layout", page, front)),
             launch=launch.launch(others) if started else None,
             script=script,

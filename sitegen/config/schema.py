@@ -357,10 +357,9 @@ PAGE = (
     Key("theme", "text", "theme of this page; defaults to the site's", "theme: slides"),
     Key(
         "start_from_links",
-        "flag",
-        "let a [shared link](sharing.md) start nodes without asking",
-        "start_from_links: true",
-        default=False,
+        "list of text",
+        "nodes that a [shared link](sharing.md) starts without asking",
+        "start_from_links: [talker]",
     ),
     Key(
         "script",

@@ -56,7 +56,7 @@ class Page:
     language: str = ""
     original: str | None = None
     base: str = ""
-    start_from_links: bool = False
+    start_from_links: tuple[str, ...] = ()
     layout: str = "page"
     launch: Launch | None = None
     script: str = ""

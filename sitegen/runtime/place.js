@@ -14,3 +14,6 @@ export function place(name) {
 
 /** Whether workers are module workers. In a single file, classic workers load the modules. */
 export const moduleWorkers = !("sitegenFiles" in globalThis);
+
+/** The address of the folder of the site's files; empty in a single file. */
+export const siteFolder = moduleWorkers ? new URL("../", place("place.js")).href : "";

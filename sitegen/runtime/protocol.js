@@ -3,11 +3,11 @@
 /**
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
- *   types?: Record<string, MessageType>, startFromLinks?: boolean, isolate?: string,
+ *   types?: Record<string, MessageType>, startFromLinks?: string[], isolate?: string,
  *   launch?: Launch, script?: {file: string, module: string}, interfaces?: string,
  *   messagesFrom?: string[]}} PageEntry `types` if a widget or a script
  *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
- *   that may use the graph; with `startFromLinks`, shared links start nodes without asking;
+ *   that may use the graph; shared links start the nodes in `startFromLinks` without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
  *   asked?: string[], arguments?: LaunchArgument[],
@@ -159,7 +159,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "create", endpoint: Endpoint}
  *   | {op: "destroy", id: number}
  *   | {op: "missed", id: number, count: number}
- *   | {op: "complain", peer: number, text: string}
+ *   | {op: "complain", peer: number, what: Refusal, count: number}
  *   | {op: "look"}
  *   | {op: "settle"}
  *   | {op: "lines", lines: Line[]}
@@ -175,6 +175,11 @@ export const DEFAULT_QOS = Object.freeze({
  *
  * The first syntax error in a source text, as Python describes it. The line is 0 if there is none.
  * @typedef {{text: string, line: number, error: string}} Checked
+ */
+
+/**
+ * What a worker refuses to take from another one; see REFUSALS in page/reports.js.
+ * @typedef {"frame" | "large" | "unmatched" | "overrun" | "response" | "news"} Refusal
  */
 
 /**
@@ -276,6 +281,12 @@ export function writeHead(frame, offset, head, size) {
   view.setUint32(8, head.sequence, true);
   view.setUint32(12, size, true);
   view.setFloat64(16, head.timestamp, true);
+}
+
+/** Whether a frame is exactly one record. @param {ArrayBuffer} frame */
+export function isRecord(frame) {
+  const size = HEAD_SIZE + new DataView(frame).getUint32(12, true);
+  return frame.byteLength >= size && frame.byteLength - size < 8;
 }
 
 /**

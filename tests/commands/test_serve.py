@@ -23,8 +23,8 @@ from playwright.sync_api import Page
 from served import TEXT, Serving, edited_site
 
 from sitegen.__main__ import main
-from sitegen.commands.serve.media import media_type
 from sitegen.commands.serve.server import _Handler
+from sitegen.mediatype import media_type
 
 
 def test_nobody_else_can_open_an_editor_or_read_the_site(

@@ -18,7 +18,8 @@ RUNTIME = PACKAGE / "runtime"
 
 # The rooms of the generator. A module may import what stands before its own room, and its own.
 ROOMS = (
-    *("errors", "shipped", "ignored", "pagepath", "report", "yamlnodes", "rclyaml", "rowe"),
+    *("errors", "shipped", "ignored", "pagepath", "mediatype", "report", "yamlnodes", "rclyaml"),
+    "rowe",
     "options",
     *("model", "cache", "workspace", "launch", "config", "interfaces", "nodes", "site", "build"),
     *("gateway", "commands", "__main__"),
@@ -26,7 +27,15 @@ ROOMS = (
 
 # The same for the browser's modules. Rooms that stand together in a line do not know one another.
 RUNTIME_ROOMS = (
-    {"protocol.js", "graphNames.js", "place.js", "engine.js", "interrupt.js", "vendor"},
+    {
+        "protocol.js",
+        "budgets.js",
+        "graphNames.js",
+        "place.js",
+        "engine.js",
+        "interrupt.js",
+        "vendor",
+    },
     {"worker.js"},
     {"ui"},
     {"messages"},

@@ -160,6 +160,84 @@ def test_what_somebody_else_wrote_into_the_cache_is_not_served(host: Host, tab: 
     assert tab.title() != "forged"
 
 
+@pytest.mark.firefox
+def test_what_somebody_else_says_about_a_cached_file_is_not_believed(host: Host, tab: Page) -> None:
+    """A script that is served as HTML would be a page without a policy."""
+    url = host.on()
+    tab.goto(url)
+    until(tab, READY)
+    tab.reload()
+    tab.evaluate("""async () => {
+      for (const name of await caches.keys()) {
+        const cache = await caches.open(name);
+        for (const { url } of await cache.keys()) {
+          const content = await (await cache.match(url)).arrayBuffer();
+          const headers = { "content-type": "text/html", refresh: "0;url=about:blank" };
+          await cache.put(url, new Response(content, { status: 203, headers }));
+        }
+      }
+    }""")
+    host.off()
+    told = tab.evaluate(
+        """async (urls) => Promise.all(urls.map(async (url) => {
+          const response = await fetch(url);
+          return [response.status, Object.fromEntries(response.headers)];
+        }))""",
+        [f"{url}theme/page.js", f"{url}more/", f"{url}runtime/rosMain.js", f"{url}page.json"],
+    )
+    kinds = [
+        *("text/javascript; charset=utf-8", "text/html; charset=utf-8"),
+        *("text/javascript; charset=utf-8", "application/json"),
+    ]
+    assert told == [
+        [200, {"content-type": kind, "x-content-type-options": "nosniff"}] for kind in kinds
+    ]
+
+
+@pytest.mark.firefox
+def test_a_new_version_takes_nothing_from_an_old_cache_that_was_forged(
+    host: Host, tab: Page
+) -> None:
+    """The next build has most files of the one before, and knows them by their content only."""
+    url = host.on()
+    tab.goto(f"{url}more/")
+    until(tab, READY)
+    edit(host, "The first text.", "The second text.")
+    tab.evaluate("""async () => {
+      for (const name of await caches.keys()) {
+        const cache = await caches.open(name);
+        for (const { url } of await cache.keys()) {
+          if (!url.includes("/nodes/")) continue; // this page loads the others again
+          // With all that the genuine one says of itself.
+          const { headers } = await cache.match(url);
+          const html = "<script>document.title = 'forged'</script>";
+          await cache.put(url, new Response(html, { headers }));
+        }
+      }
+    }""")
+    tab.reload()
+    tab.get_by_role("button", name="Reload").click()
+    expect(tab.locator("main")).to_contain_text("The second text.")
+    # They were fetched from the server, so the site works without one.
+    host.off()
+    tab.goto(url)
+    Panel(tab, "talker").start()
+    Panel(tab, "talker").wait_for("Hello")
+    assert (
+        tab.evaluate("""async () => {
+      const forged = [];
+      for (const name of await caches.keys()) {
+        const cache = await caches.open(name);
+        for (const { url } of await cache.keys()) {
+          if ((await (await cache.match(url)).text()).includes("= 'forged'")) forged.push(url);
+        }
+      }
+      return forged;
+    }""")
+        == []
+    )
+
+
 def test_a_new_version_comes_as_a_whole_and_the_old_one_goes(host: Host, tab: Page) -> None:
     url = host.on()
     tab.goto(f"{url}more/")

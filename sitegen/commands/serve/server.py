@@ -16,9 +16,9 @@ from urllib.parse import quote, unquote, urlsplit
 
 from sitegen import pagepath
 from sitegen.commands.serve.editor import NoEditorError, open_editor
-from sitegen.commands.serve.media import media_type
 from sitegen.commands.serve.ranges import asked_part, read_part
 from sitegen.errors import SiteError
+from sitegen.mediatype import media_type
 from sitegen.model import Artifact
 from sitegen.shipped import RUNTIME
 from sitegen.site import offline

@@ -2,25 +2,32 @@
 // The ROS graph of the page: all endpoints, which of them match, and which workers are linked. Messages do not pass
 // through here; they travel through the ports that the graph gives to workers.
 
+import { BUDGETS } from "../budgets.js";
 import { gidOf, incompatibility, sends } from "../protocol.js";
-import { isEndpoint } from "./reports.js";
+import { Names } from "./names.js";
+import { REFUSALS, isEndpoint } from "./reports.js";
+import { byName, mismatches, missed, nodesOf, sum, types } from "./summary.js";
 
-/** @import { Endpoint, FromWorker, Mismatch, ToWorker } from "../protocol.js" */
+/** @import { Endpoint, FromWorker, Refusal, ToWorker } from "../protocol.js" */
 
 /**
  * @typedef {(message: ToWorker, transfer?: Transferable[]) => void} Post
  * @typedef {(text: string) => void} Complain
- * @typedef {{id: number, program: string, post: Post, complain: Complain,
- *   endpoints: Map<number, Endpoint>, missed: Map<number, number>, links: Set<number>,
- *   accused: Set<number>, looking: boolean}} Participant a worker, or the page; `looking` if it is told of the others'
- *   endpoints, and `accused` are the workers that it has complained about
+ * @typedef {{id: number, program: string, origin: string | undefined, post: Post, complain: Complain,
+ *   endpoints: Map<number, Member>, nodes: Map<string, number>, alike: Map<string, number>,
+ *   missed: Map<number, number>, links: Set<number>, told: Set<string>, refused: number,
+ *   looking: boolean}} Participant a worker, or the page; `nodes` counts its nodes by name and `alike` its endpoints of
+ *   one kind and name; `told` is what its console knows, `refused` how much others refused of it, and `looking` if
+ *   it is told of the others' endpoints
  * @typedef {{owner: Participant, endpoint: Endpoint}} Member
  * @typedef {{senders: Set<Member>, receivers: Set<Member>}} Channel a topic with its publishers and
  *   subscriptions, or a service with its clients and servers
  */
 
-// The longest complaint of one worker about another, in characters.
-const COMPLAINT = 200;
+// Those who listen to changes get at most this share of the time of the page, whatever workers announce.
+const SHARE = 0.2;
+// (ms)
+const FRAME = 16;
 
 /** Emits `change` after changes. */
 export class Graph extends EventTarget {
@@ -30,28 +37,50 @@ export class Graph extends EventTarget {
   #topics = new Map();
   /** @type {Map<string, Channel>} */
   #services = new Map();
+  #names = new Names();
   #nextId = 1;
   #changing = false;
+  /** How long to wait before the next change is told (ms). */
+  #pause = 0;
+  /** What messages have cost so far: the number of messages to workers. */
+  #spent = 0;
 
   /**
    * Add a worker and return its id.
    * @param {Post} post to the worker @param {string} program the name of its node, empty for the page itself
    * @param {Complain} complain called with errors of the worker
+   * @param {string} [origin] of the program that it runs; without, it is part of the page and may use any name
    */
-  join(post, program, complain) {
+  join(post, program, complain, origin) {
     const id = this.#nextId++;
     this.#participants.set(id, {
-      id, program, post, complain, endpoints: new Map(), missed: new Map(), links: new Set(), accused: new Set(),
-      looking: false,
+      id, program, origin, complain, endpoints: new Map(), nodes: new Map(), alike: new Map(), missed: new Map(),
+      links: new Set(), told: new Set(), refused: 0, looking: false,
+      post: (message, transfer) => {
+        this.#spent += 1;
+        post(message, transfer);
+      },
     });
     return id;
   }
 
+  /** Keep a name for a program: site.yaml gives it to a node. @param {string} name @param {string} origin */
+  reserve(name, origin) {
+    this.#names.reserve(name, origin);
+  }
+
   /**
-   * Handle a message of a worker that concerns the graph.
+   * Handle a message of a worker that concerns the graph. Return what it cost: the number of messages to workers.
    * @param {number} id of the worker @param {FromWorker} message
    */
   receive(id, message) {
+    const before = this.#spent;
+    this.#handle(id, message);
+    return this.#spent - before;
+  }
+
+  /** @param {number} id of the worker @param {FromWorker} message */
+  #handle(id, message) {
     switch (message.op) {
       case "create":
         this.#create(id, message.endpoint);
@@ -63,7 +92,7 @@ export class Graph extends EventTarget {
         this.#miss(id, message.id, message.count);
         break;
       case "complain":
-        this.#complain(id, message.peer, message.text);
+        this.#complain(id, message.peer, message.what, message.count);
         break;
       case "look":
         this.#look(id);
@@ -78,8 +107,10 @@ export class Graph extends EventTarget {
   leave(id) {
     const gone = this.#participants.get(id);
     if (!gone) return;
-    for (const endpoint of [...gone.endpoints.keys()]) this.#destroy(id, endpoint);
+    const left = [...gone.endpoints.keys()].map((endpoint) => ({ peer: id, id: endpoint }));
+    for (const member of [...gone.endpoints.values()]) this.#remove(member);
     this.#participants.delete(id);
+    if (left.length) this.#tell(gone, { op: "graph", come: [], gone: left });
     for (const peer of gone.links) {
       const other = this.#participants.get(peer);
       other?.links.delete(id);
@@ -92,14 +123,18 @@ export class Graph extends EventTarget {
   #create(id, endpoint) {
     const owner = this.#participants.get(id);
     if (!owner) return;
-    if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) {
-      owner.complain("announced an invalid endpoint; it was dropped");
+    const fault = this.#fault(owner, endpoint);
+    if (fault) {
+      tell(owner, fault);
       return;
     }
-    owner.endpoints.set(endpoint.id, endpoint);
+    const member = { owner, endpoint };
+    owner.endpoints.set(endpoint.id, member);
+    count(owner.alike, likeness(endpoint), 1);
     this.#tell(owner, { op: "graph", come: [{ peer: id, endpoint }], gone: [] });
-    if (endpoint.kind !== "node") {
-      const member = { owner, endpoint };
+    if (endpoint.kind === "node") {
+      count(owner.nodes, endpoint.node, 1);
+    } else {
       const { mine, others } = this.#sides(endpoint);
       mine.add(member);
       for (const other of others) this.#meet(member, other);
@@ -107,24 +142,43 @@ export class Graph extends EventTarget {
     this.#changed();
   }
 
+  /** Return why an endpoint is not accepted, or "". @param {Participant} owner @param {Endpoint} endpoint */
+  #fault(owner, endpoint) {
+    if (!isEndpoint(endpoint) || owner.endpoints.has(endpoint.id)) return "announced an invalid endpoint; it was dropped";
+    const wrong = this.#names.fault(endpoint, owner.origin, owner.nodes);
+    if (wrong) return `announced a ${endpoint.kind} ${wrong}; it was dropped`;
+    if (owner.origin === undefined) return ""; // the page itself, and the nodes that it stands for
+    if (owner.endpoints.size >= BUDGETS.endpoints) {
+      return `announced more than ${BUDGETS.endpoints} endpoints; further ones were dropped`;
+    }
+    const alike = endpoint.kind !== "node" && (owner.alike.get(likeness(endpoint)) ?? 0) >= BUDGETS.alike;
+    return alike ? `announced more than ${BUDGETS.alike} endpoints of one kind and name; further ones were dropped` : "";
+  }
+
   /** @param {number} id of the worker @param {number} endpointId */
   #destroy(id, endpointId) {
     const owner = this.#participants.get(id);
-    const endpoint = owner?.endpoints.get(endpointId);
-    if (!owner || !endpoint) return;
-    owner.endpoints.delete(endpointId);
+    const member = owner?.endpoints.get(endpointId);
+    if (!owner || !member) return;
+    this.#remove(member);
     this.#tell(owner, { op: "graph", come: [], gone: [{ peer: id, id: endpointId }] });
-    owner.missed.delete(endpointId);
-    if (endpoint.kind !== "node") {
-      const { mine, others } = this.#sides(endpoint);
-      const member = [...mine].find((m) => m.owner === owner && m.endpoint === endpoint);
-      if (member) {
-        mine.delete(member);
-        for (const other of others) this.#part(member, other);
-      }
-      if (mine.size + others.size === 0) this.#channels(endpoint).delete(endpoint.name);
-    }
     this.#changed();
+  }
+
+  /** @param {Member} member */
+  #remove(member) {
+    const { owner, endpoint } = member;
+    owner.endpoints.delete(endpoint.id);
+    owner.missed.delete(endpoint.id);
+    count(owner.alike, likeness(endpoint), -1);
+    if (endpoint.kind === "node") {
+      count(owner.nodes, endpoint.node, -1);
+      return;
+    }
+    const { mine, others } = this.#sides(endpoint);
+    mine.delete(member);
+    for (const other of others) this.#part(member, other);
+    if (mine.size + others.size === 0) this.#channels(endpoint).delete(endpoint.name);
   }
 
   /**
@@ -139,15 +193,20 @@ export class Graph extends EventTarget {
   }
 
   /**
-   * Show in the console of a worker what another one, linked to it, says about it, once.
-   * @param {number} id of the other one @param {number} peer @param {string} text
+   * A worker has refused what another one, linked to it, sent. The console of that one says so once, in words of the
+   * page: nobody writes in the console of another.
+   * @param {number} id of the one that refused @param {number} peer @param {Refusal} what @param {number} times
    */
-  #complain(id, peer, text) {
+  #complain(id, peer, what, times) {
     const [owner, accused] = [this.#participants.get(id), this.#participants.get(peer)];
-    if (!owner?.links.has(peer) || owner.accused.has(peer)) return;
-    owner.accused.add(peer);
-    const said = text.slice(0, COMPLAINT).replace(/\s+/g, " ");
-    accused?.complain(`${owner.program || "the page"} says that it ${said}`);
+    if (!accused || !owner?.links.has(peer)) return;
+    accused.refused += times;
+    tell(accused, `${owner.program || "the page"} refused what it sent: ${REFUSALS[what]}`);
+  }
+
+  /** How much others refused of what a worker sent. @param {number} id */
+  refused(id) {
+    return this.#participants.get(id)?.refused ?? 0;
   }
 
   /** Tell a worker all endpoints of the others, and from now on their changes. @param {number} id */
@@ -157,14 +216,14 @@ export class Graph extends EventTarget {
     owner.looking = true;
     const others = [...this.#participants.values()].filter((other) => other !== owner);
     const come = others.flatMap(({ id: peer, endpoints }) =>
-      [...endpoints.values()].map((endpoint) => ({ peer, endpoint })));
+      [...endpoints.values()].map(({ endpoint }) => ({ peer, endpoint })));
     owner.post({ op: "graph", come, gone: [] });
   }
 
   /** All endpoints, in the order of their creation. */
   endpoints() {
     return [...this.#participants.values()].flatMap(({ id, program, endpoints, missed }) =>
-      [...endpoints.values()].map((endpoint) => ({
+      [...endpoints.values()].map(({ endpoint }) => ({
         ...endpoint, gid: gidOf(id, endpoint.id), program, missed: missed.get(endpoint.id) ?? 0,
       })),
     );
@@ -267,8 +326,12 @@ export class Graph extends EventTarget {
     // One event for many changes: a node that starts announces a dozen endpoints.
     setTimeout(() => {
       this.#changing = false;
+      const begun = performance.now();
       this.dispatchEvent(new Event("change"));
-    });
+      const took = performance.now() - begun;
+      // What takes less than a frame needs no pause.
+      this.#pause = took < FRAME ? 0 : took / SHARE;
+    }, this.#pause);
   }
 }
 
@@ -277,42 +340,26 @@ function inOrder(a, b) {
   return sends(a.endpoint) ? [a.endpoint, b.endpoint] : [b.endpoint, a.endpoint];
 }
 
-/** @param {[string, Channel]} a @param {[string, Channel]} b */
-function byName([a], [b]) {
-  return a < b ? -1 : 1;
-}
-
-/** @param {Channel} channel */
-function types({ senders, receivers }) {
-  return [...new Set([...senders, ...receivers].map((member) => member.endpoint.type))];
-}
-
-/** @param {Set<Member>} members */
-function nodesOf(members) {
-  return [...members].map((member) => member.endpoint.node);
-}
-
 /** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */
 function bothWays(a, b) {
   return [[a, b], [b, a]];
 }
 
-/** Return the incompatible pairs of a topic. @param {Channel} channel @returns {Mismatch[]} */
-function mismatches({ senders, receivers }) {
-  return [...senders].flatMap(({ endpoint: from }) =>
-    [...receivers].flatMap(({ endpoint: to }) => {
-      const policy = incompatibility(from, to);
-      return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
-    }),
-  );
+/** What endpoints have in common that match the same ones. @param {Endpoint} endpoint */
+function likeness({ kind, name }) {
+  return `${kind} ${name}`;
 }
 
-/** The number of messages that a subscription missed, 0 for the page's own. @param {Member} member */
-function missed({ owner, endpoint }) {
-  return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
+/** @param {Map<string, number>} counts @param {string} key @param {number} more */
+function count(counts, key, more) {
+  const number = (counts.get(key) ?? 0) + more;
+  if (number > 0) counts.set(key, number);
+  else counts.delete(key);
 }
 
-/** @param {number[]} numbers */
-function sum(numbers) {
-  return numbers.reduce((total, number) => total + number, 0);
+/** Tell the console of a worker something, once. @param {Participant} owner @param {string} text */
+function tell(owner, text) {
+  if (owner.told.has(text)) return;
+  owner.told.add(text);
+  owner.complain(text);
 }

@@ -6,10 +6,10 @@ import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
 import { compile } from "./compile.js";
 import { obstacle } from "./isolated.js";
 import { place } from "../place.js";
-import { faultOf } from "./reports.js";
+import { Guard } from "./guard.js";
 import { startWorker } from "../worker.js";
 
-/** @import { FromWorker, Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
+/** @import { Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
 /** @import { Graph } from "./graph.js" */
 /** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
@@ -31,8 +31,8 @@ export class NodeProcess extends EventTarget {
   #module;
   #groups;
   /**
-   * The present worker, its id in the graph, and the invalid reports that its console has told.
-   * @type {{worker: Worker | Member, id: number, byte?: Uint8Array, faults: Set<string>} | undefined}
+   * The present worker, its id in the graph, and the guard of its budgets.
+   * @type {{worker: Worker | Member, id: number, byte?: Uint8Array, guard: Guard} | undefined}
    */
   #run;
   #startAgain = false;
@@ -73,6 +73,7 @@ export class NodeProcess extends EventTarget {
     this.#mounted = mounted;
     this.#groups = groups;
     mounted.then(() => this.#tellEarly());
+    graph.reserve(`/${name}`, originOf(entry));
     // What starts with the page says so then.
     if (entry.fault && !entry.autostart) this.#fail(`did not build: ${entry.fault}`);
   }
@@ -250,9 +251,10 @@ export class NodeProcess extends EventTarget {
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
-    const id = this.#graph.join(post, this.name, complain);
+    const id = this.#graph.join(post, this.name, complain, originOf(this.#entry));
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
-    const run = { worker, id, byte, faults: new Set() };
+    const guard = new Guard(complain, (reason) => this.#run === run && this.#fail(reason, "stuck"));
+    const run = { worker, id, byte, guard };
     this.#run = run;
     worker.onmessage = (/** @type {MessageEvent} */ event) => this.#receive(id, event.data);
     worker.onerror = (/** @type {{message: string, preventDefault(): void}} */ event) => {
@@ -269,18 +271,15 @@ export class NodeProcess extends EventTarget {
     }
   }
 
-  /** @param {number} id @param {FromWorker} message */
-  #receive(id, message) {
+  /** @param {number} id @param {unknown} report */
+  #receive(id, report) {
     if (this.#run?.id !== id) return; // sent before it was terminated
-    const fault = faultOf(message);
-    if (fault) {
-      if (!this.#run.faults.has(fault)) this.#print("warn", `${this.name}: sent an invalid report: ${fault}`);
-      this.#run.faults.add(fault);
-      return;
-    }
+    const { guard } = this.#run;
+    const message = guard.admit(report);
+    if (!message) return;
     switch (message.op) {
       case "running":
-        this.#setState("running");
+        if (this.#state === "starting") this.#setState("running");
         break;
       case "lines":
         this.#emitLines(message.lines);
@@ -319,15 +318,15 @@ export class NodeProcess extends EventTarget {
         }
         break;
       default:
-        this.#graph.receive(id, message);
+        guard.spend(this.#graph.receive(id, message));
     }
   }
 
-  /** @param {string} error */
-  #fail(error) {
+  /** @param {string} error @param {"early" | "stuck"} [how] the program ended */
+  #fail(error, how) {
     this.#print("fatal", `${this.name}: ${error}`);
     console.error(`${this.name}: ${error}`);
-    this.#end("failed");
+    this.#end("failed", how);
   }
 
   /** @param {NodeState} state @param {"early" | "by itself" | "stuck"} [how] the program ended */
@@ -336,6 +335,7 @@ export class NodeProcess extends EventTarget {
     const run = this.#run;
     this.#run = undefined;
     if (run) {
+      run.guard.finish();
       if (how === "by itself") setTimeout(() => dismiss(run.worker), LINGER);
       else if (how === "stuck") run.worker.terminate();
       else dismiss(run.worker);
@@ -385,6 +385,11 @@ export class NodeProcess extends EventTarget {
     }
     this.dispatchEvent(new Event("state"));
   }
+}
+
+/** What tells a program from others: two nodes of one executable may have the same name. @param {NodeEntry} entry */
+function originOf({ package: from, executable, ros2wasm }) {
+  return ros2wasm?.script ?? `${from}/${executable}`;
 }
 
 /** End a worker; that of a group goes on for its other nodes. @param {Worker | Member} worker */

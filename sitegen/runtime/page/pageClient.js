@@ -1,6 +1,7 @@
 // @ts-check
 // A node of the page itself in the graph: topics and services as JavaScript functions and objects.
 
+import { BUDGETS } from "../budgets.js";
 import { PAGE_NODE } from "../graphNames.js";
 import { Codec } from "../messages/codec.js";
 import { Participant } from "../participant/participant.js";
@@ -39,7 +40,7 @@ export class PageClient {
     let participant;
     const warn = (/** @type {string} */ text) => console.warn(`the page ${text}`);
     const id = graph.join((message) => participant.receive(message), "", warn);
-    participant = new Participant(id, (message) => graph.receive(id, message));
+    participant = new Participant(id, (message) => graph.receive(id, message), false, BUDGETS.frame);
     this.#participant = participant;
     this.#id = id;
     if (node) participant.create("node", node, "", "", DEFAULT_QOS);

@@ -3,7 +3,7 @@
 
 import { KINDS } from "../protocol.js";
 
-/** @import { FromWorker } from "../protocol.js" */
+/** @import { FromWorker, Refusal } from "../protocol.js" */
 
 // The longest names and types, and the longest texts, in characters; and the most entries of a list.
 const NAME = 4096;
@@ -12,6 +12,19 @@ const LIST = 100_000;
 
 const SEVERITIES = ["debug", "info", "warn", "error", "fatal", "stdout", "stderr", "typed"];
 const KEYBOARDS = ["lines", "hidden", "keys", "raw"];
+
+/**
+ * What a worker refuses to take from another one, in the words of that one's console.
+ * @type {Record<Refusal, string>}
+ */
+export const REFUSALS = {
+  frame: "a frame that is not valid",
+  large: "a frame that is too large",
+  unmatched: "messages to an endpoint that does not match",
+  overrun: "more messages than it had credits for",
+  response: "a response to a request that it did not get",
+  news: "credits or a sign of life of an endpoint that does not match",
+};
 
 /** @typedef {(value: any) => boolean} Check */
 
@@ -52,12 +65,13 @@ const CHECKS = {
   create: ({ endpoint }) => isEndpoint(endpoint),
   destroy: ({ id }) => isId(id),
   missed: ({ id, count }) => isId(id) && isCount(count),
-  complain: ({ peer, text }) => isCount(peer) && isText(text),
+  complain: ({ peer, what, count }) =>
+    [peer, count].every(isCount) && typeof what === "string" && Object.hasOwn(REFUSALS, what),
   look: () => true,
   settle: () => true,
   lines: ({ lines }) =>
     isList(lines, (line) => isText(line?.text) && SEVERITIES.includes(line.severity)),
-  progress: ({ loaded, total }) => [loaded, total].every(Number.isFinite),
+  progress: ({ loaded, total }) => [loaded, total].every((bytes) => Number.isFinite(bytes) && bytes >= 0),
   memory: ({ bytes }) => isCount(bytes),
   reading: ({ keyboard }) => KEYBOARDS.includes(keyboard),
   ready: ({ more }) => typeof more === "boolean",

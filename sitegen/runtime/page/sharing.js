@@ -34,12 +34,13 @@ export class Sharing {
   #later = new Set();
   /** The widgets that restore their state. @type {(void | Promise<void>)[]} */
   #restoring = [];
-  #trusted;
+  /** Whether it is the link of this tab itself, while its page is edited. */
+  #own;
 
   /** @param {PageEntry} page @param {string} fragment of the page's address */
   constructor(page, fragment) {
     this.#page = page;
-    this.#trusted = page.startFromLinks || fragment === own();
+    this.#own = fragment === own();
     this.rename(page);
     if (fragment.startsWith(SIGN)) this.#read(fragment.slice(SIGN.length));
   }
@@ -85,9 +86,10 @@ export class Sharing {
     const chosen = this.#page.widgets.some(({ kind, target }) => STARTING.includes(kind) && target === name);
     if (!this.#given.run || !chosen) return Boolean(entry?.autostart);
     if (!this.#given.run.includes(name)) return false;
+    const trusted = this.#own || this.#page.startFromLinks?.includes(name);
     const changed = this.#hasOptions(name);
-    if (!changed && (this.#trusted || entry?.autostart || entry?.later)) return true;
-    (this.#trusted ? this.#later : this.#asked).add(name);
+    if (!changed && (trusted || entry?.autostart || entry?.later)) return true;
+    (trusted ? this.#later : this.#asked).add(name);
     return false;
   }
 

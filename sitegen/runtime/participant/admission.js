@@ -2,32 +2,62 @@
 // Which messages an endpoint takes: those of the endpoints that match it and, at a client, the responses to its requests.
 // Workers may run any program, and a link lets them address every endpoint of each other.
 
-/** @import { EndpointKind } from "../protocol.js" */
+import { BUDGETS } from "../budgets.js";
+import { splitGid } from "../protocol.js";
+
+/** @import { EndpointKind, Refusal } from "../protocol.js" */
 /** @import { Received } from "./queue.js" */
 
 // Messages and the news of matches come by different ways. A message may be this much before the beginning, or behind
 // the end, of a match (ms).
 const GRACE = 2000;
-// The most messages that wait for the news of their match. Genuine publishers send no more before the first credits.
-const EARLY = { records: 4096, bytes: 64 * 1024 * 1024 };
 // The most requests whose responses are expected. A server may never answer.
 const ASKED = 65_536;
+
+/** How much of each worker waits for the news of its match, at all endpoints. */
+export class Early {
+  /** @type {Map<number, {records: number, bytes: number}>} */
+  #waiting = new Map();
+
+  /** Count one more message; return false if there are too many. @param {number} writer @param {number} size */
+  add(writer, size) {
+    const { peer } = splitGid(writer);
+    const { records, bytes } = this.#waiting.get(peer) ?? { records: 0, bytes: 0 };
+    if (records >= BUDGETS.early.records || bytes + size > BUDGETS.early.bytes) return false;
+    this.#waiting.set(peer, { records: records + 1, bytes: bytes + size });
+    return true;
+  }
+
+  /** @param {number} writer @param {Received[]} samples that wait no more */
+  remove(writer, samples) {
+    const { peer } = splitGid(writer);
+    const waiting = this.#waiting.get(peer);
+    if (!waiting) return;
+    waiting.records -= samples.length;
+    for (const { message } of samples) waiting.bytes -= message.length;
+    if (waiting.records === 0) this.#waiting.delete(peer);
+  }
+}
 
 export class Admission {
   #ofClient;
   #refuse;
+  #waiting;
   /** The gids of endpoints that match, or did so a moment ago. @type {Set<number>} */
   #known = new Set();
   /** Messages of other endpoints, by the gid of the writer. @type {Map<number, Received[]>} */
   #early = new Map();
-  #waiting = { records: 0, bytes: 0 };
   /** The gids of the servers that were asked, by the number of the request. @type {Map<number, number>} */
   #asked = new Map();
 
-  /** @param {EndpointKind} kind @param {(writer: number, what: string) => void} refuse called when a message is dropped */
-  constructor(kind, refuse) {
+  /**
+   * @param {EndpointKind} kind @param {(writer: number, what: Refusal) => void} refuse called when a message is dropped
+   * @param {Early} early of all endpoints of this worker
+   */
+  constructor(kind, refuse, early) {
     this.#ofClient = kind === "client";
     this.#refuse = refuse;
+    this.#waiting = early;
   }
 
   /** An endpoint matches: return its messages that came before. @param {number} gid */
@@ -56,7 +86,7 @@ export class Admission {
       return false;
     }
     if (this.#asked.get(sequence) !== writer) {
-      this.#refuse(writer, "a response to a request that it was not sent");
+      this.#refuse(writer, "response");
       return false;
     }
     return this.#asked.delete(sequence);
@@ -70,12 +100,10 @@ export class Admission {
   /** @param {Received} sample */
   #hold(sample) {
     const { writer, message } = sample;
-    const { records, bytes } = this.#waiting;
-    if (records >= EARLY.records || bytes + message.length > EARLY.bytes) {
-      this.#refuse(writer, "messages to an endpoint that does not match");
+    if (!this.#waiting.add(writer, message.length)) {
+      this.#refuse(writer, "unmatched");
       return;
     }
-    this.#waiting = { records: records + 1, bytes: bytes + message.length };
     const early = this.#early.get(writer);
     if (early) {
       early.push(sample);
@@ -83,7 +111,7 @@ export class Admission {
     }
     this.#early.set(writer, [sample]);
     setTimeout(() => {
-      if (this.#release(writer).length) this.#refuse(writer, "messages to an endpoint that does not match");
+      for (const _ of this.#release(writer)) this.#refuse(writer, "unmatched");
     }, GRACE);
   }
 
@@ -91,10 +119,7 @@ export class Admission {
   #release(writer) {
     const early = this.#early.get(writer) ?? [];
     this.#early.delete(writer);
-    for (const { message } of early) {
-      this.#waiting.records -= 1;
-      this.#waiting.bytes -= message.length;
-    }
+    this.#waiting.remove(writer, early);
     return early;
   }
 }

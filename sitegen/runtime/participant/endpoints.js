@@ -28,6 +28,11 @@ export class Endpoints {
     return this.#locals.get(id);
   }
 
+  /** Whether there was ever an endpoint of this id: ids are not used again. @param {number} id */
+  knew(id) {
+    return id > 0 && id < this.#nextId;
+  }
+
   /** In the order of their creation, by id. */
   entries() {
     return this.#locals.entries();

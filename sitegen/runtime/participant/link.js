@@ -1,10 +1,11 @@
 // @ts-check
 // The port to another worker. What arrives is checked, because that worker may run any program.
 
-import { now, readRecords } from "../protocol.js";
+import { BATCH_SIZE } from "../budgets.js";
+import { isRecord, now, readRecords } from "../protocol.js";
 import { Outbox } from "./outbox.js";
 
-/** @import { FromPeer, Head } from "../protocol.js" */
+/** @import { FromPeer, Head, Refusal } from "../protocol.js" */
 
 // Messages that a worker sent before it ended arrive within this time (ms). Not all browsers report a closed port.
 const LINGER = 1000;
@@ -15,15 +16,16 @@ const LINGER = 1000;
  *   credit(writer: number, reader: number, records: number, bytes: number): void,
  *   hear(writer: number, reader: number): void,
  *   wake(): void,
- *   complain(text: string): void,
- * }} Listener `writer` and `reader` are ids of endpoints in their own workers
+ *   refuse(what: Refusal): void,
+ *   largest: number,
+ * }} Listener `writer` and `reader` are ids of endpoints in their own workers; `largest` is the size of the largest
+ *   frame that is taken
  */
 
 export class Link {
   #port;
   #outbox;
   #listener;
-  #complained = false;
 
   /** @param {MessagePort} port @param {Listener} listener */
   constructor(port, listener) {
@@ -31,7 +33,7 @@ export class Link {
     this.#outbox = new Outbox(port);
     this.#listener = listener;
     port.onmessage = (event) => this.#receive(event.data);
-    port.onmessageerror = () => this.#complain("a message that cannot be read");
+    port.onmessageerror = () => this.#listener.refuse("frame");
   }
 
   /** Send a message, as Outbox.send does. @param {Head} head @param {Uint8Array} message @param {boolean} own */
@@ -60,14 +62,15 @@ export class Link {
     }, LINGER);
   }
 
+  /** Close the port at once. */
+  cut() {
+    this.#port.close();
+  }
+
   /** @param {unknown} data */
   #receive(data) {
     if (data instanceof ArrayBuffer) {
-      // One time stamp for the frame: reading the clock costs as much as all other work for a message.
-      const received = now();
-      const { deliver } = this.#listener;
-      const rest = readRecords(data, (head, message) => deliver(head, message, received));
-      if (rest > 0) this.#complain(`a frame of ${data.byteLength} bytes of which ${rest} are not valid records`);
+      this.#receiveFrame(data);
     } else {
       const { op, writer, reader, records, bytes } = /** @type {any} */ (data ?? {});
       if (op === "credit" && [writer, reader, records, bytes].every(isCount)) {
@@ -75,17 +78,27 @@ export class Link {
       } else if (op === "alive" && [writer, reader].every(isCount)) {
         this.#listener.hear(writer, reader);
       } else {
-        this.#complain("an invalid frame");
+        this.#listener.refuse("frame");
       }
     }
     this.#listener.wake();
   }
 
-  /** Complain only once, because invalid frames come in numbers. @param {string} what */
-  #complain(what) {
-    if (this.#complained) return;
-    this.#complained = true;
-    this.#listener.complain(`sent ${what} to other nodes; it was dropped`);
+  /** @param {ArrayBuffer} frame */
+  #receiveFrame(frame) {
+    const size = frame.byteLength;
+    if (size > this.#listener.largest) {
+      this.#listener.refuse("large");
+    } else if (size > BATCH_SIZE && !isRecord(frame)) {
+      // Millions of small records would occupy the receiver for seconds.
+      this.#listener.refuse("frame");
+    } else {
+      // One time stamp for the frame: reading the clock costs as much as all other work for a message.
+      const received = now();
+      const { deliver } = this.#listener;
+      const rest = readRecords(frame, (head, message) => deliver(head, message, received));
+      if (rest > 0) this.#listener.refuse("frame");
+    }
   }
 }
 

@@ -32,6 +32,12 @@ export class Links {
     this.#links.delete(peer);
   }
 
+  /** Take nothing more of another worker, and send it nothing. @param {number} peer */
+  cut(peer) {
+    this.#links.get(peer)?.cut();
+    this.#links.delete(peer);
+  }
+
   /**
    * Send a message, as Outbox.send does.
    * @param {number} peer @param {Head} head @param {Uint8Array} message @param {boolean} own
@@ -78,4 +84,6 @@ class Loopback {
   flush() {}
 
   end() {}
+
+  cut() {}
 }

@@ -2,12 +2,14 @@
 // An endpoint of this worker: which endpoints match it, what it sends and which messages wait at it.
 
 import { Admission } from "./admission.js";
-import { Queue } from "./queue.js";
+import { Calls } from "./calls.js";
+import { Inbox } from "./inbox.js";
 import { Reader } from "./reader.js";
 import { Status } from "./status.js";
 import { Writer } from "./writer.js";
 
-/** @import { Endpoint, Policy, Qos } from "../protocol.js" */
+/** @import { Endpoint, Policy, Qos, Refusal } from "../protocol.js" */
+/** @import { Early } from "./admission.js" */
 /** @import { Received } from "./queue.js" */
 /** @import { Sample } from "./writer.js" */
 
@@ -17,10 +19,13 @@ import { Writer } from "./writer.js";
  * @typedef {{
  *   changed(): void,
  *   send(remote: Remote, sample: Sample, last: boolean): void,
+ *   ask(remote: Remote, sample: Sample): void,
  *   credit(writer: number, records: number, bytes: number): void,
- *   refuse(writer: number, what: string): void,
- * }} Actions what an endpoint calls: after an event; to send a message, as Writer says; to give a publisher credits; to
- *   tell that it drops what a writer had no right to send
+ *   refuse(writer: number, what: Refusal): void,
+ *   early: Early,
+ * }} Actions what an endpoint calls: after an event; to send a message, as Writer says, or a request; to give a sender
+ *   credits; to tell that it drops what a writer had no right to send. `early` is how much waits for the news of its
+ *   match
  */
 
 export class Local {
@@ -32,25 +37,27 @@ export class Local {
   writer;
   /** Of a subscription. @type {Reader | undefined} */
   reader;
-  /** Of a service or a client. @type {Queue | undefined} */
-  #queue;
+  /** Of a client. @type {Calls | undefined} */
+  calls;
+  /** Of a service or a client. @type {Inbox | undefined} */
+  #inbox;
   #admission;
   /** The number of requests that a client has sent. */
   requests = 0;
 
   /** @param {Endpoint} endpoint @param {Actions} actions */
-  constructor(endpoint, { changed, send, credit, refuse }) {
+  constructor(endpoint, { changed, send, ask, credit, refuse, early }) {
     this.endpoint = endpoint;
-    const { kind, qos } = endpoint;
-    this.#admission = new Admission(kind, refuse);
+    const { kind, name, qos } = endpoint;
+    this.#admission = new Admission(kind, refuse, early);
     this.status = new Status(changed);
     if (kind === "publisher") {
       this.writer = new Writer(qos, this.status, send);
     } else if (kind === "subscription") {
-      this.reader = new Reader(qos, this.status, credit);
+      this.reader = new Reader(qos, this.status, credit, refuse);
     } else if (kind === "service" || kind === "client") {
-      // The number of requests and responses is limited by the callers that wait for them.
-      this.#queue = new Queue(Infinity);
+      this.#inbox = new Inbox(kind === "service", credit, refuse);
+      if (kind === "client") this.calls = new Calls(name, ask);
     }
   }
 
@@ -71,6 +78,8 @@ export class Local {
     this.#admission.unmatch(gid);
     this.reader?.unmatch(gid);
     this.writer?.unmatch(gid);
+    this.calls?.unmatch(gid);
+    this.#inbox?.unmatch(gid);
     this.status.add("matched", 0, -1);
   }
 
@@ -92,6 +101,14 @@ export class Local {
     return this.#admission.admits(sample) && this.#add(sample);
   }
 
+  /**
+   * A receiver has room for more. Return whether it may say so.
+   * @param {number} gid @param {number} records @param {number} bytes
+   */
+  credit(gid, records, bytes) {
+    return (this.writer ?? this.calls)?.credit(gid, records, bytes) || this.#admission.knows(gid);
+  }
+
   /** A publisher has asserted its liveliness. @param {number} gid */
   hear(gid) {
     if (this.#admission.knows(gid)) this.reader?.hear(gid);
@@ -99,7 +116,7 @@ export class Local {
 
   /** @param {Received} sample */
   #add(sample) {
-    this.#queue?.push(sample);
+    this.#inbox?.push(sample);
     if (!this.reader) return false;
     const { missed } = this.reader;
     this.reader.push(sample);
@@ -108,12 +125,12 @@ export class Local {
 
   /** The oldest message that waits, which stays. */
   peek() {
-    return (this.reader ?? this.#queue)?.peek();
+    return (this.reader ?? this.#inbox)?.peek();
   }
 
   /** Remove the oldest message and return it. */
   take() {
-    return this.reader ? this.reader.take() : this.#queue?.shift();
+    return (this.reader ?? this.#inbox)?.take();
   }
 
   close() {

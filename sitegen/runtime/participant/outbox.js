@@ -1,11 +1,11 @@
 // @ts-check
 // What a worker sends to another one: records, in batches when many are sent in a short time.
 
+import { BATCH_SIZE } from "../budgets.js";
 import { HEAD_SIZE, recordSize, writeHead } from "../protocol.js";
 
 /** @import { Head } from "../protocol.js" */
 
-const BATCH_SIZE = 64 * 1024;
 // The number of records that are sent immediately after each wait. They must not be delayed by a program that computes
 // for a long time without waiting; only more than these are worth a batch.
 const BURST = 4;

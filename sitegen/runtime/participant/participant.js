@@ -2,10 +2,13 @@
 // A worker's part in the ROS graph: its endpoints, its links to other workers, what it knows of the graph, and
 // waiting.
 
+import { BUDGETS } from "../budgets.js";
 import { gidOf, now, splitGid } from "../protocol.js";
+import { Early } from "./admission.js";
 import { Announced } from "./announced.js";
 import { Endpoints } from "./endpoints.js";
 import { Links } from "./links.js";
+import { Refusals } from "./refusals.js";
 import { Surroundings } from "./surroundings.js";
 import { Waiting } from "./waiting.js";
 
@@ -30,8 +33,9 @@ export class Participant {
   #announced;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #report;
-  /** Workers of which something was refused. @type {Set<number>} */
-  #refused = new Set();
+  #early = new Early();
+  #refusals;
+  #largest;
   /** The number of events so far, of all endpoints: unless it has changed, there is no new one. */
   events = 0;
 
@@ -39,9 +43,12 @@ export class Participant {
    * @param {number} id of this worker in the page
    * @param {(message: FromWorker) => void} post to the page
    * @param {boolean} [apart] whether its own endpoints do not match each other: they stand for others, elsewhere
+   * @param {number} [largest] the size of the largest frame that it takes, in bytes
    */
-  constructor(id, post, apart = false) {
+  constructor(id, post, apart = false, largest = Infinity) {
     this.#id = id;
+    this.#largest = largest;
+    this.#refusals = new Refusals(post, (peer) => this.#cut(peer));
     this.#post = post;
     this.#endpoints = new Endpoints(id, apart);
     this.#links = new Links(id, (peer) => this.#listenerOf(peer));
@@ -97,8 +104,8 @@ export class Participant {
   }
 
   /**
-   * Send a copy of a request from the client `id` to a matching server, if there is one. Return the sequence number,
-   * which the response will have, too.
+   * Send a copy of a request from the client `id` to a matching server, if there is one, as soon as it has room. Return
+   * the sequence number, which the response will have, too. Throws an Error if too many requests wait.
    * @param {number} id @param {Uint8Array} message
    */
   request(id, message) {
@@ -108,7 +115,7 @@ export class Participant {
     const server = local.remotes[0];
     if (server) {
       local.ask(sequence, server.gid);
-      this.#ask(id, server, { sequence, timestamp: now(), message });
+      local.calls?.request(server, { sequence, timestamp: now(), size: message.length, message });
     }
     return sequence;
   }
@@ -221,6 +228,7 @@ export class Participant {
         break;
       case "match": {
         const { local, peer, remote: id, qos } = message;
+        if (this.#refusals.of(peer) >= BUDGETS.refused) break;
         const missed = this.#endpoints.get(local)?.match({ gid: gidOf(peer, id), peer, id, qos });
         if (missed) this.#reportMissed();
         this.#links.flush(peer);
@@ -254,11 +262,13 @@ export class Participant {
         this.wake();
       },
       send: (remote, sample, last) => this.#send(id, remote, sample, last),
+      ask: (remote, sample) => this.#ask(id, remote, sample),
       credit: (writer, records, bytes) => {
         const { peer, id: there } = splitGid(writer);
         this.#links.tell(peer, { op: "credit", writer: there, reader: id, records, bytes });
       },
-      refuse: (writer, what) => this.#refuse(splitGid(writer).peer, what),
+      refuse: (writer, what) => this.#refusals.add(splitGid(writer).peer, what),
+      early: this.#early,
     };
   }
 
@@ -267,12 +277,15 @@ export class Participant {
     return {
       deliver: (head, message, received) => this.#deliver(peer, head, message, received),
       credit: (writer, reader, records, bytes) => {
-        this.#endpoints.get(writer)?.writer?.credit(gidOf(peer, reader), records, bytes);
+        const right = this.#of(peer, writer)?.credit(gidOf(peer, reader), records, bytes);
+        if (right === false) this.#refusals.add(peer, "news");
         this.#links.flush(peer);
       },
-      hear: (writer, reader) => this.#endpoints.get(reader)?.hear(gidOf(peer, writer)),
+      // A publisher may know of the match before its subscription does.
+      hear: (writer, reader) => this.#of(peer, reader)?.hear(gidOf(peer, writer)),
       wake: () => this.wake(),
-      complain: (text) => this.#post({ op: "complain", peer, text }),
+      refuse: (what) => this.#refusals.add(peer, what),
+      largest: this.#largest,
     };
   }
 
@@ -308,16 +321,24 @@ export class Participant {
   /** @param {number} peer @param {Head} head @param {Uint8Array} message @param {number} received */
   #deliver(peer, { reader, writer, sequence, timestamp }, message, received) {
     // The receiver may have been destroyed while the message was in transit.
-    const local = this.#endpoints.get(reader);
+    const local = this.#of(peer, reader);
     const missed = local?.push({ writer: gidOf(peer, writer), sequence, timestamp, received, message });
     if (missed) this.#reportMissed();
   }
 
-  /** Tell once that a worker sent what it had no right to send. @param {number} peer @param {string} what */
-  #refuse(peer, what) {
-    if (this.#refused.has(peer)) return;
-    this.#refused.add(peer);
-    this.#post({ op: "complain", peer, text: `sent ${what}; it was dropped` });
+  /** The endpoint that another worker means; one may be gone, but not unknown. @param {number} peer @param {number} id */
+  #of(peer, id) {
+    const local = this.#endpoints.get(id);
+    if (!local && !this.#endpoints.knew(id)) this.#refusals.add(peer, "unmatched");
+    return local;
+  }
+
+  /** Have nothing more to do with a worker that went on sending what it had no right to send. @param {number} peer */
+  #cut(peer) {
+    this.#links.cut(peer);
+    for (const [, local] of this.#endpoints.entries()) {
+      for (const { gid } of local.remotes.filter((remote) => remote.peer === peer)) local.unmatch(gid);
+    }
   }
 
   #reportMissed() {

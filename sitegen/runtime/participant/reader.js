@@ -2,24 +2,19 @@
 // The receiving side of a subscription: the messages that wait for the program, and the credits for publishers.
 
 import { splitGid, now } from "../protocol.js";
+import { Inflow } from "./inflow.js";
 import { Queue } from "./queue.js";
 import { Watch } from "./watch.js";
-import { WINDOW } from "./writer.js";
 
-/** @import { Qos } from "../protocol.js" */
+/** @import { Qos, Refusal } from "../protocol.js" */
 /** @import { Remote } from "./local.js" */
 /** @import { Received } from "./queue.js" */
 /** @import { Status } from "./status.js" */
 
-// Give credits when half of a window is used, or after this time (ms), so that a publisher follows the pace of a slow
-// subscription.
-const PAUSE = 50;
-
 /**
- * A publisher: the last sequence number, the records and bytes taken since it got credits, the time when it got them,
- * and whether it is alive. Of a publisher with manual liveliness that is unknown until it publishes or asserts it.
- * @typedef {{remote?: Remote, last: number, records: number, bytes: number, credited: number,
- *   alive?: boolean, lease?: Watch}} Source
+ * A publisher: the last sequence number, what has arrived from it, and whether it is alive. Of a publisher with manual
+ * liveliness that is unknown until it publishes or asserts it.
+ * @typedef {{remote?: Remote, last: number, inflow: Inflow, alive?: boolean, lease?: Watch}} Source
  */
 
 export class Reader {
@@ -27,6 +22,7 @@ export class Reader {
   #qos;
   #status;
   #credit;
+  #refuse;
   /** By the publisher's gid. @type {Map<number, Source>} */
   #sources = new Map();
   #deadline;
@@ -39,11 +35,13 @@ export class Reader {
    * @param {Qos} qos
    * @param {Status} status
    * @param {(writer: number, records: number, bytes: number) => void} credit tells a publisher what was taken
+   * @param {(writer: number, what: Refusal) => void} refuse called when a message is dropped that has no right to come
    */
-  constructor(qos, status, credit) {
+  constructor(qos, status, credit, refuse) {
     this.#qos = qos;
     this.#status = status;
     this.#credit = credit;
+    this.#refuse = refuse;
     this.#queue = new Queue(qos.keepAll ? Infinity : Math.max(qos.depth, 1));
     this.#deadline = new Watch(qos.deadline, (periods) => status.add("deadline", periods), true);
   }
@@ -85,6 +83,10 @@ export class Reader {
   /** @param {Received} sample */
   push(sample) {
     const source = this.#source(sample.writer);
+    if (!source.inflow.arrive(sample.message.length)) {
+      this.#refuse(sample.writer, "overrun");
+      return;
+    }
     const lost = source.last > 0 ? sample.sequence - source.last - 1 : 0;
     if (lost > 0) this.#status.add("lost", lost);
     source.last = sample.sequence;
@@ -123,7 +125,7 @@ export class Reader {
   #source(gid) {
     let source = this.#sources.get(gid);
     if (!source) {
-      source = { last: 0, records: 0, bytes: 0, credited: 0 };
+      source = { last: 0, inflow: new Inflow() };
       this.#sources.set(gid, source);
     }
     return source;
@@ -131,17 +133,7 @@ export class Reader {
 
   /** Count a message for which the publisher gets credit, many at once. @param {Received} sample that left the queue */
   #consumed({ writer, message }) {
-    const source = this.#sources.get(writer);
-    if (!source) return;
-    source.records += 1;
-    source.bytes += message.length;
-    const { records, bytes, credited } = source;
-    const time = now();
-    if (records < WINDOW.records / 2 && bytes < WINDOW.bytes / 2 && time - credited < PAUSE) return;
-    source.credited = time;
-    source.records = 0;
-    source.bytes = 0;
-    this.#credit(writer, records, bytes);
+    this.#sources.get(writer)?.inflow.leave(message.length, writer, this.#credit);
   }
 
   #expire() {

@@ -4,6 +4,7 @@
 // At most a window of messages is in transit to a reader, which gives credits for what it has taken. Further messages
 // wait in the history, whose size the quality of service limits.
 
+import { KEPT, WINDOW } from "../budgets.js";
 import { HEAD_SIZE, now } from "../protocol.js";
 import { Watch } from "./watch.js";
 
@@ -16,11 +17,6 @@ import { Watch } from "./watch.js";
  * @typedef {{remote: Remote, next: number, records: number, bytes: number}} Flow to one reader: the
  *   next sequence number, and the records and bytes in transit
  */
-
-/** How much may be in transit to one reader. More would not be faster, and cannot be taken back. */
-export const WINDOW = { records: 1024, bytes: 32 * 1024 * 1024 };
-// The largest history with keepAll. Fast DDS keeps 5000 messages.
-const KEPT = { records: 5000, bytes: 64 * 1024 * 1024 };
 
 export class Writer {
   #qos;
@@ -102,17 +98,18 @@ export class Writer {
   }
 
   /**
-   * A reader has taken messages, and has room for more.
+   * A reader has taken messages, and has room for more. Return whether it is one of this publisher.
    * @param {number} gid of the reader @param {number} records @param {number} bytes
    */
   credit(gid, records, bytes) {
     const flow = this.#flows.find(({ remote }) => remote.gid === gid);
-    if (!flow) return;
+    if (!flow) return false;
     flow.records = Math.max(0, flow.records - records);
     flow.bytes = Math.max(0, flow.bytes - bytes);
     this.#expire();
     this.#advance(flow);
     this.#trim();
+    return true;
   }
 
   close() {
@@ -193,7 +190,7 @@ export class Writer {
   }
 }
 
-/** @param {Flow} flow */
-function hasRoom({ records, bytes }) {
+/** @param {{records: number, bytes: number}} flow */
+export function hasRoom({ records, bytes }) {
   return records < WINDOW.records && bytes < WINDOW.bytes;
 }

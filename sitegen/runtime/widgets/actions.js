@@ -51,6 +51,11 @@ export function mount(element, ros, { show }) {
   choose(first);
   const read = () => ({ action: chosen === first ? "" : chosen, goal: sender.request.typed() });
   ros.keep(element, { action: "string", goal: "object" }, read, (state, odd) => {
+    // A link chooses among what the visitor could choose.
+    if (state.action && (show ? !show.includes(state.action) : isHidden(state.action))) {
+      odd();
+      return;
+    }
     sender.request.fill(state.goal, odd, state.action ?? first);
     if (state.action) choose(state.action);
   });

@@ -95,7 +95,12 @@ class PublishPanel {
 
   /** @param {Shared} state as `read` returned it @param {() => void} odd called if the message does not fit */
   restore({ topic, message, rate }, odd) {
-    if (!this.#fixed && topic) this.#topic = topic;
+    // A link chooses among what the visitor could choose.
+    if (topic && (this.#fixed || !isShown(topic))) {
+      odd();
+      return;
+    }
+    if (topic) this.#topic = topic;
     this.#message.fill(message, odd);
     this.#repeat.rate = rate;
   }

@@ -31,8 +31,12 @@ export function mount(element, ros, { show }) {
     service: list.chosen === first ? "" : list.chosen, hidden: list.hidden, request: list.call.request.typed(),
   });
   ros.keep(element, { service: "string", hidden: "boolean", request: "object" }, read, (state, odd) => {
-    list.call.request.fill(state.request, odd, state.service ?? first);
-    if (state.service) list.choose(state.service);
+    // A link chooses among what the visitor could choose.
+    if (state.service && show && !show.includes(state.service)) odd();
+    else {
+      list.call.request.fill(state.request, odd, state.service ?? first);
+      if (state.service) list.choose(state.service);
+    }
     if (state.hidden) list.showHidden();
   });
   const unlook = whileNear(element, () => {

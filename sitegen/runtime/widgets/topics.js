@@ -29,8 +29,10 @@ export function mount(element, ros, { show, echo }) {
   const first = echo ?? "";
   if (first) table.choose(first);
   const read = () => ({ topic: table.chosen === first ? "" : table.chosen || "none", hidden: table.hidden });
-  ros.keep(element, { topic: "string", hidden: "boolean" }, read, ({ topic, hidden }) => {
-    if (topic) table.choose(topic === "none" ? "" : topic);
+  ros.keep(element, { topic: "string", hidden: "boolean" }, read, ({ topic, hidden }, odd) => {
+    // A link chooses among what the visitor could choose.
+    if (topic && topic !== "none" && show && ![...show, echo].includes(topic)) odd();
+    else if (topic) table.choose(topic === "none" ? "" : topic);
     if (hidden) table.showHidden();
   });
   const unlook = whileNear(element, () => table.begin());

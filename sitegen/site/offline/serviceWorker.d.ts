@@ -4,6 +4,7 @@
 declare const BUILD: {
   version: string;
   files: Record<string, string>;
+  types: Record<string, string>;
   later: string[];
   pages: Record<string, string[]>;
   isolate: boolean;

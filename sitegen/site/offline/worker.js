@@ -2,13 +2,14 @@
 // build consists of, the engine of this browser, and headers.js.
 //
 // A cache holds files of one build only: each is checked against its hash before it is kept, so old and new
-// never meet, and again before it is served, because any page of this server can write to the cache. A new build waits until no page of the old one is open, or until a visitor asks for it.
+// never meet, and again before it is served or kept for the next build, because any page of this server can write
+// to the cache. Nothing else in a cache counts, neither headers nor status: a program of the site that is served as
+// HTML would be a page without a policy. A new build waits until no page of the old one is open, or until a visitor
+// asks for it.
 
 const SCOPE = self.registration.scope;
 const OURS = `sitegen:${SCOPE}:`;
 const CACHE = OURS + BUILD.version;
-// Says in a cached answer which file it is.
-const HASH = "x-sitegen-hash";
 const AT_ONCE = 6;
 // Nodes are there twice, and a browser runs one of the two.
 const OTHER = engine === "jspi" ? ".asyncify." : ".jspi.";
@@ -64,21 +65,22 @@ async function answer(name) {
 /** A file from the cache, if it is there and unchanged. @param {Cache} cache @param {string} name */
 async function kept(cache, name) {
   const response = await cache.match(addressOf(name));
-  if (!response) return undefined;
-  const content = await response.arrayBuffer();
-  if ((await hashOf(content)) !== BUILD.files[name]) return undefined;
-  return new Response(content, { headers: headersOf(name, response) });
+  const content = await response?.arrayBuffer();
+  return content && (await isOfBuild(content, name)) ? responseOf(name, content) : undefined;
 }
 
-/** @param {ArrayBuffer} content */
-async function hashOf(content) {
+/** @param {ArrayBuffer} content @param {string} name of a file in BUILD */
+async function isOfBuild(content, name) {
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", content));
-  return Array.from(digest.subarray(0, 16), (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const hash = Array.from(digest.subarray(0, 16), (byte) => byte.toString(16).padStart(2, "0")).join("");
+  return hash === BUILD.files[name];
 }
 
-/** The headers that are kept with a file. @param {string} name @param {Response} response */
-function headersOf(name, response) {
-  return { [HASH]: BUILD.files[name] ?? "", "content-type": response.headers.get("content-type") ?? "" };
+/** A file of the build; its media type is that of its name. @param {string} name @param {ArrayBuffer} content */
+function responseOf(name, content) {
+  const [suffix = ""] = /\.\w+$/.exec(name.endsWith("/") || !name ? ".html" : name) ?? [];
+  const type = BUILD.types[suffix] ?? "application/octet-stream";
+  return new Response(content, { headers: { "content-type": type, "x-content-type-options": "nosniff" } });
 }
 
 /** A page that the build does not have. @param {Request} request @param {string} name */
@@ -98,10 +100,9 @@ async function fetched(cache, name) {
   const response = await fetch(addressOf(name), { cache: "no-cache", credentials: "same-origin" });
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
   const content = await response.arrayBuffer();
-  if ((await hashOf(content)) !== BUILD.files[name]) throw new Error(`${name} belongs to another build of this site`);
-  const headers = headersOf(name, response);
-  await cache.put(addressOf(name), new Response(content, { headers }));
-  return new Response(content, { headers });
+  if (!(await isOfBuild(content, name))) throw new Error(`${name} belongs to another build of this site`);
+  await cache.put(addressOf(name), responseOf(name, content));
+  return responseOf(name, content);
 }
 
 /** Fill the cache: what has not changed comes from that of the build before. */
@@ -110,13 +111,13 @@ async function install() {
   const before = await Promise.all((await others()).map((name) => caches.open(name)));
   const later = new Set(BUILD.later);
   await each(Object.keys(BUILD.files), async (name) => {
-    if (await cache.match(addressOf(name))) return;
+    if (await kept(cache, name)) return;
     let wanted = !later.has(name) && !name.includes(OTHER);
     for (const old of before) {
-      const known = await old.match(addressOf(name));
-      if (known && known.headers.get(HASH) === BUILD.files[name]) return cache.put(addressOf(name), known);
+      const known = await kept(old, name);
+      if (known) return cache.put(addressOf(name), known);
       // What was kept stays kept, as it is now.
-      wanted ||= known !== undefined;
+      wanted ||= (await old.match(addressOf(name))) !== undefined;
     }
     if (wanted) await fetched(cache, name);
   });
@@ -128,7 +129,7 @@ async function keepPage(name) {
   const cache = await caches.open(CACHE);
   const wanted = (BUILD.pages[name] ?? []).filter((path) => !path.includes(OTHER));
   await each(wanted, async (path) => {
-    if (!(await cache.match(addressOf(path)))) await fetched(cache, path);
+    if (!(await kept(cache, path))) await fetched(cache, path);
   }).catch(() => {});
 }
 

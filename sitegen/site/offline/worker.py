@@ -6,10 +6,11 @@ import hashlib
 import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from urllib.parse import unquote, urljoin, urlsplit
 
 from sitegen import pagepath
+from sitegen.mediatype import media_type
 from sitegen.model import Artifact, Site
 from sitegen.site.engine import ENGINE
 
@@ -54,11 +55,18 @@ def _worker(site: Site, contents: Mapping[str, bytes]) -> bytes:
     build = {
         "version": _hash(json.dumps(files).encode()),
         "files": files,
+        "types": _types(contents),
         "later": later,
         "pages": {path: needs for path, needs in pages.items() if needs},
         "isolate": bool(site.isolate),
     }
     return _written(build, "worker.js")
+
+
+def _types(paths: Iterable[str]) -> dict[str, str]:
+    """Return the media types of the files of a site, by suffix."""
+    suffixes = {PurePosixPath(path).suffix for path in paths} - {""}
+    return {suffix: media_type(f"file{suffix}") for suffix in sorted(suffixes)}
 
 
 def _written(build: Mapping[str, object], *names: str) -> bytes:

@@ -103,7 +103,7 @@ def page_entry(
     if page.launch:
         entry["launch"] = launch_entry(page.launch, pressed)
     if page.start_from_links:
-        entry["startFromLinks"] = True
+        entry["startFromLinks"] = list(page.start_from_links)
     if assets.isolates(site, page):
         entry["isolate"] = address(page, "sw.js")
     return entry

@@ -205,7 +205,8 @@ def test_the_author_decides_whether_links_start_nodes(
     (tmp_path / "node.js").write_text("setInterval(() => {}, 1000);\n")
     (tmp_path / "site.yaml").write_text(
         f"site: {{title: T}}\npages:\n  - {{path: /, {page}}}\n"
-        f"  - {{path: at-once/, start_from_links: true, {page}}}\n"
+        f"  - {{path: at-once/, start_from_links: [{', '.join(names)}], {page}}}\n"
+        f"  - {{path: some/, start_from_links: [node0], {page}}}\n"
     )
     build(tmp_path, output=tmp_path / "dist", report=Report())
     home = serve(tmp_path / "dist")
@@ -222,6 +223,11 @@ def test_the_author_decides_whether_links_start_nodes(
     # What starts with the page stays stopped if the link says so, and nobody is asked.
     expect(shown("itself")).to_be_enabled()
     expect(word(tab)).to_have_count(0)
+    # Only the nodes that the author named start by themselves.
+    tab.goto(f"{home}some/{everything}")
+    expect(shown("node0")).to_be_disabled()
+    expect(word(tab)).to_contain_text("This link starts node1, node2, node3, node4, and node5.")
+    expect(shown("node1")).to_be_enabled()
     tab.goto(f"{home}{everything}")
     expect(shown("node0")).to_be_enabled()
     expect(shown("itself")).to_be_enabled()
@@ -232,6 +238,38 @@ def test_the_author_decides_whether_links_start_nodes(
     tab.goto(f"{home}{fragment({'run': ['itself']})}")
     expect(shown("itself")).to_be_disabled()
     expect(word(tab)).to_have_count(0)
+
+
+@pytest.mark.parametrize(
+    "state",
+    [
+        {"topics-1": {"topic": "/secret"}},
+        {"services-1": {"service": "/erase", "request": {}}},
+        {"actions-1": {"action": "/launch", "goal": {}}},
+        {"publish-1": {"topic": "/_hidden"}},
+        {"publish-1": {"topic": "/rosout"}},
+        {"image-1": {"topic": "/secret"}},
+    ],
+)
+def test_a_link_opens_nothing_that_the_visitor_could_not(
+    tmp_path: Path, tab: Page, serve: Serve, state: dict[str, object]
+) -> None:
+    """Panels with `show` are about what the author chose."""
+    panels = (
+        *("topics: {show: [/shown]}", "services: {show: [/shown]}", "actions: {show: [/shown]}"),
+        *("publish: {}", "image: /shown", "buttons: node"),
+    )
+    (tmp_path / "node.js").write_text("setInterval(() => {}, 1000);\n")
+    content = ", ".join(f"{{{panel}}}" for panel in panels)
+    (tmp_path / "site.yaml").write_text(
+        "site: {title: T}\nnodes: {node: {ros2wasm: node.js, types: {}}}\n"
+        f"pages: [{{path: /, title: T, content: [{content}]}}]\n"
+    )
+    build(tmp_path, output=tmp_path / "dist", report=Report())
+    tab.goto(f"{serve(tmp_path / 'dist')}{fragment({'show': state})}")
+    expect(word(tab)).to_contain_text(LEFT_OUT)
+    for name in ("/secret", "/erase", "/launch", "/_hidden", "/rosout"):
+        assert name not in tab.locator("main").inner_text()
 
 
 def test_tabs_of_the_text_are_carried(tmp_path: Path, tab: Page, serve: Serve) -> None:

@@ -59,14 +59,24 @@ def _content(source: str | Path) -> bytes:
     from rclpy_backend import notebook
 
     address = str(js.URL.new(str(source), notebook.address or js.location.href).href)
-    request = js.XMLHttpRequest.new()
-    # A worker may wait for it.
-    request.open("GET", address, False)
-    request.responseType = "arraybuffer"
-    request.send()
-    if request.status != 200:
-        raise FileNotFoundError(f"no bag at {address} (status {request.status})")
-    return bytes(request.response.to_bytes())
+    try:
+        return _fetched(address)
+    except Exception as error:
+        raise FileNotFoundError(f"no bag at {address}: {error}") from None
+
+
+def _fetched(address: str) -> bytes:
+    """Return a file of the site; the program waits for it."""
+    import js
+    import ros_host
+    from pyodide.ffi import run_sync
+
+    if not ros_host.stacks:
+        return bytes(ros_host.file(address).to_bytes())
+    response = run_sync(js.fetch(address))
+    if not response.ok:
+        raise OSError(f"the server answered {response.status}")
+    return bytes(run_sync(response.arrayBuffer()).to_bytes())
 
 
 def _records(data: memoryview) -> Iterator[tuple[int, memoryview]]:

@@ -5,7 +5,7 @@ import { cppHost } from "./cppHost.js";
 import { keyboardHost } from "./keyboardHost.js";
 import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
-import { place } from "../../place.js";
+import { place, siteFolder } from "../../place.js";
 import { Printer } from "../printer.js";
 
 /** @import { FromWorker, ToWorker } from "../../protocol.js" */
@@ -16,7 +16,7 @@ const DEPTH = 100;
 const ADVICE = "    (run 'sitegen build --debug' to see where)";
 const STACK_OVERFLOW = "stack overflow: too many nested calls, or too large local variables";
 
-confine();
+confine(siteFolder);
 
 /** @param {FromWorker} message */
 const post = (message) => postMessage(message);

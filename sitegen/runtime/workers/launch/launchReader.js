@@ -1,6 +1,7 @@
 // @ts-check
 // The worker that reads a launch file with other arguments, by the Python modules that read it when the site was built.
 
+import { siteFolder } from "../../place.js";
 import { confine } from "../confine.js";
 import { Download } from "../python/download.js";
 import { loadPython, unpack } from "../python/loading.js";
@@ -13,7 +14,7 @@ import { loadPython, unpack } from "../python/loading.js";
 const download = new Download();
 const loading = loadPython(download);
 loading.catch(() => {}); // reported with the first order
-confine();
+confine(siteFolder);
 /** The addresses of archives that were unpacked. @type {Set<string>} */
 const unpacked = new Set();
 

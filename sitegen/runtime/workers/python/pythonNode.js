@@ -4,6 +4,7 @@
 
 import { engine } from "../../engine.js";
 import { heard } from "../../interrupt.js";
+import { siteFolder } from "../../place.js";
 import { startWorker } from "../../worker.js";
 import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
@@ -18,10 +19,10 @@ import { answersOf } from "./remoteParticipant.js";
 
 // Without JSPI, Python blocks while it waits, in a worker of its own.
 const stacks = engine === "jspi";
+const still = stacks ? undefined : startWorker("python/pythonSync", self.name);
+confine(siteFolder);
 // Load Python while the page is still mounting its widgets.
 const python = stacks ? new Python() : undefined;
-const still = stacks ? undefined : startWorker("python/pythonSync", self.name);
-confine();
 
 serve(/** @type {Way} */ (/** @type {unknown} */ (self)));
 

@@ -2,6 +2,7 @@
 // A Python node in a browser without JavaScript Promise Integration. While Python waits, this worker is blocked and
 // receives nothing, so its participant is in the worker that started it, pythonNode.js.
 
+import { siteFolder } from "../../place.js";
 import { confine } from "../confine.js";
 import { Caller } from "./calls.js";
 import { Printer } from "../printer.js";
@@ -12,7 +13,7 @@ import { remoteParticipant } from "./remoteParticipant.js";
 /** @import { FromWorker, Interpret } from "../../protocol.js" */
 /** @import { FromCaller } from "./calls.js" */
 
-confine();
+confine(siteFolder);
 const python = new Python();
 const post = (/** @type {FromWorker | FromCaller} */ message) => postMessage(message);
 const printer = new Printer(post);
@@ -26,7 +27,8 @@ async function run(node) {
   await python.prepare(node, printer, post);
   const caller = new Caller(post);
   const participant = remoteParticipant(caller, node.byte);
-  return python.run(node, pythonHost(participant, printer, () => caller.ask("typed", []), post));
+  const host = pythonHost(participant, printer, () => caller.ask("typed", []), post);
+  return python.run(node, Object.assign(host, { file: (/** @type {string} */ address) => caller.ask("file", [address]) }));
 }
 
 /** @param {number} code @param {string} error */

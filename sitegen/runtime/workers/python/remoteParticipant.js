@@ -47,5 +47,12 @@ export function answersOf(participant, typed) {
     seen = participant.wakes;
     return signal;
   };
-  return { ...Object.fromEntries(named), wait, events: () => participant.events, typed: () => typed.shift() };
+  return { ...Object.fromEntries(named), wait, file, events: () => participant.events, typed: () => typed.shift() };
+}
+
+/** Return the content of a file of the site. @param {string} address */
+async function file(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`the server answered ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
 }

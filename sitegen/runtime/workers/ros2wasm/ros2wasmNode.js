@@ -2,6 +2,7 @@
 // The worker of a node that the ROS2WASM project compiled. Its script runs unchanged in another worker, which this one
 // represents in the graph.
 
+import { siteFolder } from "../../place.js";
 import { startScript } from "../../worker.js";
 import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
@@ -67,7 +68,7 @@ function scriptOf(address) {
   const whole = address.startsWith("blob:") ? "name" : `new URL(name, ${script}).href`;
   return `var Module = { locateFile: (name) => ${whole} };
 ((load) => {
-  (${confine})();
+  (${confine})(${JSON.stringify(siteFolder)});
   self.importScripts = (...names) => load(...names.map((name) => ${whole}));
 })(importScripts);
 importScripts(${script});`;

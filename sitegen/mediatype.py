@@ -1,4 +1,4 @@
-"""The media type of each kind of file that a page may load."""
+"""Tell the media type of a file that a page may load."""
 
 from __future__ import annotations
 
