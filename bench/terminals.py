@@ -1,4 +1,4 @@
-"""Measure how soon a terminal takes commands, and how soon one of them has printed."""
+"""Measure how soon a terminal takes commands and has printed, and what it costs a page."""
 
 from __future__ import annotations
 
@@ -6,9 +6,13 @@ import tempfile
 from pathlib import Path
 from statistics import median
 
+from playwright.sync_api import Page
+
 from bench.browser import chromium, serving_site
 from bench.counts import Counts
-from bench.figure import Figure
+from bench.crowd import SITE
+from bench.figure import Figure, Target
+from bench.plots import p99
 
 PAGE = """
 site: {title: Terminal}
@@ -37,6 +41,18 @@ COMMAND = f"""async () => {{
   }}
   return performance.now() - start;
 }}"""
+# Presses Ctrl-C, and resolves with the time (ms) until the prompt is on the screen.
+INTERRUPT = f"""async () => {{
+  const input = document.querySelector(".xterm-helper-textarea");
+  const start = performance.now();
+  input.dispatchEvent(new KeyboardEvent("keydown", {{
+    key: "c", keyCode: 67, ctrlKey: true, bubbles: true, cancelable: true,
+  }}));
+  while ({ROWS}.findLast((row) => row) !== "$") {{
+    await new Promise((done) => requestAnimationFrame(done));
+  }}
+  return performance.now() - start;
+}}"""
 
 
 def terminals(counts: Counts) -> list[Figure]:
@@ -55,4 +71,36 @@ def terminals(counts: Counts) -> list[Figure]:
     return [
         Figure("terminal: navigation to prompt", "ms", median(starts)),
         Figure("terminal: Enter to output of ros2", "ms", median(commands)),
+        *_echoing(counts),
     ]
+
+
+def _echoing(counts: Counts) -> list[Figure]:
+    """Times between frames while `echo` shows a topic of 10 kHz, and until Ctrl-C has ended it."""
+    with serving_site(SITE) as url, chromium() as browser:
+        page = browser.new_page()
+        page.goto(f"{url}typed/")
+        page.get_by_role("button", name="Start").click()
+        page.evaluate(PROMPT)
+        page.evaluate("async () => { window.measure = await import('/bench/frames.js'); }")
+        bare = list(page.evaluate(f"measure.frames({counts.idle})"))
+        frames, interrupts = [], []
+        for _ in range(counts.starts):
+            _type(page, "ros2 topic echo /rapid")
+            page.wait_for_function(f"() => {ROWS}.some((row) => row.startsWith('data: message'))")
+            frames += page.evaluate(f"measure.frames({counts.idle})")
+            interrupts.append(page.evaluate(INTERRUPT))
+    name = "terminal: echo of 10 kHz"
+    promised = Target("figure", "≤", 100)
+    return [
+        Figure(f"{name}, frame, p50", "ms", median(frames), median(bare)),
+        Figure(f"{name}, frame, p99", "ms", p99(frames), p99(bare)),
+        Figure(f"{name}, Ctrl-C to prompt", "ms", max(interrupts), target=promised),
+    ]
+
+
+def _type(page: Page, line: str) -> None:
+    page.locator(".xterm-helper-textarea").focus()
+    page.keyboard.press("Control+l")
+    page.keyboard.type(line)
+    page.keyboard.press("Enter")
