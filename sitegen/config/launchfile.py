@@ -9,6 +9,7 @@ from pathlib import Path
 
 from sitegen import workspace
 from sitegen.config.commandlines import KIND as TERMINAL
+from sitegen.config.document import Value
 from sitegen.config.files import locate
 from sitegen.config.nodes import Declared, check_package
 from sitegen.config.section import Section
@@ -28,6 +29,7 @@ class LaunchFile:
     def __init__(
         self,
         section: Section,
+        environment: Value | None,
         folder: Path,
         packages: Callable[[], Mapping[str, Package]],
         problems: Problems,
@@ -37,14 +39,14 @@ class LaunchFile:
         self._file = locate(self._given, problems, page=folder) if self._given else None
         self._workspace = packages
         self._problems = problems
+        self._arguments = _texts(section.get("launch_arguments"), problems)
+        self._environment = _texts(environment, problems)
         self.described = LaunchDescription()
         if self._file:
-            values = section.get("launch_arguments")
-            entries = values.entries(problems) if values else {}
-            self._arguments = {name: entry.text for name, entry in entries.items()}
-            self.described = launched(
-                self._file, self._arguments, self._packages(), problems, notes
-            )
+            self.described = self._read(self._arguments, problems, notes)
+        elif environment and not self._given:
+            message = "needs 'launch'; a node has an 'environment' of its own"
+            problems.add(environment.location, environment.key, message)
 
     def started(self, taken: Mapping[str, Declared]) -> dict[str, Declared]:
         """Return the nodes that it starts, whose names must not be `taken`."""
@@ -68,9 +70,8 @@ class LaunchFile:
         known = {node.program for node in self.described.nodes}
         packages = self._packages()
         for name, value in islice(self._values(), MOST_READINGS):
-            given = {**self._arguments, name: value}
-            other = launched(self._file, given, packages, Problems(self._problems.root))
-            for node in other.nodes:
+            quiet = Problems(self._problems.root)
+            for node in self._read({**self._arguments, name: value}, quiet, quiet).nodes:
                 if node.program not in known and _runs(node, packages):
                     known.add(node.program)
                     own = _free(node.name, {*taken, *found})
@@ -91,9 +92,17 @@ class LaunchFile:
             handlers=tuple(self.described.handlers),
             arguments=tuple(self.described.arguments),
             given=self._arguments,
+            environment=self._environment,
             path=share_path(file, owner) if owner else "",
             others=tuple(others),
         )
+
+    def _read(
+        self, arguments: Mapping[str, str], problems: Problems, notes: Problems
+    ) -> LaunchDescription:
+        assert self._file
+        packages, environment = self._packages(), self._environment
+        return launched(self._file, arguments, packages, problems, notes, environment)
 
     def _values(self) -> Iterable[tuple[str, str]]:
         for argument in self.described.arguments:
@@ -102,6 +111,11 @@ class LaunchFile:
 
     def _packages(self) -> Mapping[str, Package]:
         return {**workspace.shipped_packages(), **workspace.with_replaced(self._workspace())}
+
+
+def _texts(value: Value | None, problems: Problems) -> dict[str, str]:
+    entries = value.entries(problems) if value else {}
+    return {name: entry.text for name, entry in entries.items()}
 
 
 def _other_values(argument: Argument, value: str) -> Sequence[str]:

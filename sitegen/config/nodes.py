@@ -194,6 +194,8 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
     remap, arguments = section.get("remap"), section.get("arguments")
     given = section.get("parameters")
     urdf = section.get("urdf") if section.keys is NODE else None
+    environment = section.get("environment")
+    variables = environment.entries(problems) if environment else {}
     return Node(
         name=name,
         package=section.text("package"),
@@ -203,6 +205,7 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
         remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
         parameters=parameters.read(given, problems) if given else {},
         arguments=parameters.arguments(arguments, problems) if arguments else (),
+        environment={name: each.text for name, each in variables.items()},
         group=section.text("group") if section.keys is NODE else "",
         urdf=locate(urdf, problems) if urdf else None,
     )

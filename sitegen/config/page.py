@@ -38,7 +38,10 @@ from sitegen.model import (
 )
 
 # Keys that site.yaml cannot set for the pages of a folder, because each file has its own.
-OF_ONE = ("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date")
+OF_ONE = (
+    *("title", "description", "level", "nodes", "launch", "launch_arguments", "environment"),
+    *("tags", "date"),
+)
 
 # Keys that it can set for them.
 OF_ALL = ("layout", "theme", "start_from_links", "script", "connect")
@@ -167,7 +170,8 @@ class PageReader:
         known = self._declare(front, self._declare(page, self.nodes))
         folder = file.parent if file else self.problems.root
         section = _giver("launch", page, front)
-        launch = LaunchFile(section, folder, self.packages, self.problems, self.notes)
+        environment = _giver("environment", page, front).get("environment")
+        launch = LaunchFile(section, environment, folder, self.packages, self.problems, self.notes)
         started = launch.started(known)
         self.declared += started.values()
         known |= started

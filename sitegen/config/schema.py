@@ -254,6 +254,7 @@ _HOW = (
     ),
     Key("parameters", "parameters", "parameter values or files", "parameters: {speed: 2.5}"),
     Key("arguments", "list of text", "further arguments of `main()`", "arguments: [--foo]"),
+    Key("environment", "mapping of texts", "environment variables", "environment: {MODEL: fox}"),
 )
 
 NODE = (
@@ -328,6 +329,12 @@ PAGE = (
         "arguments of the launch file",
         "launch_arguments: {speed: fast}",
     ),
+    Key(
+        "environment",
+        "mapping of texts",
+        "environment variables of the launch file and its nodes",
+        "environment: {MODEL: fox}",
+    ),
     Key("content", "content", "text and widgets, in order", "content: [{console: talker}]"),
     Key(
         "jupyter",
@@ -370,8 +377,8 @@ PAGE = (
 )
 
 IN_FILE = (
-    *("title", "description", "level", "nodes", "launch", "launch_arguments", "tags", "date"),
-    *("layout", "theme", "start_from_links", "script", "connect"),
+    *("title", "description", "level", "nodes", "launch", "launch_arguments", "environment"),
+    *("tags", "date", "layout", "theme", "start_from_links", "script", "connect"),
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 

@@ -17,19 +17,20 @@ from sitegen.model import Launch, Package
 SHARE = Path("/ros/share")
 
 
-def read_again(path: str, given: str, share: Path = SHARE) -> str:
+def read_again(path: str, given: str, environment: str, share: Path = SHARE) -> str:
     """Return what the launch file at `path`, below `share`, does with the arguments `given`.
 
-    The arguments and the result are JSON. The result has the nodes (`name`, `package`,
-    `executable`, `arguments`, `environment`), the `launch` as in page.json, and lines of `problems`
-    and `notes`.
+    The arguments, the environment and the result are JSON. The result has the nodes (`name`,
+    `package`, `executable`, `arguments`, `environment`), the `launch` as in page.json, and lines of
+    `problems` and `notes`.
     """
     root = share.resolve()
     packages = {
         folder.name: Package(folder.name, folder, "", (), None, ()) for folder in root.iterdir()
     }
     problems, notes = Problems(root), Problems(root)
-    found = launched(root / path, json.loads(given), packages, problems, notes)
+    variables = json.loads(environment)
+    found = launched(root / path, json.loads(given), packages, problems, notes, variables)
     names = tuple(node.name for node in found.nodes)
     launch = Launch("", "", names, tuple(found.handlers), tuple(found.arguments))
     nodes = [

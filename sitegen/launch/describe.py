@@ -8,10 +8,12 @@ the standard output.
 from __future__ import annotations
 
 import json
+import os
 import runpy
 import sys
 import traceback
 import types
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -58,8 +60,8 @@ CORE: dict[str, Any] = {
     "DeclareLaunchArgument": argument,
     "GroupAction": group,
     "IncludeLaunchDescription": include,
-    "IfCondition": lambda value: Condition("if", value),
-    "UnlessCondition": lambda value: Condition("unless", value),
+    "IfCondition": lambda predicate_expression: Condition("if", predicate_expression),
+    "UnlessCondition": lambda predicate_expression: Condition("unless", predicate_expression),
     "LaunchConfiguration": configuration,
     "TextSubstitution": lambda *, text: Text(text),
     "PathSubstitution": lambda path: Text(text(path)),
@@ -71,7 +73,7 @@ CORE: dict[str, Any] = {
     "FileContent": lambda path: Text(f"$(file-content '{text(path)}')"),
     "FindExecutable": lambda name: Text(f"$(find-exec {text(name)})"),
     **{
-        f"{kind}LaunchDescriptionSource": lambda file, **_: file
+        f"{kind}LaunchDescriptionSource": lambda launch_file_path, **_: launch_file_path
         for kind in ("Python", "XML", "YAML", "Any", "Frontend")
     },
     "SubstitutionFailure": SubstitutionError,
@@ -149,12 +151,25 @@ def install() -> None:
     describe_missing.install([name for name in sys.modules if name.partition(".")[0] in MODULES])
 
 
+def _told(error: BaseException, frames: Sequence[traceback.FrameSummary]) -> str:
+    """Return what an error says to the author of the launch file."""
+    asked = frames and frames[-1].filename in (os.__file__, "<frozen os>")
+    if asked and isinstance(error, KeyError):
+        return f"environment variable {error} is not set; set it in 'environment' of the page"
+    return f"{type(error).__name__}: {error}"
+
+
 def main() -> None:
     """Write what the launch file describes, or what the last of its functions to call returns."""
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
     RUN.reading = given["reading"]
+    for name, value in given["environment"].items():
+        if value is None:
+            os.environ.pop(name, None)
+        else:
+            os.environ[name] = value
     # Launch files import modules of packages of the workspace.
     sys.path += given["roots"]
     install()
@@ -179,7 +194,7 @@ def main() -> None:
         frames = traceback.extract_tb(error.__traceback__)
         lines = [frame.lineno for frame in frames if frame.filename == RUN.file]
         line = getattr(error, "lineno", None) or (lines[-1] if lines else RUN.line)
-        answer = {"error": f"{type(error).__name__}: {error}", "line": line}
+        answer = {"error": _told(error, frames), "line": line}
     json.dump(answer, output)
 
 

@@ -350,6 +350,6 @@ def managed(*, name: Any, namespace: Any, autostart: Any = False, **of: Any) -> 
     return described
 
 
-def describe(entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:
+def describe(initial_entities: Iterable[Any] | None = None, *_: Any, **__: Any) -> Described:
     """Stand in for LaunchDescription."""
-    return Described("launch", entities or ())
+    return Described("launch", initial_entities or ())

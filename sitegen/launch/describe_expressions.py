@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 from urllib.parse import quote
 
 from sitegen.launch.describe_actions import Condition, Text
 
 
-def expression(*parts: Any) -> Text:
+def evaluated(*parts: Any) -> Text:
     """Return the substitution for a Python expression given in parts."""
     return Text(f"$(expression {' '.join(_words(parts))})")
 
@@ -30,8 +31,9 @@ def _shown(value: Any) -> Any:
     return "" if value is None else value
 
 
-def _configuration(name: Any) -> Text:
-    return Text(f"$(var {name})")
+def compared(kind: str, launch_configuration_name: Any, expected_value: Any) -> Condition:
+    """Stand in for LaunchConfigurationEquals, and for its opposite."""
+    return Condition(kind, equal(Text(f"$(var {launch_configuration_name})"), expected_value))
 
 
 def _words(parts: Any) -> list[str]:
@@ -49,14 +51,15 @@ def looped(name: Any, *, default_value: Any = None) -> Text:
     return applied("for_var", name, *([] if default_value is None else [default_value]))
 
 
+# Files give arguments by the names that they have in launch.
 MEMBERS: dict[str, Any] = {
     "ForEachVar": looped,
     "ForLoopIndex": lambda name: applied("index", name),
-    "PathJoinSubstitution": lambda parts: applied("path_join", *parts),
+    "PathJoinSubstitution": lambda substitutions: applied("path_join", *substitutions),
     "StringJoinSubstitution": lambda substitutions, delimiter="": applied(
         "string_join", delimiter, *substitutions
     ),
-    "PythonExpression": lambda parts, *_: expression(parts),
+    "PythonExpression": lambda expression, python_modules=(): evaluated(expression),
     "EqualsSubstitution": equal,
     "NotEqualsSubstitution": lambda left, right: equal(left, right, "not_equals"),
     "AndSubstitution": lambda left, right: applied("and", left, right),
@@ -64,14 +67,11 @@ MEMBERS: dict[str, Any] = {
     "AnySubstitution": lambda *all_: applied("any", *all_),
     "AllSubstitution": lambda *all_: applied("all", *all_),
     "NotSubstitution": lambda value: applied("not", value),
+    "BooleanSubstitution": lambda value: applied("not", applied("not", value)),
     "IfElseSubstitution": lambda condition, if_value="", else_value="": applied(
         "if", condition, if_value, else_value
     ),
     "AnonName": lambda name: applied("anon", name),
-    "LaunchConfigurationEquals": lambda name, value: Condition(
-        "if", equal(_configuration(name), value)
-    ),
-    "LaunchConfigurationNotEquals": lambda name, value: Condition(
-        "unless", equal(_configuration(name), value)
-    ),
+    "LaunchConfigurationEquals": partial(compared, "if"),
+    "LaunchConfigurationNotEquals": partial(compared, "unless"),
 }

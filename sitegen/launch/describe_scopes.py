@@ -56,11 +56,16 @@ def group(
 
 
 def include(
-    source: Any, *, launch_arguments: Any = (), condition: Any = None, **_: Any
+    launch_description_source: Any,
+    *,
+    launch_arguments: Any = (),
+    condition: Any = None,
+    **_: Any,
 ) -> Described:
     """Describe an included launch file; its arguments are pairs or keywords."""
     given = launch_arguments.items() if isinstance(launch_arguments, Mapping) else launch_arguments
-    return Described("include", pairs("arg", given or ()), file=source, condition=condition)
+    inside = pairs("arg", given or ())
+    return Described("include", inside, file=launch_description_source, condition=condition)
 
 
 def environment(name: Any, *, default_value: Any = None) -> Text:
@@ -69,9 +74,10 @@ def environment(name: Any, *, default_value: Any = None) -> Text:
     return Text(f"$(env {text(name)}{default})")
 
 
-def configuration(name: Any, default: Any = None, **_: Any) -> Text:
+def configuration(variable_name: Any, default: Any = None, **_: Any) -> Text:
     """Stand in for LaunchConfiguration."""
-    return Text(f"$(var {text(name)}{'' if default is None else f' {shlex.quote(text(default))}'})")
+    given = "" if default is None else f" {shlex.quote(text(default))}"
+    return Text(f"$(var {text(variable_name)}{given})")
 
 
 def setting(name: Any, *, default: Any = None) -> Text:
@@ -81,8 +87,8 @@ def setting(name: Any, *, default: Any = None) -> Text:
     return Text(f"$(param {text(name)}{'' if default is None else f' {shlex.quote(whole)}'})")
 
 
-def command(words: Any, **_: Any) -> Text:
+def command(command: Any, **_: Any) -> Text:
     """Stand in for Command; its parts are joined to one command line."""
-    line = text(words)
+    line = text(command)
     quote = '"' if "'" in line else "'"
     return Text(f"$(command {quote}{line}{quote})")

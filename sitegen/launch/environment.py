@@ -13,10 +13,24 @@ PUBLIC = ("ROS_", "RMW_", "RCUTILS_")
 
 
 class Environment:
-    """What a launch file has changed so far; the value of an unset variable is None."""
+    """What a launch file has changed so far; the value of an unset variable is None.
 
-    def __init__(self, changes: Mapping[str, str | None] | None = None) -> None:
-        self.changes = dict(changes or {})
+    `given` is what the author of the page sets before, to which it can be reset.
+    """
+
+    def __init__(self, given: Mapping[str, str | None] | None = None) -> None:
+        self._given = dict(given or {})
+        self.changes = dict(self._given)
+
+    def copy(self) -> Environment:
+        """Return the same, which does not follow later changes."""
+        copied = self.fresh()
+        copied.changes = dict(self.changes)
+        return copied
+
+    def fresh(self) -> Environment:
+        """Return what there was before the launch file changed it."""
+        return Environment(self._given)
 
     def __contains__(self, name: str) -> bool:
         """Return whether a launch file may ask for the variable."""

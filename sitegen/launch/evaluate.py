@@ -20,6 +20,7 @@ from sitegen.launch import (
     yaml,
 )
 from sitegen.launch.components import Components
+from sitegen.launch.environment import Environment
 from sitegen.launch.events import Events
 from sitegen.launch.names import joined, numbered
 from sitegen.launch.scope import Scope
@@ -33,6 +34,8 @@ from sitegen.model import Argument, Handler, Node, Package
 from sitegen.workspace import containers
 
 READERS = {".xml": xml.read, ".launch": xml.read, ".yaml": yaml.read, ".yml": yaml.read}
+# It also takes the file of a description as its argument.
+STATE_PUBLISHER = "robot_state_publisher"
 # The attributes of processes that nodes have, too.
 OF_PROCESSES = ("clean_env", "on_exit", "respawn", "respawn_delay", "respawn_max_retries")
 # Files that include themselves would be read for ever.
@@ -59,14 +62,17 @@ def launched(
     packages: Mapping[str, Package],
     problems: Problems,
     notes: Problems | None = None,
+    environment: Mapping[str, str] | None = None,
 ) -> LaunchDescription:
     """Return what a launch file describes, and report what does not work on a page.
 
-    Programs that open a window without a counterpart are skipped, with a note in `notes`.
+    It can read the variables in `environment`, and its nodes have them. Programs that open a window
+    without a counterpart are skipped, with a note in `notes`.
     """
     with shares(packages) as folders:
         launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
-        launch.run(Scope(file, dict(arguments)), Location(file, 1))
+        scope = Scope(file, dict(arguments), environment=Environment(environment))
+        launch.run(scope, Location(file, 1))
         handlers = launch.events.handlers.finished()
         nodes = launch.finished()
         return LaunchDescription(nodes, launch.windows, handlers, launch.declared)
@@ -141,7 +147,8 @@ class _Launch:
                 self._note(location, "include", f"'{scope.file.name}': {error.strerror}")
 
     def _read_python(self, scope: Scope, file: Path) -> list[Action]:
-        return python.read(file, self._folders, self._roots, scope.calls, scope.reading)
+        variables = scope.environment.changes
+        return python.read(file, self._folders, self._roots, scope.calls, scope.reading, variables)
 
     def _reading(self) -> int:
         """Return a number for the next reading of a file, or call of a function."""
@@ -287,14 +294,17 @@ class _Launch:
         taken = {node.name for node in self.nodes}
         number = next(n for n in range(1, len(taken) + 2) if numbered(name, n) not in taken)
         namespace = joined(scope.namespace, texts.text(action, "namespace", scope))
+        package, rules = texts.needed(action, "pkg", scope), texts.rules(action, scope, namespace)
+        if package == STATE_PUBLISHER and (found := texts.description(words, rules)):
+            words, rules = words[1:], {**rules, **found}
         node = Node(
             name=numbered(name, number),
-            package=texts.needed(action, "pkg", scope),
+            package=package,
             executable=executable,
             location=action.location,
             namespace=namespace,
             remap={**({"__node": own} if own else {}), **texts.remaps(action, scope)},
-            parameters=texts.rules(action, scope, namespace),
+            parameters=rules,
             arguments=tuple(map(texts.on_page, words)),
             environment=self._environment(action, scope),
         )

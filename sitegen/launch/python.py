@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sitegen.errors import Location
@@ -36,18 +37,25 @@ def read(
     roots: Collection[Path],
     calls: Sequence[Call] = (),
     reading: int = 0,
+    environment: Mapping[str, str | None] = MappingProxyType({}),
 ) -> list[Action]:
     """Return the actions of a launch file, or those of the last function of `calls`.
 
     Their ids begin with the number `reading`, or that of the call. Each of `calls` is a function
     that the previous one created. `folders` are those of the packages of the workspace; its
-    commands read files in `roots`.
+    commands read files in `roots`, and it sees the changes in `environment`.
 
     Raises: UnreadableError if the file fails.
     """
     paths = {name: str(path) for name, path in folders.items()}
     given = json.dumps(
-        {"folders": paths, "roots": [*map(str, roots)], "calls": calls, "reading": reading},
+        {
+            "folders": paths,
+            "roots": [*map(str, roots)],
+            "calls": calls,
+            "reading": reading,
+            "environment": dict(environment),
+        },
         default=str,
     )
     try:

@@ -43,7 +43,7 @@ class Scope:
         return replace(
             self,
             variables=dict(self.variables),
-            environment=Environment(self.environment.changes),
+            environment=self.environment.copy(),
             remaps=self.remaps or {},
             parameters=self.parameters or [],
         )
@@ -52,7 +52,8 @@ class Scope:
         """Return the scope of a group; without `forwarding`, nothing is set in it."""
         if not scoped:
             return self
-        return self.inner() if forwarding else self.at(Scope(Path(), {}))
+        fresh = Scope(Path(), {}, environment=self.environment.fresh())
+        return self.inner() if forwarding else self.at(fresh)
 
     def at(self, other: Scope) -> Scope:
         """Return another state at this point of the launch file."""

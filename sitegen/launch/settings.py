@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable
 from dataclasses import replace
 
-from sitegen.launch.environment import Environment
 from sitegen.launch.names import joined
 from sitegen.launch.scope import Scope
 from sitegen.launch.substitutions import LOG_FOLDER, SubstitutionError
@@ -106,7 +105,7 @@ def _unset_env(action: Action, scope: Scope, texts: Texts) -> None:
 
 
 def _reset_env(_: Action, scope: Scope, __: Texts) -> None:
-    scope.environment.changes.clear()
+    scope.environment = scope.environment.fresh()
 
 
 def _replace_env(action: Action, scope: Scope, texts: Texts) -> None:
@@ -114,7 +113,7 @@ def _replace_env(action: Action, scope: Scope, texts: Texts) -> None:
 
 
 def _push_env(_: Action, scope: Scope, __: Texts) -> None:
-    scope.environments.append(Environment(scope.environment.changes))
+    scope.environments.append(scope.environment.copy())
 
 
 def _pop_env(_: Action, scope: Scope, __: Texts) -> None:

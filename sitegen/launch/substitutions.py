@@ -235,7 +235,7 @@ def _variable(environment: Environment, name: str, *default: str) -> str:
     if name not in environment and not default:
         raise SubstitutionError(
             f"environment variable '{name}' is not read, because the page would publish its value; "
-            f"use an argument, or a default: $(env {name} …)"
+            f"set it in 'environment' of the page, or use a default: $(env {name} …)"
         )
     return _first(environment.value(name), *default, what=f"environment variable '{name}'")
 

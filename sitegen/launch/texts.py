@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -15,8 +15,11 @@ from sitegen.launch.substitutions import Known, SubstitutionError, expand
 from sitegen.launch.tree import Action
 from sitegen.launch.types import typed
 from sitegen.model import Argument
-from sitegen.rclyaml import Overrides
+from sitegen.rclyaml import Overrides, written
 from sitegen.workspace import parameterfiles
+
+# The parameter of robot_state_publisher, which needs it.
+DESCRIPTION = "robot_description"
 
 
 class Texts:
@@ -106,6 +109,19 @@ class Texts:
         if not file.resolve().is_relative_to(self._root) or not file.is_file():
             raise ValueError(f"no file '{file}' below the folder of site.yaml")
         return file
+
+    def description(self, words: Sequence[str], rules: Mapping[str, str]) -> dict[str, str]:
+        """Return the parameter of a robot_state_publisher whose description is a file.
+
+        It is the first argument, which counts only if the parameter is missing.
+        """
+        file = Path(words[0]) if words else Path()
+        if DESCRIPTION in rules or not file.is_file():
+            return {}
+        if not any(file.resolve().is_relative_to(root.resolve()) for root in self._roots):
+            raise ValueError(f"'{file}' is outside the workspace")
+        text = self.on_page(xacro.description(file, self._folders))
+        return {DESCRIPTION: written(text)}
 
     def on_page(self, text: str) -> str:
         """Return a text with the paths that the page has."""

@@ -75,8 +75,8 @@ class Launch:
     """The launch file of a page: its package (or ""), its name, and the nodes that it starts.
 
     `arguments` are those that it and the files that it includes declare, `given` the values that
-    the author gives. `path` is that in the share folder of the package. `others` are nodes that
-    it starts with other arguments only.
+    the author gives, as are the variables in `environment`. `path` is that in the share folder of
+    the package. `others` are nodes that it starts with other arguments only.
     """
 
     package: str
@@ -85,6 +85,7 @@ class Launch:
     handlers: tuple[Handler, ...] = ()
     arguments: tuple[Argument, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
+    environment: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     others: tuple[str, ...] = ()
 

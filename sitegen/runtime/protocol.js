@@ -11,9 +11,11 @@
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
  *   asked?: string[], arguments?: LaunchArgument[],
- *   again?: {reader: string, files: string, path: string, given: Record<string, string>}}} Launch the launch file that
+ *   again?: {reader: string, files: string, path: string, given: Record<string, string>,
+ *   environment: Record<string, string>}}} Launch the launch file that
  *   starts these nodes, and those in `first` at once if not all of them; those in `asked` only start when the visitor
- *   says so. What reads it `again` is in two archives; `given` are the arguments that the author gives
+ *   says so. What reads it `again` is in two archives; `given` are the arguments that the author gives,
+ *   and `environment` the variables
  * @typedef {{name: string, default?: string, description?: string, choices?: string[]}} LaunchArgument
  * @typedef {{on: LaunchEvent, effects: LaunchEffect[], most?: number}} LaunchHandler what a launch file does at an event,
  *   up to `most` times; see model/launch.py, which has the meaning of all fields

@@ -372,3 +372,20 @@ def test_a_component_has_its_source(tmp_path: Path) -> None:
     assert list(page.nodes) == ["talker", "gone"]
     assert [each.target for each in page.leaves if isinstance(each, Source)] == ["talker"]
     assert panels(page)["topics"] == {"echo": "/chatter"}
+
+
+def test_a_launch_file_that_needs_an_argument_gets_its_first_choice(tmp_path: Path) -> None:
+    launch = """<launch>
+<arg name="type"><choice value="ur3"/><choice value="ur5e"/></arg>
+<arg name="side" if="$(eval '\\'$(var type)\\' == \\'ur3\\'')"><choice value="left"/></arg>
+<node pkg="robot" exec="node" namespace="$(var type)"/>
+</launch>"""
+    pages = written(
+        tmp_path,
+        cpp("robot", {"node": "", "other": ""}),
+        {"src/robot/launch/all.launch.xml": launch},
+    )
+    [node] = pages["robot/all/"].nodes.values()
+    assert node.namespace == "/ur3"
+    text = (tmp_path / "site.yaml").read_text(encoding="utf-8")
+    assert "    launch_arguments:\n      type: ur3  # or: ur5e\n      side: left\n" in text

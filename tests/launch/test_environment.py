@@ -108,7 +108,8 @@ def test_variables_of_the_author_stay_private(root: Path, monkeypatch: pytest.Mo
     assert found[0].environment == {"SECRET": "a"}
     assert wrong == [
         "x.launch.xml:7: node: environment variable 'SECRET' is not read, because the page would "
-        "publish its value; use an argument, or a default: $(env SECRET …)"
+        "publish its value; set it in 'environment' of the page, or use a default: "
+        "$(env SECRET …)"
     ]
 
 

@@ -15,7 +15,7 @@ from sitegen.commands.init.robots import Robot, moving
 from sitegen.commands.init.runs import Launched, Runs
 from sitegen.commands.init.turtle import KEY
 from sitegen.config.paths import segment
-from sitegen.model import Package
+from sitegen.model import Argument, Package
 
 ENDING = re.compile(r"[._]?launch\.(py|xml|yaml)$")
 # What tools write into a package.xml, for the author to replace.
@@ -30,7 +30,8 @@ class Page:
     """A page of the site: its programs, or the launch file that starts them.
 
     `views` are the widgets at its top, `panels` those at its end. A launch file without them has
-    the widgets that sitegen chooses. `also` are launch files that start the same nodes.
+    the widgets that sitegen chooses. `also` are launch files that start the same nodes, and
+    `chosen` the arguments of the launch file that it needs.
     """
 
     path: str
@@ -41,6 +42,7 @@ class Page:
     panels: Sequence[Item]
     launch: Path | None = None
     also: tuple[Path, ...] = ()
+    chosen: Sequence[Argument] = ()
 
     @property
     def programs(self) -> str:
@@ -108,7 +110,7 @@ def _launch_pages(
         if owners[package.name] == 1 and title != package.name:
             page = replace(page, title=title)
         also = tuple(each.package.path / each.file for each in group[1:])
-        found.append(replace(page, also=also))
+        found.append(replace(page, also=also, chosen=group[0].chosen))
     return found
 
 

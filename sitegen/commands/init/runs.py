@@ -12,8 +12,8 @@ from sitegen.commands.init.members import Member, member
 from sitegen.commands.init.robots import Robot, name_of, robots
 from sitegen.config.nodes import Declared, check_package
 from sitegen.errors import Location, Problems, relative
-from sitegen.launch import launched
-from sitegen.model import Node, Package
+from sitegen.launch import LaunchDescription, launched
+from sitegen.model import Argument, Node, Package
 from sitegen.nodes.python import archives, dependencies
 from sitegen.workspace.unsupported import unsupported_libraries
 
@@ -25,6 +25,7 @@ LAUNCH = ("launch/**/*launch.py", "launch/**/*launch.xml", "launch/**/*launch.ya
 class Launched:
     """A launch file of a package: `file`, its path in the package, and what it starts.
 
+    `chosen` are the arguments that have no default, for which `init` takes their first choice.
     `windows` says whether it opens some that are widgets on a page; it is `static` if it does
     nothing while its nodes run.
     """
@@ -34,6 +35,7 @@ class Launched:
     members: Sequence[Member]
     windows: bool
     static: bool
+    chosen: Sequence[Argument] = ()
 
 
 @dataclass(frozen=True)
@@ -68,9 +70,8 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         programs += [member(node, there, packages) for node in nodes if node.name not in wrong]
         faults += dict.fromkeys(wrong.values())
         for file in files(package, LAUNCH):
-            problems = Problems(root)
             path = package.path / file
-            found = launched(path, {}, there, problems)
+            found, problems, chosen = _described(path, there, root)
             lines = [*problems.lines, *_faults(root, found.nodes, packages, missing).values()]
             if not found.nodes and not lines:
                 what = "opens windows, but starts" if found.windows else "starts"
@@ -81,10 +82,27 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
                 continue
             members = [member(node, there, packages) for node in found.nodes]
             plain = not found.handlers
-            launches.append(Launched(package, file, members, bool(found.windows), plain))
+            launches.append(Launched(package, file, members, bool(found.windows), plain, chosen))
             described |= {name_of(node) for node in found.nodes}
     shown, unclear = robots(root, packages, there, described)
     return Runs(programs, launches, shown, [*faults, *unclear])
+
+
+def _described(
+    file: Path, packages: Mapping[str, Package], root: Path
+) -> tuple[LaunchDescription, Problems, Sequence[Argument]]:
+    """Return what a launch file describes, and the arguments that it needs and has choices for."""
+    chosen: dict[str, Argument] = {}
+    # A choice may lead to a file that needs another argument.
+    while True:
+        problems = Problems(root)
+        given = {each.name: each.choices[0] for each in chosen.values()}
+        found = launched(file, given, packages, problems)
+        needed = (each for each in found.arguments if each.default is None and each.choices)
+        more = {each.name: each for each in needed if each.name not in chosen}
+        if not more:
+            return found, problems, [*chosen.values()]
+        chosen |= more
 
 
 def files(package: Package, patterns: Iterable[str]) -> list[str]:

@@ -79,6 +79,12 @@ def _page(page: Page, root: Path, pages: Sequence[Page]) -> Iterator[str]:
         for other in page.also:
             yield f"    # {relative(other, root)} starts the same nodes."
         yield f"    launch: {_name(relative(page.launch, root))}"
+        if page.chosen:
+            yield "    launch_arguments:"
+        for argument in page.chosen:
+            value, *others = map(_name, argument.choices)
+            instead = f"  # or: {', '.join(others)}" if others else ""
+            yield f"      {_name(argument.name)}: {value}{instead}"
         if not page.views and not page.panels:
             return
     else:

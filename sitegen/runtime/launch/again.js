@@ -26,9 +26,9 @@ export function isCold() {
  * @param {NonNullable<Launch["again"]>} again @param {Record<string, string>} given @param {AbortSignal} signal
  * @returns {Promise<Read>}
  */
-export function readAgain({ reader: modules, files, path, given: own }, given, signal) {
+export function readAgain({ reader: modules, files, path, given: own, environment }, given, signal) {
   const [readerAddress, filesAddress] = [modules, files].map((address) => new URL(address, document.baseURI).href);
-  const order = { reader: readerAddress, files: filesAddress, path, given: { ...own, ...given } };
+  const order = { reader: readerAddress, files: filesAddress, path, given: { ...own, ...given }, environment };
   const read = last.then(() => ask(order, signal));
   last = read.catch(() => {});
   return read;

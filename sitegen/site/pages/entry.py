@@ -116,6 +116,7 @@ def again_entry(launch: Launch, files: Reading, link: Callable[[str], str]) -> d
         "files": link(files.files.path),
         "path": f"{launch.package}/{launch.path}",
         "given": dict(launch.given),
+        "environment": dict(launch.environment),
     }
 
 

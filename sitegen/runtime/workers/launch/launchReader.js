@@ -7,8 +7,9 @@ import { Download } from "../python/download.js";
 import { loadPython, unpack } from "../python/loading.js";
 
 /**
- * @typedef {{reader: string, files: string, path: string, given: Record<string, string>}} Order the addresses of the
- *   archives with the modules and with the files of packages, the path of the launch file, and its arguments
+ * @typedef {{reader: string, files: string, path: string, given: Record<string, string>,
+ *   environment: Record<string, string>}} Order the addresses of the archives with the modules and with the files of
+ *   packages, the path of the launch file, its arguments and its environment
  */
 
 const download = new Download();
@@ -19,7 +20,7 @@ confine(siteFolder);
 const unpacked = new Set();
 
 /** @param {MessageEvent<Order>} event */
-onmessage = async ({ data: { reader, files, path, given } }) => {
+onmessage = async ({ data: { reader, files, path, given, environment } }) => {
   try {
     const python = await loading;
     for (const address of [reader, files]) {
@@ -27,7 +28,8 @@ onmessage = async ({ data: { reader, files, path, given } }) => {
       unpack(python, await (await download.fetch(address)).arrayBuffer());
       unpacked.add(address);
     }
-    const found = python.pyimport("sitegen.launch.again").read_again(path, JSON.stringify(given));
+    const found = python.pyimport("sitegen.launch.again").read_again(
+      path, JSON.stringify(given), JSON.stringify(environment));
     postMessage(JSON.parse(found));
   } catch (error) {
     postMessage({ error: error instanceof Error ? error.message : String(error) });
