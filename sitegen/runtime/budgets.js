@@ -1,5 +1,5 @@
 // @ts-check
-// How much each worker may use of the page and of other workers. docs/security.md has the same table, and the tests.
+// How much each worker may use of the page and of other workers. docs/budgets.md has the same table, and the tests.
 
 /** How much may be in transit to one endpoint. More would not be faster, and cannot be taken back. */
 export const WINDOW = { records: 1024, bytes: 32 * 1024 * 1024 };
@@ -31,7 +31,7 @@ export const BUDGETS = Object.freeze({
   /** Lines a second, and at once; each begun `width` of characters counts as a line. */
   lines: Object.freeze({ rate: 20_000, burst: 200_000, width: 1024 }),
   /** Characters of a line. */
-  line: 65_536,
+  line: 4_194_304,
   /** Lines that are dropped before the worker is stopped. */
   dropped: 1_000_000,
 });

@@ -53,6 +53,7 @@ export class Graph extends EventTarget {
    */
   join(post, program, complain, origin) {
     const id = this.#nextId++;
+    if (origin !== undefined) this.#names.reserve(`/${program}`, id, origin);
     this.#participants.set(id, {
       id, program, origin, complain, endpoints: new Map(), nodes: new Map(), alike: new Map(), missed: new Map(),
       links: new Set(), told: new Set(), refused: 0, looking: false,
@@ -62,11 +63,6 @@ export class Graph extends EventTarget {
       },
     });
     return id;
-  }
-
-  /** Keep a name for a program: site.yaml gives it to a node. @param {string} name @param {string} origin */
-  reserve(name, origin) {
-    this.#names.reserve(name, origin);
   }
 
   /**
@@ -110,6 +106,7 @@ export class Graph extends EventTarget {
     const left = [...gone.endpoints.keys()].map((endpoint) => ({ peer: id, id: endpoint }));
     for (const member of [...gone.endpoints.values()]) this.#remove(member);
     this.#participants.delete(id);
+    this.#names.release(`/${gone.program}`, id);
     if (left.length) this.#tell(gone, { op: "graph", come: [], gone: left });
     for (const peer of gone.links) {
       const other = this.#participants.get(peer);

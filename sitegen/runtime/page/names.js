@@ -1,5 +1,6 @@
 // @ts-check
-// Which names a worker may use: its endpoints belong to nodes that it has announced, and nobody is the page.
+// Which names a worker may use: its endpoints belong to nodes that it has announced, and nobody is the page, or a node
+// of site.yaml that runs.
 
 import { PAGE_NODE } from "../graphNames.js";
 
@@ -8,18 +9,23 @@ import { PAGE_NODE } from "../graphNames.js";
 const NODE = /^(?:\/[^/\s\p{C}]+)+$/u;
 
 export class Names {
-  /** The programs to which site.yaml gives a name. @type {Map<string, Set<string>>} */
+  /** The programs that run under names of site.yaml, by worker. @type {Map<string, Map<number, string>>} */
   #reserved = new Map();
 
-  /** Keep a name for a program. @param {string} name @param {string} origin */
-  reserve(name, origin) {
-    const origins = this.#reserved.get(name) ?? new Set();
-    this.#reserved.set(name, origins.add(origin));
+  /** Keep a name for a program that starts. @param {string} name @param {number} worker @param {string} origin */
+  reserve(name, worker, origin) {
+    const origins = this.#reserved.get(name) ?? new Map();
+    this.#reserved.set(name, origins.set(worker, origin));
+  }
+
+  /** @param {string} name @param {number} worker that has ended */
+  release(name, worker) {
+    this.#reserved.get(name)?.delete(worker);
   }
 
   /**
    * Return why a worker may not announce an endpoint, or "". Like in ROS, several nodes may have the same name; but a
-   * name from site.yaml is that of its own program only.
+   * name from site.yaml is that of its own program only, while that runs.
    * @param {Endpoint} endpoint @param {string | undefined} origin of the worker's program; undefined for parts of the page
    * @param {Map<string, number>} nodes those that it has announced
    */
@@ -28,7 +34,7 @@ export class Names {
     if (kind !== "node") return nodes.has(node) ? "" : "of a node that it has not announced";
     if (!NODE.test(node)) return "with an invalid name";
     if (node === PAGE_NODE || node.startsWith(`${PAGE_NODE}/`)) return "with the name of the page";
-    const origins = this.#reserved.get(node);
-    return origins && !origins.has(origin) ? `with the name of another node, ${node}` : "";
+    const origins = [...this.#reserved.get(node)?.values() ?? []];
+    return origins.length && !origins.includes(origin) ? `with the name of another node, ${node}` : "";
   }
 }

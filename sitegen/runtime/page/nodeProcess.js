@@ -73,7 +73,6 @@ export class NodeProcess extends EventTarget {
     this.#mounted = mounted;
     this.#groups = groups;
     mounted.then(() => this.#tellEarly());
-    graph.reserve(`/${name}`, originOf(entry));
     // What starts with the page says so then.
     if (entry.fault && !entry.autostart) this.#fail(`did not build: ${entry.fault}`);
   }

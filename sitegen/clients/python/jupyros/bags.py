@@ -12,6 +12,8 @@ MAGIC = b"\x89MCAP0\r\n"
 # The records of MCAP that matter here.
 SCHEMA, CHANNEL, MESSAGE, CHUNK, DATA_END = 3, 4, 5, 6, 15
 CDR = "cdr"
+# How often to look whether a file has come (s).
+PAUSE = 0.005
 
 
 class Recorded(NamedTuple):
@@ -67,16 +69,17 @@ def _content(source: str | Path) -> bytes:
 
 def _fetched(address: str) -> bytes:
     """Return a file of the site; the program waits for it."""
-    import js
     import ros_host
-    from pyodide.ffi import run_sync
+    from rclpy_backend.system import blocking
 
-    if not ros_host.stacks:
-        return bytes(ros_host.file(address).to_bytes())
-    response = run_sync(js.fetch(address))
-    if not response.ok:
-        raise OSError(f"the server answered {response.status}")
-    return bytes(run_sync(response.arrayBuffer()).to_bytes())
+    file = ros_host.file(address)
+    if ros_host.stacks:
+        while not file.done:
+            blocking.wait(PAUSE)
+        if file.error:
+            raise OSError(file.error)
+        file = file.content
+    return bytes(file.to_bytes())
 
 
 def _records(data: memoryview) -> Iterator[tuple[int, memoryview]]:

@@ -3,6 +3,7 @@
 // timers continue to work, and is called synchronously.
 
 import { heard } from "../../interrupt.js";
+import { contentOf } from "./contents.js";
 
 /** @import { Participant } from "../../participant/participant.js" */
 /** @import { Typed } from "../../protocol.js" */
@@ -47,12 +48,5 @@ export function answersOf(participant, typed) {
     seen = participant.wakes;
     return signal;
   };
-  return { ...Object.fromEntries(named), wait, file, events: () => participant.events, typed: () => typed.shift() };
-}
-
-/** Return the content of a file of the site. @param {string} address */
-async function file(address) {
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`the server answered ${response.status}`);
-  return new Uint8Array(await response.arrayBuffer());
+  return { ...Object.fromEntries(named), wait, file: contentOf, events: () => participant.events, typed: () => typed.shift() };
 }
