@@ -56,6 +56,10 @@ COMMON = "nodes/ros.zip"
 NUMPY = "nodes/numpy.zip"
 ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
 NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
+# The module of panels and bags, which only cells have.
+IN_CELLS = "jupyros"
+OF_CELLS = f"nodes/{IN_CELLS}.zip"
+CELLS = {(workspace.SITEGEN, workspace.NOTEBOOK), (workspace.SITEGEN, workspace.CELLS)}
 # The modules that Pyodide has besides those of Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
@@ -118,12 +122,15 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) ->
     wanted = {*_named(parts.values()), *_named_by_rclpy()}
     if workspace.SITEGEN in names:  # nobody knows what will be typed
         wanted |= set(_shares(prefix))
-    common = {**_rclpy(), **dict(_classes(_with_nested(wanted, prefix), prefix))}
+    brought = _rclpy()
+    of_cells = {path: brought[path] for path in brought if path.split("/")[1] == IN_CELLS}
+    brought = {path: brought[path] for path in brought.keys() - of_cells}
+    common = {**brought, **dict(_classes(_with_nested(wanted, prefix), prefix))}
     missing = _wanted(programs, needs, common)
     small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
     for program in missing:
         if program[0] == workspace.SITEGEN:
-            there = _there(common)
+            there = _there([*common, *of_cells])
             found = cellimports.imported(site, program[1])
             missing[program] |= {name: one for name, one in found.items() if name not in there}
     for program in small:
@@ -141,6 +148,9 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) ->
         }
         archives |= {path: wheel.data for path, wheel in others.items()}
         ours = [NUMPY] if (package, executable) in small else []
+        if (package, executable) in CELLS:
+            archives[OF_CELLS] = archived(bytecode.added(of_cells))
+            ours.append(OF_CELLS)
         if (package, executable) == (workspace.SITEGEN, workspace.NOTEBOOK):
             archives[ipython.PATH] = ipython.archive()
             ours.append(ipython.PATH)
@@ -165,7 +175,9 @@ def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, im
     needs = {node.package: workspace.with_dependencies(packages, node.package)}
     described = [one.name for one in packages.values() if one.interfaces]
     own = [folder.name for folder in INTERFACES.iterdir()]
-    common = [f"python/{name}" for name in (*bytecode.modules(), *own, *described)]
+    common = [
+        f"python/{name}" for name in (*bytecode.modules(), *own, *described) if name != IN_CELLS
+    ]
     wanted = _wanted([(node.package, node.executable)], needs, common)
     small = _content_with_ours(wanted, needs)
     [modules] = wanted.values()
