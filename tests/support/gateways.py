@@ -103,6 +103,10 @@ def gateway(*options: str | Path, folder: Path) -> Iterator[Gateway]:
     running = Gateway(*options, folder=folder)
     try:
         yield running
+    except BaseException:
+        # pytest shows it beside what failed.
+        print("the gateway printed:", *running.lines, sep="\n")
+        raise
     finally:
         running.stop()
 
@@ -143,7 +147,11 @@ class Client:
     async def until(self, op: str, **fields: Any) -> dict[str, Any]:
         """Return the next message of an operation with these fields; others are passed."""
         while True:
-            message = await self.next()
+            try:
+                message = await self.next()
+            except asyncio.CancelledError:
+                print(f"no {op} with {fields} after", *self.passed[-5:], sep="\n")
+                raise
             if message["op"] == op and all(message.get(k) == v for k, v in fields.items()):
                 return message
             assert message["op"] != "closed", (message, self.passed[-5:])
