@@ -56,7 +56,7 @@ def bag(value: Value, problems: Problems, page: Path) -> Widget | None:
         if entry := section.get(name):
             options[name] = [item.text for item in entry.items()]
     if entry := section.get("remap"):
-        options["remap"] = {name: one.text for name, one in entry.entries(problems).items()}
+        options["remap"] = entry.texts(problems)
     if entry := section.get("rate"):
         options["rate"] = _rate(entry, problems)
     options |= _part(section, problems)

@@ -63,6 +63,8 @@ def with_terminal(
 
 def commands(text: Markdown) -> Iterator[Command]:
     """Yield each `ros2` in the `ros2` and `console` blocks of a text."""
+    if "ros2" not in text.text:
+        return
     fence, language, begun = "", "", ""
     for number, line in enumerate(text.text.split("\n"), start=text.location.line):
         edge = INNER_FENCE.match(line)

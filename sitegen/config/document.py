@@ -103,6 +103,10 @@ class Value:
                 entries[key.text] = value
         return entries
 
+    def texts(self, problems: Problems) -> dict[str, str]:
+        """Return the texts of a mapping by key, and report unusable and repeated keys."""
+        return {name: each.text for name, each in self.entries(problems).items()}
+
     def _pairs(self) -> Iterator[tuple[Value, Value]]:
         for key, node in self.node.value if isinstance(self.node, yaml.MappingNode) else []:
             location = self._location_of(key)

@@ -15,7 +15,7 @@ from sitegen.config.nodes import Declared, check_package
 from sitegen.config.section import Section
 from sitegen.errors import Problems
 from sitegen.launch import LaunchDescription, launched, share_path
-from sitegen.launch.names import numbered
+from sitegen.launch.names import free
 from sitegen.model import Argument, Launch, Node, Package, Part, Widget, leaves
 
 BOOLEANS = {"true": "false", "false": "true"}
@@ -39,8 +39,9 @@ class LaunchFile:
         self._file = locate(self._given, problems, page=folder) if self._given else None
         self._workspace = packages
         self._problems = problems
-        self._arguments = _texts(section.get("launch_arguments"), problems)
-        self._environment = _texts(environment, problems)
+        arguments = section.get("launch_arguments")
+        self._arguments = arguments.texts(problems) if arguments else {}
+        self._environment = environment.texts(problems) if environment else {}
         self.described = LaunchDescription()
         if self._file:
             self.described = self._read(self._arguments, problems, notes)
@@ -74,7 +75,7 @@ class LaunchFile:
             for node in self._read({**self._arguments, name: value}, quiet, quiet).nodes:
                 if node.program not in known and _runs(node, packages):
                     known.add(node.program)
-                    own = _free(node.name, {*taken, *found})
+                    own = free(node.name, {*taken, *found})
                     found[own] = Declared(replace(node, name=own), None)
         return found
 
@@ -113,11 +114,6 @@ class LaunchFile:
         return {**workspace.shipped_packages(), **workspace.with_replaced(self._workspace())}
 
 
-def _texts(value: Value | None, problems: Problems) -> dict[str, str]:
-    entries = value.entries(problems) if value else {}
-    return {name: entry.text for name, entry in entries.items()}
-
-
 def _other_values(argument: Argument, value: str) -> Sequence[str]:
     """Return the values of an argument that may change which nodes start, without `value`."""
     opposite = BOOLEANS.get(value.lower())
@@ -129,9 +125,3 @@ def _runs(node: Node, packages: Mapping[str, Package]) -> bool:
     problems = Problems(Path())
     check_package(Declared(node, None), workspace.with_shipped(packages, [node.package]), problems)
     return not problems.found
-
-
-def _free(name: str, taken: set[str]) -> str:
-    return next(
-        own for own in (numbered(name, n) for n in range(1, len(taken) + 2)) if own not in taken
-    )

@@ -195,17 +195,16 @@ def _node(name: str, section: Section, problems: Problems) -> Node:
     given = section.get("parameters")
     urdf = section.get("urdf") if section.keys is NODE else None
     environment = section.get("environment")
-    variables = environment.entries(problems) if environment else {}
     return Node(
         name=name,
         package=section.text("package"),
         executable=section.text("executable"),
         location=section.value.location,
         namespace=section.text("namespace"),
-        remap={old: new.text for old, new in remap.entries(problems).items()} if remap else {},
+        remap=remap.texts(problems) if remap else {},
         parameters=parameters.read(given, problems) if given else {},
         arguments=parameters.arguments(arguments, problems) if arguments else (),
-        environment={name: each.text for name, each in variables.items()},
+        environment=environment.texts(problems) if environment else {},
         group=section.text("group") if section.keys is NODE else "",
         urdf=locate(urdf, problems) if urdf else None,
     )

@@ -38,8 +38,7 @@ def read(section: Section, problems: Problems) -> Ros2wasm | None:
         elif not file.is_file():
             message = f"it loads '{file.name}', which does not exist; copy it next to the script"
             problems.add(given.location, given.key, message)
-    entries = types.entries(problems) if types else {}
-    return Ros2wasm(script, tuple(files), {name: each.text for name, each in entries.items()})
+    return Ros2wasm(script, tuple(files), types.texts(problems) if types else {})
 
 
 def check_types(section: Section, packages: Mapping[str, Package], problems: Problems) -> None:

@@ -22,7 +22,7 @@ from sitegen.launch import (
 from sitegen.launch.components import Components
 from sitegen.launch.environment import Environment
 from sitegen.launch.events import Events
-from sitegen.launch.names import joined, numbered
+from sitegen.launch.names import free, joined
 from sitegen.launch.scope import Scope
 from sitegen.launch.settings import SETTINGS, let
 from sitegen.launch.shares import by_package, shares
@@ -290,15 +290,12 @@ class _Launch:
         if any(without.FACT.search(word) for word in words):
             self._notes.add(action.location, "args", without.NOT_YET)
             words = [without.FACT.sub("", word) for word in words]
-        name = own or executable
-        taken = {node.name for node in self.nodes}
-        number = next(n for n in range(1, len(taken) + 2) if numbered(name, n) not in taken)
         namespace = joined(scope.namespace, texts.text(action, "namespace", scope))
         package, rules = texts.needed(action, "pkg", scope), texts.rules(action, scope, namespace)
         if package == STATE_PUBLISHER and (found := texts.description(words, rules)):
             words, rules = words[1:], {**rules, **found}
         node = Node(
-            name=numbered(name, number),
+            name=free(own or executable, {node.name for node in self.nodes}),
             package=package,
             executable=executable,
             location=action.location,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from launching import PACKAGE
+
 from sitegen.config import load
 from sitegen.model import Widget
 
@@ -39,13 +41,7 @@ nodes: {its: {package: mine, executable: other}}
   /chatter
   ```
 """,
-    "src/mine/package.xml": """\
-<package format="3">
-  <name>mine</name>
-  <version>1.0.0</version>
-  <export><build_type>ament_cmake</build_type></export>
-</package>
-""",
+    "src/mine/package.xml": PACKAGE.format("mine"),
     "src/mine/CMakeLists.txt": "add_executable(talk a.cpp)\nadd_executable(other b.cpp)",
 }
 

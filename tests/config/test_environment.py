@@ -5,18 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from launching import PACKAGE
 
 from sitegen.config import load
 from sitegen.errors import SiteError
 
 FILES = {
-    "src/mine/package.xml": """\
-<package format="3">
-  <name>mine</name>
-  <version>1.0.0</version>
-  <export><build_type>ament_cmake</build_type></export>
-</package>
-""",
+    "src/mine/package.xml": PACKAGE.format("mine"),
     "src/mine/CMakeLists.txt": "add_executable(talk a.cpp)",
     "a.launch.xml": """\
 <launch>

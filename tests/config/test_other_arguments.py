@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from launching import PACKAGE
+
 from sitegen.config import load
 from sitegen.model import Argument
 
@@ -36,13 +38,7 @@ LAUNCH = """\
 FILES = {
     "site.yaml": SITE,
     **{f"src/mine/launch/{name}.launch.xml": LAUNCH.replace("{}", name) for name in "abc"},
-    "src/mine/package.xml": """\
-<package format="3">
-  <name>mine</name>
-  <version>1.0.0</version>
-  <export><build_type>ament_cmake</build_type></export>
-</package>
-""",
+    "src/mine/package.xml": PACKAGE.format("mine"),
     "src/mine/CMakeLists.txt": "\n".join(
         f"add_executable({name} a.cpp)" for name in ("one", "two", "three", "loud", "free")
     ),

@@ -20,7 +20,9 @@ export class Names {
 
   /** @param {string} name @param {number} worker that has ended */
   release(name, worker) {
-    this.#reserved.get(name)?.delete(worker);
+    const origins = this.#reserved.get(name);
+    origins?.delete(worker);
+    if (!origins?.size) this.#reserved.delete(name);
   }
 
   /**
@@ -34,7 +36,7 @@ export class Names {
     if (kind !== "node") return nodes.has(node) ? "" : "of a node that it has not announced";
     if (!NODE.test(node)) return "with an invalid name";
     if (node === PAGE_NODE || node.startsWith(`${PAGE_NODE}/`)) return "with the name of the page";
-    const origins = [...this.#reserved.get(node)?.values() ?? []];
-    return origins.length && !origins.includes(origin) ? `with the name of another node, ${node}` : "";
+    const origins = [...this.#reserved.get(node)?.values() ?? [origin]];
+    return origins.includes(origin) ? "" : `with the name of another node, ${node}`;
   }
 }

@@ -69,7 +69,7 @@ def play(any_tab: Scripted, serve: Serve, tmp_path: Path) -> Any:
 
 
 def test_a_name_is_ones_own(play: Any) -> None:
-    """Endpoints belong to announced nodes; the page's names and those of site.yaml are taken."""
+    """Endpoints belong to announced nodes; the page's name and those of running nodes are taken."""
     found = play("""
       const other = start("talker", `create(1, "node", "/talker"); say("done");`);
       await until(() => other.lines.includes("done"));
@@ -87,7 +87,11 @@ def test_a_name_is_ones_own(play: Any) -> None:
         say("done");`);
       await until(() => evil.lines.includes("done"));
       const known = graph.endpoints().map(({ kind, node, name }) => [kind, node, name]);
-      return [evil.lines, known, other.lines, uncaught];
+      other.stop();
+      await until(() => other.state === "stopped");
+      const late = start("late", `create(1, "node", "/talker"); say("done");`);
+      await until(() => late.lines.includes("done"));
+      return [evil.lines, known, other.lines, late.lines, uncaught];
     """)
     unannounced = "evil: announced a publisher of a node that it has not announced; it was dropped"
     assert found == [
@@ -99,6 +103,7 @@ def test_a_name_is_ones_own(play: Any) -> None:
             "done",
         ],
         [["node", "/talker", ""], ["publisher", "/evil", "/t"]],
+        ["done"],
         ["done"],
         [],
     ]

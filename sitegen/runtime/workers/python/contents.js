@@ -8,8 +8,8 @@ export async function contentOf(address) {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-/** Begin to load a file, and return what is known of it: the program looks again after a wait. @param {string} address */
-export function loading(address) {
+/** Begin to read a file, and return what is known of it: the program looks again after a wait. @param {string} address */
+export function beginReading(address) {
   /** @type {{done: boolean, content?: Uint8Array, error: string}} */
   const file = { done: false, error: "" };
   contentOf(address).then((content) => {

@@ -10,7 +10,7 @@ import { confine } from "../confine.js";
 import { Participant } from "../../participant/participant.js";
 import { Answers } from "./calls.js";
 import { Printer } from "../printer.js";
-import { loading } from "./contents.js";
+import { beginReading } from "./contents.js";
 import { Python, describe } from "./python.js";
 import { pythonHost } from "./pythonHost.js";
 import { answersOf } from "./remoteParticipant.js";
@@ -63,7 +63,7 @@ function serve(way) {
   async function run(node, graph) {
     await python?.prepare(node, printer, post);
     const host = pythonHost(graph, printer, () => typed.shift(), post, (error) => end(1, describe(error)));
-    end(await python?.run(node, Object.assign(host, { file: loading })) ?? 1, "");
+    end(await python?.run(node, Object.assign(host, { file: beginReading })) ?? 1, "");
   }
 
   /** @param {number} code @param {string} error */
