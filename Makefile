@@ -17,7 +17,8 @@ serve:
 	@echo "http://localhost:$(PORT)/ (Ctrl-C ends it)"
 	@$(PYTHON) -m http.server --bind 127.0.0.1 --directory dist $(PORT)
 
-TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit .venv/rowe
+TOOLS := .venv/ready .venv/emscripten .venv/chromium .venv/headless .venv/firefox .venv/webkit .venv/rowe \
+  .venv/headers
 
 RUN := $(BIN)/python tests/support/run.py --at-once $(AT_ONCE) --begun $(shell date +%s)
 
@@ -43,7 +44,7 @@ lint: .venv/ready node_modules/.package-lock.json
 	$(BIN)/mypy
 	npm run --silent check
 
-bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs .venv/rowe
+bench: .venv/ready .venv/emscripten .venv/chromium .venv/mkdocs .venv/rowe .venv/headers
 	$(BIN)/python -m bench
 
 clean:
@@ -81,6 +82,14 @@ clean:
 .venv/webkit: | .venv/ready
 	@test -x /usr/bin/WebKitWebDriver || ./install webkit2gtk-driver
 	@test -x /usr/bin/Xvfb || ./install xvfb
+	touch $@
+
+# Libraries of which programs need only the headers.
+.venv/headers: | .venv/ready
+	@test -e /usr/include/boost/version.hpp || ./install libboost-dev
+	@test -e /usr/include/fmt/core.h || ./install libfmt-dev
+	@test -e /usr/include/nlohmann/json.hpp || ./install nlohmann-json3-dev
+	@test -e /usr/include/spdlog/version.h || ./install libspdlog-dev
 	touch $@
 
 # What compiles and checks rowe in C.

@@ -14,7 +14,8 @@ from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.site.prose import without_text
-from sitegen.workspace.absent import absent, advice
+from sitegen.workspace.absent import NO_BUILD, absent, advice
+from sitegen.workspace.unsupported import unsupported_libraries
 
 
 def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, list[str]]:
@@ -23,7 +24,8 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
     Raises: SiteError if a build would fail, or if `strict` and there are warnings.
     """
     site = make(folder, report, options=Options(compile=False)).site
-    warnings = [*site.notes, *_absent(site), *_definitions(site), *_images(site)]
+    warnings = [*site.notes, *_absent(site), *_libraries(site)]
+    warnings += [*_definitions(site), *_images(site)]
     warnings += wiring.warnings(site)
     warnings += notebooks.warnings(site, report)
     warnings = list(dict.fromkeys(warnings))
@@ -45,6 +47,22 @@ def _absent(site: Site) -> list[str]:
         f"{advice(name)}"
         for path, package in packages.items()
         for name in absent(package, site.packages)
+    ]
+
+
+def _libraries(site: Site) -> list[str]:
+    """Return the programs that need libraries which no page can have.
+
+    They are warnings, because a source may include a header only in builds for other platforms.
+    """
+    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
+    packages = {job.package.path: job.package for job in jobs}
+    needs = {path: unsupported_libraries(each, site.packages) for path, each in packages.items()}
+    return [
+        f"{relative(job.package.path, site.root)}: '{name}' needs '{library}', {NO_BUILD}"
+        for job in jobs
+        for name in job.executables
+        if (library := needs[job.package.path].get(name))
     ]
 
 

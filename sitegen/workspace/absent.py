@@ -7,8 +7,7 @@ from functools import cache
 
 from sitegen.model import Package
 from sitegen.shipped import CLIENTS, INTERFACES, PACKAGES, ROS
-from sitegen.workspace import cmakelists
-from sitegen.workspace.unsupported import UNSUPPORTED
+from sitegen.workspace import cmakelists, libraries
 
 NO_BUILD = "which has no build for the page"
 CLONE = "which is not in the workspace; clone its sources there"
@@ -31,11 +30,18 @@ def absent(package: Package, workspace: Collection[str]) -> list[str]:
 
 
 def advice(name: str) -> str:
-    """Return the end of a message about the ROS package `name`, which is absent."""
-    return NO_BUILD if name in UNSUPPORTED.values() else CLONE
+    """Return the end of a message about the package `name`, which is absent."""
+    library = libraries.of_package(name)
+    return without(library) if library else CLONE
+
+
+def without(library: libraries.Library) -> str:
+    """Return the end of a message about a library that is absent."""
+    return f"which is not installed (apt-get install {library.apt})" if library.apt else NO_BUILD
 
 
 @cache
 def _available() -> frozenset[str]:
     folders = (CLIENTS / "cpp" / "share", INTERFACES, PACKAGES, ROS / "include")
-    return frozenset(path.name for folder in folders for path in folder.iterdir())
+    packages = (path.name for folder in folders for path in folder.iterdir())
+    return frozenset([*packages, *libraries.PACKAGES])

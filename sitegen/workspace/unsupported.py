@@ -1,31 +1,22 @@
-"""Find the libraries that a package needs and that are not available in browsers."""
+"""Find the libraries that the programs of a package need and that no page can have."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from sitegen.model import Package
+from sitegen.workspace.libraries import UNAVAILABLE, of_header
 
-HEADER_FOLDER = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([\w.+-]+)/', re.MULTILINE)
 HEADER = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
-# Libraries that are too large, or need hardware, a middleware or a screen, by header folder.
-UNSUPPORTED = {
-    "opencv2": "OpenCV",
-    "pcl": "PCL",
-    **{
-        name: name
-        for name in (
-            *("cv_bridge", "image_transport", "pcl_conversions", "rmw_fastrtps_cpp", "rosbag2_cpp"),
-            *("rosbag2_storage", "rosbag2_transport", "rttest", "rviz_common", "tlsf_cpp"),
-        )
-    },
-}
 
 
-def unsupported_libraries(package: Package) -> dict[str, str]:
-    """Return the first unsupported library of each executable, where it is known."""
+def unsupported_libraries(package: Package, workspace: Collection[str]) -> dict[str, str]:
+    """Return the first library of each executable that no page can have, where it is known.
+
+    `workspace` are the names of the packages of the workspace, whose headers are there.
+    """
     found: dict[str, str] = {}
     named = {file for files in package.sources.values() for file in files}
     sources = (file.relative_to(package.path).as_posix() for file in package.path.rglob("*.cpp"))
@@ -33,26 +24,33 @@ def unsupported_libraries(package: Package) -> dict[str, str]:
     for executable in package.executables or ():
         files = package.sources.get(executable, ())
         # The source files of a component are not known, so it is assumed to need all libraries.
-        missing = [_missing(package.path, (file,)) for file in files or others]
+        missing = [_missing(package.path, (file,), workspace) for file in files or others]
         if missing and (all(missing) or (files and any(missing))):
             found[executable] = next(filter(None, missing))
     return found
 
 
-def _missing(folder: Path, files: tuple[str, ...]) -> str:
-    names = (name for text in _texts(folder, files) for name in HEADER_FOLDER.findall(text))
-    return next((UNSUPPORTED[name] for name in names if name in UNSUPPORTED), "")
+def _missing(folder: Path, files: tuple[str, ...], workspace: Collection[str]) -> str:
+    for header in _headers(folder, files):
+        library, first = of_header(header), header.partition("/")[0]
+        # The package may have a copy of the library.
+        if library in UNAVAILABLE and first not in workspace and not any(folder.rglob(header)):
+            return library.name
+    return ""
 
 
-def _texts(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
-    """Yield the source files of a package, and its own headers that they include, as text."""
+def _headers(folder: Path, files: tuple[str, ...]) -> Iterator[str]:
+    """Yield the headers that source files of a package include and that the package has not."""
     waiting, seen = [folder / file for file in files], set[Path]()
     while waiting:
         file = waiting.pop()
-        if file in seen or not file.is_file():
+        if file in seen:
             continue
         seen.add(file)
-        text = file.read_text(encoding="utf-8-sig", errors="replace")
-        yield text
+        text = file.read_text(encoding="utf-8-sig", errors="replace") if file.is_file() else ""
         near = (file.parent, folder / "include", folder / "src", folder)
-        waiting += (folder / name for name in HEADER.findall(text) for folder in near)
+        for name in HEADER.findall(text):
+            own = [place / name for place in near if (place / name).is_file()]
+            waiting += own
+            if not own:
+                yield name

@@ -119,6 +119,30 @@ launch:
     ]
 
 
+def test_libraries_that_the_workspace_has_are_not_missing(
+    workspace: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    files = {
+        "copies/package.xml": "<package><name>copies</name></package>",
+        "copies/CMakeLists.txt": "project(copies)\nadd_executable(own own.cpp)\n",
+        "copies/own.cpp": '#include "zmq.hpp"\n#include "cv_bridge/part.hpp"\nint main() {}\n',
+        "copies/3rdparty/zmq/include/zmq.hpp": "",
+        "cv_bridge/package.xml": "<package><name>cv_bridge</name></package>",
+        "cv_bridge/CMakeLists.txt": "project(cv_bridge)\n",
+        "cv_bridge/include/cv_bridge/part.hpp": "",
+    }
+    for name, text in files.items():
+        file = workspace / "src" / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    assert main(["init", str(workspace)]) == 0
+    assert "copies" not in "".join(
+        line for line in capsys.readouterr().out.splitlines() if "skipped" in line
+    )
+    pages = {page.path: list(page.nodes) for page in config.load(workspace / "site.yaml").pages}
+    assert ["own"] in pages.values()
+
+
 def test_programs_that_need_what_no_page_has_are_left_out(
     workspace: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

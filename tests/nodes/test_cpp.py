@@ -5,103 +5,15 @@ from __future__ import annotations
 import io
 import os
 import re
-import shutil
 import time
-from collections.abc import Iterator
 from pathlib import Path
-from textwrap import dedent
 
 import pytest
-from filelock import FileLock
+from packages import Workspace
 
 from sitegen.build import Made, make
-from sitegen.cache.folder import cache_folder
-from sitegen.commands.build import build
-from sitegen.errors import SiteError
 from sitegen.options import Options
 from sitegen.report import Report
-
-CMAKE = """\
-cmake_minimum_required(VERSION 3.8)
-project({name})
-find_package(ament_cmake REQUIRED)
-{body}
-ament_package()
-"""
-
-
-class Workspace:
-    """A site with packages that a test writes."""
-
-    def __init__(self, folder: Path, cache: Path) -> None:
-        self.folder = folder
-        self.cache = cache
-
-    def write(self, path: str, text: str) -> None:
-        file = self.folder / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(dedent(text))
-
-    def package(self, name: str, body: str, *, depends: str = "", main: str = "") -> None:
-        tags = "".join(f"<depend>{depend}</depend>" for depend in depends.split())
-        self.write(
-            f"src/{name}/package.xml",
-            f"<package format='3'><name>{name}</name>{tags}</package>\n",
-        )
-        self.write(f"src/{name}/CMakeLists.txt", CMAKE.format(name=name, body=dedent(body)))
-        if main:
-            self.write(f"src/{name}/src/main.cpp", main)
-
-    def site(self, *executables: str) -> None:
-        """Write a site.yaml whose page has these nodes, `package/executable` each."""
-        lines = ["site: {title: Test, asyncify: false}", "nodes:"]
-        for number, executable in enumerate(executables):
-            package, name = executable.split("/")
-            lines.append(f"  n{number}: {{package: {package}, executable: {name}}}")
-        consoles = ", ".join(f"console: n{number}" for number in range(len(executables)))
-        lines.append(f"pages: [{{path: /, title: Test, content: [{consoles}]}}]")
-        self.write("site.yaml", "\n".join(lines))
-
-    def build(self) -> list[str]:
-        """Build the site and return what was compiled, besides the library."""
-        said = io.StringIO()
-        build(self.folder, output=self.folder / "dist", report=Report(said))
-        names = re.findall(r"^(\S+) \(current browsers\): compiling", said.getvalue(), re.M)
-        return [name for name in names if name != "rclcpp"]
-
-    def problems(self) -> list[str]:
-        with pytest.raises(SiteError) as wrong:
-            self.build()
-        return wrong.value.lines
-
-    def compiled(self) -> dict[str, int]:
-        """When each object file was last written."""
-        found = self.cache.glob("work/*/jspi/packages/*/**/*.o")
-        return {file.name: file.stat().st_mtime_ns for file in found}
-
-    def changed(self, before: dict[str, int]) -> set[str]:
-        """The objects compiled since `before`."""
-        return {name for name, time in self.compiled().items() if before.get(name) != time}
-
-
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """A cache that these tests share, with nothing but the library if that is compiled already."""
-    folder = tmp_path_factory.mktemp("cache")
-    own = cache_folder()
-    for library in own.glob("work/*/jspi/rclcpp/librclcpp.a"):
-        there = folder / library.relative_to(own)
-        there.parent.mkdir(parents=True)
-        with FileLock(library.parents[2] / "lock"):  # another process may be writing it
-            shutil.copyfile(library, there)
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("SITEGEN_CACHE", str(folder))
-        yield folder
-
-
-@pytest.fixture
-def workspace(tmp_path: Path, cache: Path) -> Workspace:
-    return Workspace(tmp_path, cache)
 
 
 def test_what_changed_is_compiled_and_nothing_else(workspace: Workspace) -> None:
@@ -280,7 +192,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "add_executable(wrong src/main.cpp)",
         main="void missing_part();\nint main() {missing_part();}\n",
     )
-    workspace.package("wrong_need", "find_package(PCL REQUIRED)\nadd_executable(wrong a.cpp)")
+    workspace.package("wrong_need", "find_package(Arm3D REQUIRED)\nadd_executable(wrong a.cpp)")
     workspace.package(
         "wrong_cmake",
         'message(FATAL_ERROR "this robot has no wheels")\nadd_executable(wrong a.cpp)',
@@ -313,7 +225,8 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
     ]
     assert need == (
-        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'PCL', which has no build for the page"
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'Arm3D', "
+        "which has no build for the page"
     )
     assert vision == (
         "src/half_vision/CMakeLists.txt: 'half_vision' needs 'OpenCV', "

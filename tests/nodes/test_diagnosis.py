@@ -56,3 +56,28 @@ def test_a_missing_header_is_told_once(diagnosis: Diagnosis) -> None:
         "src/grip/CMakeLists.txt: why",
         local,
     ]
+
+
+def test_what_libraries_lack_is_told_with_how_to_get_it(diagnosis: Diagnosis) -> None:
+    said = "{}/src/arm/src/{}.cpp:3:10: fatal error: '{}' file not found"
+    headers = ("boost/asio.hpp", "boost/bind.hpp", "zmq.hpp", "QApplication", "qapplication.h")
+    outputs = {
+        f"n{n}": said.format(diagnosis.root, f"n{n}", name) for n, name in enumerate(headers)
+    }
+    boost = "src/arm/CMakeLists.txt: 'arm' needs 'Boost', which is not installed "
+    assert list(dict.fromkeys(diagnosis.of_builds(outputs, diagnosis.root, {}))) == [
+        f"{boost}(apt-get install libboost-dev)",
+        "src/arm/CMakeLists.txt: 'arm' needs 'ZeroMQ', which has no build for the page",
+        "src/arm/CMakeLists.txt: 'arm' needs 'Qt5', which has no build for the page",
+        "src/arm/src/n4.cpp:3: 'arm' includes 'qapplication.h', which was not found",
+    ]
+    line = (
+        "wasm-ld: error: CMakeFiles/a.dir/a.cpp.o: undefined symbol: "
+        "boost::filesystem::detail::status(boost::filesystem::path const&)"
+    )
+    first = diagnosis.of_build("a", line, diagnosis.root)[0].splitlines()[0]
+    assert first == (
+        "src/arm/CMakeLists.txt: could not link 'a': undefined symbol: "
+        "boost::filesystem::detail::status(boost::filesystem::path const&), which is compiled: "
+        "of Boost, pages have the headers only (package 'arm')"
+    )

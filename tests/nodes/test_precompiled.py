@@ -125,6 +125,25 @@ def test_what_is_said_before_counts(compiler: Compiler) -> None:
     assert compiler.made() == before
 
 
+def test_what_headers_of_another_standard_library_include_is_known(compiler: Compiler) -> None:
+    sorts = """\
+#include <functional>
+int first(std::vector<int> values) {{
+  std::sort(values.begin(), values.end());
+  return {};
+}}
+"""
+    plain = compiler.write("sorts.cpp", sorts.format("values[0]"))
+    assert "namespace 'std'" in compiler.plain(plain).stdout
+    assert (compiler.run(plain).returncode, compiler.run(plain).stdout) == (0, "")
+    assert Path(f"{plain}.o").read_bytes().startswith(b"\0asm")
+    # A source with an error of its own is shown as it is.
+    wrong = compiler.write("wrong_sorts.cpp", sorts.format("unknown"))
+    said = compiler.run(wrong).stdout
+    assert said == compiler.plain(wrong).stdout
+    assert "standard.h" not in said
+
+
 def test_a_header_of_the_author_that_stands_in_the_way(compiler: Compiler) -> None:
     source = compiler.write("way/node.cpp", NODE.format(""))
     compiler.write("way/include/rmw/rmw.h", "#error of the author\n")

@@ -58,7 +58,7 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     launches: list[Launched] = []
     faults: list[str] = []
     described: set[str] = set()
-    missing = {name: unsupported_libraries(package) for name, package in packages.items()}
+    missing = {name: unsupported_libraries(package, packages) for name, package in packages.items()}
     there = {**workspace.shipped_packages(), **packages}
     for name, package in packages.items():
         location = Location(package.path / "package.xml", 1)

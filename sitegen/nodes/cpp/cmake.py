@@ -57,6 +57,11 @@ class CMake:
         return self.work / "ros"
 
     @property
+    def headers(self) -> Path:
+        """The folder of the headers of this computer that programs may use."""
+        return self.work / "headers"
+
+    @property
     def library(self) -> Path:
         """The rclcpp library of this engine."""
         return self.work / self.engine / "rclcpp" / "librclcpp.a"
@@ -138,6 +143,7 @@ class CMake:
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
+            "SITEGEN_HEADERS": self.headers,
             "SITEGEN_LINKED": ";".join(linked),
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PROGRAMS": tree / PROGRAMS,

@@ -18,7 +18,7 @@ from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator
 from sitegen.model import BROWSERS, Build, Package
-from sitegen.nodes.cpp import drafts
+from sitegen.nodes.cpp import drafts, libraries
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
 from sitegen.nodes.cpp.progress import Progress, counted, plan
@@ -37,8 +37,10 @@ GENERATOR = (
     "interfaces/typesupport.py",
     "interfaces/values.py",
     "nodes/cpp/cmake.py",
+    "nodes/cpp/libraries.py",
     "nodes/cpp/precompiled.py",
     "nodes/cpp/sourcemap.py",
+    "workspace/libraries.py",
 )
 
 
@@ -262,11 +264,13 @@ class Compiler:
         return CMake(tools, self._work, engine, self._debug, self._draft)
 
     def _write_ros(self) -> None:
-        complete = self._work / "ros.complete"
+        cmake, complete = self._cmake(""), self._work / "ros.complete"
         if not complete.exists():
-            generator.write_ros(self._cmake("").ros)
-            generator.write_shipped(self._cmake("").ros)
+            generator.write_ros(cmake.ros)
+            generator.write_shipped(cmake.ros)
+            libraries.write(cmake.ros)
             complete.touch()
+        libraries.link(cmake.headers, self._tools.eigen)
 
     def _compile_library(self, engine: str) -> None:
         name, what = f"rclcpp ({BROWSERS[engine]})", "compiling the library (once for all nodes)"

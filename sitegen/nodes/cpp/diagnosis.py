@@ -12,7 +12,8 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
-from sitegen.workspace.absent import NO_BUILD, advice
+from sitegen.workspace.absent import NO_BUILD, advice, without
+from sitegen.workspace.libraries import of_header
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -26,11 +27,10 @@ ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Header-only packages that authors can install, and how.
 INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
-# Packages that CMake finds although they are empty (clients/cpp/share), by the folder of their
-# headers.
-HOLLOW = {"opencv2": "OpenCV"}
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
+# The outermost one of an undefined symbol; libraries name their folders of headers so, too.
+NAMESPACE = re.compile(r"undefined symbol: (?:(?:typeinfo|vtable) for )?(\w+)::")
 UNDEFINED = re.compile(r"^wasm-ld\S*: error: .*?(undefined symbol: .+)$", re.M)
 
 
@@ -86,9 +86,9 @@ class Diagnosis:
     def _without(
         self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]
     ) -> list[str]:
+        if library := of_header(header):
+            return [self._needs(library.name, without(library))]
         folder, _, rest = header.partition("/")
-        if folder in HOLLOW:
-            return [self._needs(HOLLOW[folder], NO_BUILD)]
         others = f" (and {count(len(places) - 1, 'other file')})" if len(places) > 1 else ""
         problem = f"{places[0]}: '{self.package.name}' includes '{header}', which was not found"
         if folder in failed:
@@ -112,6 +112,8 @@ class Diagnosis:
         else:
             undefined = UNDEFINED.search(output)
             why = f": {undefined[1]}" if undefined else ""
+            if (space := NAMESPACE.search(why)) and (library := of_header(space[1])):
+                why += f", which is compiled: of {library.name}, pages have the headers only"
             what = f"{self._cmake}: could not link '{executable}'{why}"
             what += f" (package '{self.package.name}')"
         return [f"{what}\n{self._quote(output)}"]

@@ -6,6 +6,10 @@ is precompiled once for each set of flags and kept in the folder STORE. A source
 if it includes rclcpp.hpp before anything that could make a difference. If the compiler prints
 anything, it runs again without the precompiled header, so that messages are always about the
 author's files.
+
+A program that g++ compiles may name what other headers of its standard library include. Those of
+libc++ include less. If the compiler does not know a name, it runs once more with all of them; if
+that fails, too, the messages are those of the source as it is.
 """
 
 from __future__ import annotations
@@ -23,6 +27,15 @@ from pathlib import Path
 PACKAGE = Path(__file__).absolute().parents[2]
 LIBRARY = PACKAGE / "clients" / "cpp" / "include"
 HEADER = LIBRARY / "rclcpp" / "rclcpp.hpp"
+# What programs need that include too few headers of the standard library.
+STANDARD = LIBRARY.parent / "src" / "platform" / "standard.h"
+# What the compiler says about them.
+UNKNOWN = re.compile(
+    rb"error: (no (member|type|template) named '\w+' in namespace 'std'|"
+    rb"implicit instantiation of undefined template 'std::|.*incomplete type 'std::|"
+    rb"(use of undeclared identifier|unknown type name) '(u?int\w+_t|mem\w+|str\w+|pthread_\w+|"
+    rb"\w*printf|u?sleep|getpid|isatty|read|write|close|errno|exit|abort|assert|time)')"
+)
 # The interface packages that come with sitegen. The headers generated from them are in ROS.
 INTERFACES = PACKAGE / "ros" / "include"
 # Nothing in these headers depends on what was included before them.
@@ -230,6 +243,9 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
         if not done.returncode and not done.stdout:
             return 0
     again = _run([compiler, *words])
+    if again.returncode and UNKNOWN.search(again.stdout):
+        complete = _run([compiler, *words, "-include", str(STANDARD)])
+        again = again if complete.returncode else complete
     sys.stdout.buffer.write(again.stdout)
     if made and not again.returncode and not again.stdout:
         # The compiler's own headers were installed again, which makes precompiled headers invalid.

@@ -13,6 +13,7 @@ from importlib import metadata
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
+from sitegen.nodes.cpp import libraries
 
 # Emscripten of Debian uses acorn, which its Node finds only in this folder.
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
@@ -48,8 +49,9 @@ class Toolchain:
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
         eigen = _eigen()
-        # Programs depend on the version of Eigen, not on when it was installed.
-        identity = _identity(compiler) + (f" {digest_of([eigen])}" if eigen else "")
+        # Programs depend on the versions of headers, not on when these were installed.
+        identity = f"{_identity(compiler)} {libraries.identity()}"
+        identity += f" {digest_of([eigen])}" if eigen else ""
         return Toolchain(compiler, cmake, ninja, identity, eigen)
 
     def run(

@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 
 def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> None:
-    """Libraries, other packages' interfaces and libraries, old and new CMake, C and three C++s."""
+    """Libraries of their own and others, interfaces, old and new CMake, C and three C++s."""
     expected = {
         "beside": [
             "front 4 wheels, 0.25 m, -2 of Räder & Söhne",
@@ -26,6 +26,14 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
             "heard words",
         ],
         "modern": ["hello after 294: holds left, 4 wheels, 2 spare"],
+        "libraries": [
+            "Boost trims and 2 listen",
+            '{"kind":"json"}',
+            "fmt has 3 words",
+            "spdlog has level warning",
+            "Eigen has 6",
+            "g++ includes 1 2 3",
+        ],
     }
     tab.goto(serve(built(SITES / "shapes")))
     for name, lines in expected.items():
@@ -33,4 +41,5 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
         panel.start()
         panel.wait_for(lines[-1])
         panel.expect_state("stopped")
-        assert lines == (panel.lines() if name == "plain" else panel.messages())
+        logs = name not in ("plain", "libraries")
+        assert lines == (panel.messages() if logs else panel.lines())

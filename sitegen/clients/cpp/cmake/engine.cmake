@@ -66,5 +66,6 @@ foreach(_language C CXX)
 endforeach()
 if(NOT CMAKE_SOURCE_DIR STREQUAL SITEGEN_CPP)  # a package, and not the library
   include("${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
+  include("${CMAKE_CURRENT_LIST_DIR}/libraries.cmake")
   cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL sitegen_finish "${CMAKE_SOURCE_DIR}")
 endif()

@@ -21,6 +21,10 @@ function(sitegen_finish folder)
   get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
+    if(NOT type STREQUAL "INTERFACE_LIBRARY")
+      # The programs of Qt that these would run are not there.
+      set_target_properties(${target} PROPERTIES AUTOMOC OFF AUTOUIC OFF AUTORCC OFF)
+    endif()
     if(type STREQUAL "EXECUTABLE")
       # sitegen finds programs by their names, whatever folder the package chooses for them.
       set_target_properties(${target} PROPERTIES

@@ -15,7 +15,7 @@ function(ament_target_dependencies target)
     elseif(package STREQUAL "SYSTEM")
       continue()
     endif()
-    if(NOT ${package}_FOUND)
+    if(NOT ${package}_FOUND AND NOT TARGET sitegen_library_${package})
       message(FATAL_ERROR
         "ament_target_dependencies() the passed package name '${package}' was not found before")
     endif()

@@ -1,0 +1,102 @@
+# Libraries that are no ROS packages: workspace/libraries.py has their names, targets and headers.
+include_guard(GLOBAL)
+
+# On a robot, these are in folders that the compiler searches without being told.
+include_directories(SYSTEM "${SITEGEN_HEADERS}")
+# What sitegen says about a library takes precedence over what CMake or a package finds out.
+set(CMAKE_FIND_PACKAGE_PREFER_CONFIG TRUE)
+
+# The CMake package of a library calls this. Where a package requires the library, it is found, and
+# empty if no page can have it, so that programs that do not need it are compiled. Where it is
+# optional, it is found if its headers are installed, one of which is among MARKS.
+function(sitegen_library package marks targets definitions)
+  set(found ${${package}_FIND_REQUIRED})
+  string(REPLACE "|" ";" marks "${marks}")
+  foreach(mark IN LISTS marks)
+    if(EXISTS "${SITEGEN_HEADERS}/${mark}")
+      set(found TRUE)
+    endif()
+  endforeach()
+  set(components ${${package}_FIND_COMPONENTS})
+  if(package MATCHES "^Python" AND NOT components MATCHES "Development|NumPy")
+    set(found TRUE)  # the interpreter
+  endif()
+
+  separate_arguments(targets)
+  set(libraries "")
+  foreach(target IN LISTS targets)
+    if(target MATCHES "{}")
+      foreach(component IN LISTS components)
+        string(REPLACE "{}" "${component}" one "${target}")
+        list(APPEND libraries "${one}")
+      endforeach()
+    else()
+      list(APPEND libraries "${target}")
+    endif()
+  endforeach()
+  foreach(library IN LISTS libraries ITEMS sitegen_library_${package})
+    if(NOT TARGET ${library})
+      add_library(${library} INTERFACE IMPORTED GLOBAL)
+      set_target_properties(${library} PROPERTIES INTERFACE_COMPILE_DEFINITIONS "${definitions}")
+    endif()
+  endforeach()
+
+  string(TOUPPER "${package}" upper)
+  foreach(name IN ITEMS ${package} ${upper})
+    foreach(component IN LISTS components)
+      set(${name}_${component}_FOUND "${found}" PARENT_SCOPE)
+    endforeach()
+    set(${name}_FOUND "${found}" PARENT_SCOPE)
+    foreach(variable IN ITEMS INCLUDE_DIR INCLUDE_DIRS)
+      set(${name}_${variable} "${SITEGEN_HEADERS}" PARENT_SCOPE)
+    endforeach()
+    foreach(variable IN ITEMS LIBRARIES LIBS LIBRARY TARGETS)
+      set(${name}_${variable} "${libraries}" PARENT_SCOPE)
+    endforeach()
+  endforeach()
+  if(package MATCHES "^Python")
+    foreach(name IN ITEMS ${package} PYTHON)
+      set(${name}_EXECUTABLE "${SITEGEN_PYTHON}" PARENT_SCOPE)
+      set(${name}_Interpreter_FOUND TRUE PARENT_SCOPE)
+    endforeach()
+  endif()
+endfunction()
+
+# Modules of Python and code that Qt's programs generate: targets that no program of a page needs.
+foreach(command IN ITEMS pybind11_add_module Python_add_library Python3_add_library)
+  cmake_language(EVAL CODE "
+    function(${command} target)
+      set(sources \${ARGN})
+      list(FILTER sources INCLUDE REGEX \"[.](c|cc|cpp|cxx)$\")
+      add_library(\${target} STATIC EXCLUDE_FROM_ALL \${sources})
+    endfunction()")
+endforeach()
+foreach(command IN ITEMS add_resources create_translation wrap_cpp wrap_ui)
+  foreach(qt IN ITEMS qt qt5 qt6)
+    cmake_language(EVAL CODE "
+      function(${qt}_${command} result)
+        set(\${result} \"\" PARENT_SCOPE)
+      endfunction()")
+  endforeach()
+endforeach()
+
+# pkg-config knows the libraries of this computer, which a page cannot have. A package that requires
+# one goes on without it.
+function(_sitegen_pkg_config prefix)
+  list(FIND ARGN REQUIRED required)
+  set(found FALSE)
+  if(required GREATER -1)
+    set(found TRUE)
+  endif()
+  set(folders "${SITEGEN_HEADERS}")
+  if(ARGN MATCHES "eigen3")
+    list(APPEND folders "${SITEGEN_HEADERS}/eigen3")
+  endif()
+  set(${prefix}_FOUND ${found} PARENT_SCOPE)
+  set(${prefix}_INCLUDE_DIRS "${folders}" PARENT_SCOPE)
+  if("IMPORTED_TARGET" IN_LIST ARGN AND NOT TARGET PkgConfig::${prefix})
+    add_library(PkgConfig::${prefix} INTERFACE IMPORTED GLOBAL)
+    set_target_properties(PkgConfig::${prefix} PROPERTIES
+      INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${folders}")
+  endif()
+endfunction()

@@ -1,0 +1,12 @@
+# The libraries that pkg-config knows are not those of pages: see cmake/libraries.cmake.
+include_guard(GLOBAL)
+set(PKG_CONFIG_FOUND TRUE)
+macro(pkg_check_modules)
+  _sitegen_pkg_config(${ARGV})
+endmacro()
+macro(pkg_search_module)
+  _sitegen_pkg_config(${ARGV})
+endmacro()
+function(pkg_get_variable result)
+  set(${result} "" PARENT_SCOPE)
+endfunction()

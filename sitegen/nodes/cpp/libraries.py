@@ -1,0 +1,66 @@
+"""Let CMake find the libraries of workspace/libraries.py, and the compiler their headers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from sitegen.cache.digest import digest_of
+from sitegen.workspace.libraries import HEADER_ONLY, LIBRARIES
+
+# Where Debian, `make install` and Homebrew put headers.
+ROOTS = [Path(root, "include") for root in ("/usr", "/usr/local", "/opt/homebrew")]
+# Programs may include Eigen's headers with the name of their folder.
+EIGEN = "eigen3"
+
+# A library has whatever version a package asks for.
+VERSION = """\
+set(PACKAGE_VERSION "${{PACKAGE_FIND_VERSION}}")
+if(PACKAGE_VERSION STREQUAL "")
+  set(PACKAGE_VERSION "{version}")
+endif()
+set(PACKAGE_VERSION_COMPATIBLE TRUE)
+set(PACKAGE_VERSION_EXACT TRUE)
+"""
+
+
+def write(prefix: Path) -> None:
+    """Add the CMake packages of all libraries to the prefix."""
+    for library in LIBRARIES:
+        for package, targets in library.packages.items():
+            folder = prefix / "share" / package / "cmake"
+            folder.mkdir(parents=True, exist_ok=True)
+            values = [package, "|".join(library.marks), targets, ";".join(library.definitions)]
+            words = " ".join(f'"{value}"' for value in values)
+            (folder / f"{package}Config.cmake").write_text(f"sitegen_library({words})\n")
+            version = VERSION.format(version=library.version)
+            (folder / f"{package}ConfigVersion.cmake").write_text(version)
+
+
+def link(folder: Path, eigen: Path | None) -> None:
+    """Make a folder of the headers that programs may use, and of no others of this computer.
+
+    `eigen` is the folder of Eigen's CMake package.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    found = {mark.relative_to(root).parts[0]: root for root, mark in _installed()}
+    headers = {name: root / name for name, root in found.items()}
+    if eigen:
+        headers[EIGEN] = eigen.parents[2] / "include" / EIGEN
+    for name, target in headers.items():
+        place = folder / name
+        if not place.is_symlink() or place.readlink() != target:
+            place.unlink(missing_ok=True)
+            place.symlink_to(target)
+
+
+def identity() -> str:
+    """Return a value that changes with the versions of the headers that are installed."""
+    return digest_of(mark for _, mark in _installed())
+
+
+def _installed() -> Iterator[tuple[Path, Path]]:
+    """Yield a header with the version of each library that is installed, after its root."""
+    for library in HEADER_ONLY:
+        marks = [(root, root / mark) for root in ROOTS for mark in library.marks]
+        yield from [each for each in marks if each[1].is_file()][:1]

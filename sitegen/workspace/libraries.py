@@ -1,0 +1,217 @@
+"""Libraries that are no ROS packages of the workspace: which a page can have, and which none can.
+
+CMake finds all of them where a package requires them, most of them empty, so that a program that
+needs one does not stop the others of its package.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Library:
+    """A library, as its CMake packages describe it on a robot.
+
+    `headers` is a regular expression for the first part of the paths of its headers. `packages` are
+    the names that find_package() knows, each with its targets; `{}` in a target stands for each
+    component. `version` answers packages that compare it. `apt` is the package of Debian with its
+    headers, if these are all that a program needs. `marks` are files, relative to the folder of
+    headers, of which one tells the version that is installed. `definitions` are those of its
+    targets, and `needs` the libraries whose headers it includes.
+    """
+
+    name: str
+    headers: str
+    packages: Mapping[str, str]
+    version: str = "1.0.0"
+    apt: str = ""
+    marks: tuple[str, ...] = ()
+    definitions: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+
+
+def _each(names: str, target: str = "{0}::{0}") -> dict[str, str]:
+    """Return the packages of `names`, each with one target."""
+    return {name: target.format(name) for name in names.split()}
+
+
+def _ros(name: str) -> Library:
+    return Library(name, re.escape(name), _each(name))
+
+
+_OPENCV = (
+    "calib3d core dnn features2d flann highgui imgcodecs imgproc ml objdetect photo stitching "
+    "video videoio"
+)
+_QT = (
+    "Charts Concurrent Core Gui LinguistTools Multimedia Network OpenGL OpenGLWidgets PrintSupport "
+    "Qml Quick QuickWidgets SerialPort Sql Svg SvgWidgets Test UiTools WebSockets Widgets Xml"
+)
+_BOOST = (
+    "asio atomic chrono container context contract coroutine date_time exception fiber filesystem "
+    "graph headers iostreams json locale log log_setup math nowide program_options random regex "
+    "serialization stacktrace_basic system test thread timer type_erasure unit_test_framework "
+    "url wave wserialization"
+)
+
+# These are too large, or need hardware, a screen, a middleware or an interpreter.
+UNAVAILABLE = (
+    Library(
+        "OpenCV",
+        "opencv[24]?",
+        {"OpenCV": " ".join(f"opencv_{o}" for o in _OPENCV.split())},
+        "4.6.0",
+    ),
+    Library("PCL", "pcl", {"PCL": "pcl_{}"}, "1.13.0"),
+    *(
+        Library(
+            name,
+            headers,
+            {name: f"{name}::{{}}", **{f"{name}{part}": f"{name}::{part}" for part in _QT.split()}},
+            version,
+        )
+        # The headers of both have the same names.
+        for name, version, headers in (
+            ("Qt5", "5.15.8", r"Q[A-Z]\w*|ui_\w+\.h"),
+            ("Qt6", "6.4.2", ""),
+        )
+    ),
+    *map(
+        _ros,
+        (
+            *("backward_ros", "cv_bridge", "image_geometry", "gazebo_dev", "gazebo_ros"),
+            *(
+                "pcl_conversions",
+                "pcl_ros",
+                "qt_gui_cpp",
+                "rmw_fastrtps_cpp",
+                "rosbag2_compression",
+            ),
+            *("rosbag2_cpp", "rosbag2_storage", "rosbag2_storage_mcap", "rosbag2_transport"),
+            *("rqt_gui_cpp", "rttest", "rviz_common", "rviz_default_plugins", "rviz_rendering"),
+            *("rviz_visual_tools", "tlsf_cpp"),
+        ),
+    ),
+    Library("Ogre", r"Ogre.*", _each("rviz_ogre_vendor", "rviz_ogre_vendor::OgreMain")),
+    Library(
+        "Gazebo", "gazebo|gz|ignition|sdf", _each("gazebo gz-sim gz-transport ignition-gazebo6")
+    ),
+    Library("Ceres", "ceres", {"Ceres": "ceres Ceres::ceres"}, "2.1.0"),
+    Library("glog", "glog", _each("glog Glog GLOG", "glog::glog"), "0.6.0"),
+    Library("gflags", "gflags", _each("gflags GFlags", "gflags")),
+    Library(
+        "GraphicsMagick",
+        r"Magick\+\+.*|GraphicsMagick|magick",
+        _each("GRAPHICSMAGICKCPP GraphicsMagick ImageMagick", ""),
+    ),
+    Library(
+        "ZeroMQ",
+        r"zmq.*",
+        {
+            "ZeroMQ": "libzmq libzmq-static",
+            "libzmq": "libzmq",
+            "cppzmq": "cppzmq cppzmq-static",
+            "libzmq_vendor": "",
+            "ZMQ": "",
+        },
+        "4.3.4",
+    ),
+    Library("SQLite", r"sqlite3.*", {"SQLite3": "SQLite::SQLite3", "sqlite3_vendor": ""}, "3.40.1"),
+    Library(
+        "Python's C API",
+        r"Python\.h|pybind11|numpy|boost_python",
+        {
+            **{
+                name: f"{name}::Python {name}::Module {name}::NumPy {name}::Interpreter"
+                for name in ("Python", "Python3")
+            },
+            **_each("PythonExtra PythonInterp PythonLibs pybind11_vendor python_cmake_module", ""),
+            "pybind11": "pybind11::pybind11 pybind11::module pybind11::embed pybind11::headers",
+        },
+        "3.12.0",
+    ),
+    Library("OpenSSL", "openssl", {"OpenSSL": "OpenSSL::SSL OpenSSL::Crypto"}, "3.0.0"),
+    Library("libcurl", "curl", {"CURL": "CURL::libcurl", "libcurl_vendor": ""}, "7.88.1"),
+    # Programs include its header only where the compiler supports it.
+    Library("OpenMP", "", {"OpenMP": "OpenMP::OpenMP_C OpenMP::OpenMP_CXX"}, "4.5"),
+    Library("TBB", "tbb|oneapi", {"TBB": "TBB::tbb TBB::tbbmalloc"}, "2021.8.0"),
+    Library("OpenGL", "GL|GLES[23]?|EGL", {"OpenGL": "OpenGL::GL OpenGL::OpenGL OpenGL::GLU"}),
+    Library("GLUT", "", {"GLUT": "GLUT::GLUT"}),
+    Library("GLEW", "", {"GLEW": "GLEW::GLEW"}),
+    Library("GLFW", "GLFW", {"glfw3": "glfw"}, "3.3.8"),
+    Library("SDL", "SDL2?", {"SDL2": "SDL2::SDL2", "SDL": "SDL::SDL"}, "2.26.5"),
+    Library("X11", "X11", {"X11": "X11::X11 X11::Xext"}),
+    Library("VTK", r"vtk\w+\.h", {"VTK": "VTK::{}"}, "9.1.0"),
+    Library("librealsense", "librealsense2", {"realsense2": "realsense2::realsense2"}, "2.54.0"),
+    Library("libusb", r"libusb.*", _each("libusb LIBUSB", "")),
+)
+
+# Programs need only the headers of these, which are taken from the computer of the author.
+HEADER_ONLY = (
+    Library(
+        "Boost",
+        "boost",
+        {"Boost": "Boost::boost " + " ".join(f"Boost::{part}" for part in _BOOST.split())},
+        "1.74.0",
+        "libboost-dev",
+        ("boost/version.hpp",),
+        # Its own list of what other platforms lack knows nothing of this one.
+        ("BOOST_ERROR_CODE_HEADER_ONLY",),
+    ),
+    Library(
+        "fmt",
+        "fmt",
+        {"fmt": "fmt::fmt fmt::fmt-header-only"},
+        "9.1.0",
+        "libfmt-dev",
+        ("fmt/core.h", "fmt/base.h"),
+        ("FMT_HEADER_ONLY=1",),
+    ),
+    Library(
+        "spdlog",
+        "spdlog",
+        {"spdlog": "spdlog::spdlog spdlog::spdlog_header_only", "spdlog_vendor": ""},
+        "1.10.0",
+        "libspdlog-dev",
+        ("spdlog/version.h",),
+        ("FMT_HEADER_ONLY=1",),
+        ("fmt",),
+    ),
+    Library(
+        "nlohmann_json",
+        "nlohmann",
+        {
+            "nlohmann_json": "nlohmann_json::nlohmann_json",
+            "nlohmann_json_schema_validator_vendor": "",
+        },
+        "3.11.2",
+        "nlohmann-json3-dev",
+        ("nlohmann/json.hpp",),
+    ),
+    Library(
+        "magic_enum",
+        r"magic_enum.*",
+        {"magic_enum": "magic_enum::magic_enum"},
+        "0.8.2",
+        "libmagicenum-dev",
+        ("magic_enum.hpp", "magic_enum/magic_enum.hpp"),
+    ),
+)
+
+LIBRARIES = (*UNAVAILABLE, *HEADER_ONLY)
+PACKAGES = {package: library for library in LIBRARIES for package in library.packages}
+
+
+def of_header(header: str) -> Library | None:
+    """Return the library that a header, such as `opencv2/core.hpp`, is one of."""
+    first = header.partition("/")[0]
+    found = (one for one in LIBRARIES if one.headers and re.fullmatch(one.headers, first))
+    return next(found, None)
+
+
+def of_package(package: str) -> Library | None:
+    """Return the library that find_package() finds by a name."""
+    return PACKAGES.get(package)
