@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from sitegen.errors import SiteError
-from sitegen.interfaces import definitions, rosidl, typesupport, values
+from sitegen.interfaces import cheaders, definitions, rosidl, typesupport, values
 from sitegen.shipped import INTERFACES, ROS
 
 KINDS = ("msg", "srv", "action")
@@ -26,9 +26,9 @@ PROBLEM = "sitegen: "
 
 
 def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> None:
-    """Add `package` to the CMake prefix: its type supports and its CMake configuration.
+    """Add `package` to the CMake prefix: type supports, C headers and its CMake configuration.
 
-    The headers that rosidl generated for it must be in `prefix/include/<package>` or in ROS.
+    The C++ headers that rosidl generated for it must be in `prefix/include/<package>` or in ROS.
     """
     depends: set[str] = set()
     for file in sorted(descriptions):
@@ -38,6 +38,9 @@ def write_package(prefix: Path, package: str, descriptions: Iterable[Path]) -> N
         header = prefix / "include" / package / f"{stem}__type_support.hpp"
         header.parent.mkdir(parents=True, exist_ok=True)
         header.write_text(typesupport.type_support(interface, messages))
+        hashes = typesupport.read_hashes(file)
+        include = prefix / "include" / package
+        cheaders.write_headers(include, file.parents[1], interface, messages, hashes)
         depends |= {field.nested.split("/")[0] for m in messages for field in m.fields}
         if file.parent.name == "action":
             depends.add("action_msgs")  # rosidl's header of an action includes its services
@@ -57,7 +60,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
         ]
     )
     target = f"{package}::{package}"
-    typesupport = f"{target}__rosidl_typesupport_cpp"
+    parts = ("generator_c", "generator_cpp", "typesupport_c", "typesupport_cpp")
     return "\n".join(
         [
             "include_guard(GLOBAL)",
@@ -70,7 +73,7 @@ def _cmake_config(package: str, depends: Sequence[str]) -> str:
             "  INTERFACE_COMPILE_FEATURES cxx_std_17",
             f'  INTERFACE_INCLUDE_DIRECTORIES "${{{package}_INCLUDE_DIRS}}"',
             f'  INTERFACE_LINK_LIBRARIES "{";".join(f"{d}::{d}" for d in depends)}")',
-            f"add_library({typesupport} ALIAS {target})",
+            *(f"add_library({target}__rosidl_{part} ALIAS {target})" for part in parts),
             f"set({package}_TARGETS {target})",
             f"set({package}_LIBRARIES {target})",
             # Written by ament_package() instead if the package has libraries, too.

@@ -24,11 +24,19 @@ UNNAMED = ("composition_interfaces", "lifecycle_msgs", "rcl_interfaces")
 
 @dataclass(frozen=True)
 class Field:
-    """A field of a message: its C++ name, the type it nests, its bound if it is a string."""
+    """A field of a message: its C++ name, the type it nests, its bound if it is a string.
+
+    `type_id`, `capacity` and `text_capacity` are those of its description, `default` is its default
+    value as a Python literal, or as plain text if it is a string.
+    """
 
     name: str
     nested: str
     bound: int
+    type_id: int
+    capacity: int
+    text_capacity: int
+    default: str
 
 
 @dataclass(frozen=True)
@@ -72,6 +80,14 @@ def read_description(file: Path) -> Iterator[Message]:
     yield from _nested_first(mine)
 
 
+def read_hashes(file: Path) -> dict[str, str]:
+    """Return the hashes (RIHS01_…) in a type description, by the name of the type."""
+    return {
+        entry["type_name"]: entry["hash_string"]
+        for entry in json.loads(file.read_text())["type_hashes"]
+    }
+
+
 def _message(part: dict[str, Any], hashes: dict[str, str]) -> Message:
     fields = tuple(_field(field) for field in part["fields"])
     return Message(part["type_name"], hashes[part["type_name"]], fields)
@@ -98,7 +114,15 @@ def _field(field: dict[str, Any]) -> Field:
     scalar = kind["type_id"] % SCALARS
     nested = kind["nested_type_name"] if scalar == NESTED else ""
     bound = kind["string_capacity"] if kind["type_id"] in BOUNDED_TEXT else 0
-    return Field(field["name"], nested, bound)
+    return Field(
+        field["name"],
+        nested,
+        bound,
+        kind["type_id"],
+        kind["capacity"],
+        kind["string_capacity"],
+        field["default_value"],
+    )
 
 
 def _nested_first(messages: dict[str, Message]) -> Iterator[Message]:

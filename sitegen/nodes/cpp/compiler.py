@@ -30,6 +30,7 @@ from sitegen.shipped import INTERFACES, PACKAGE, ROS
 
 # What a program depends on besides its sources, the library and the compiler.
 GENERATOR = (
+    "interfaces/cheaders.py",
     "interfaces/definitions.py",
     "interfaces/generator.py",
     "interfaces/messages.py",

@@ -59,7 +59,7 @@ AS_ERROR = re.compile(r"-(Werror(=.*)?|pedantic-errors)$")
 COMMENT = re.compile(r"//(?:[^\\\n]|\\(?!\s*$))*|/\*.*?\*/", re.DOTALL | re.MULTILINE)
 INCLUDE = re.compile(r'#\s*include\s*(?:"([^"]+)"|<([^>]+)>)$')
 GUARD = re.compile(r"#\s*ifndef\s+([A-Za-z]\w*)\s*\n\s*#\s*define\s+(\w+)\s*$")
-GENERATED = re.compile(r"\w+/(msg|srv|action)/\w+\.hpp")
+GENERATED = re.compile(r"\w+/(msg|srv|action)/(detail/)?\w+\.h(pp)?")
 
 
 @dataclass

@@ -65,6 +65,8 @@ public:
   }
 
 private:
+  friend struct CVisitor;  // messages as C structs
+
   enum class Mode {kMeasure, kWrite, kRead};
   static constexpr std::size_t kHeader = 4;
 
