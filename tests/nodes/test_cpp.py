@@ -225,8 +225,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
         "error: CMakeFiles/wrong.dir/src/main.cpp.o: undefined symbol: missing_part()"
     ]
     assert need == (
-        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'Arm3D', "
-        "which has no build for the page"
+        "src/wrong_need/CMakeLists.txt: 'wrong_need' needs 'Arm3D', which has no build for the page"
     )
     assert vision == (
         "src/half_vision/CMakeLists.txt: 'half_vision' needs 'OpenCV', "
