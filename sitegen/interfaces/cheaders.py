@@ -63,8 +63,8 @@ def write_headers(
 ) -> None:
     """Write the headers of `interface` below the folder `include`.
 
-    `messages` are its messages, nested ones first. `hashes` are those of its types by name, services
-    and actions included. Constants are read from the definitions in the folder `share`.
+    `messages` are its messages, nested ones first. `hashes` are those of its types by name,
+    services and actions included. Constants are read from the definitions in the folder `share`.
     """
     package, kind, _ = interface.split("/")
     detail = header_name(interface)
@@ -271,7 +271,7 @@ def _number(scalar: int, value: Any) -> str:
     if scalar in (10, 11, 12):
         suffix = "f" if scalar == 10 else ""
         if not math.isfinite(value):
-            text = "__builtin_nanf(\"\")" if math.isnan(value) else "__builtin_inff()"
+            text = '__builtin_nanf("")' if math.isnan(value) else "__builtin_inff()"
             return f"-{text}" if value < 0 else text
         return f"{float(value)!r}{suffix}"
     suffix = {7: "u", 8: "ll", 9: "ull"}.get(scalar, "")
