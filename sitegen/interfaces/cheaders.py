@@ -63,8 +63,8 @@ def write_headers(
 ) -> None:
     """Write the headers of `interface` below the folder `include`.
 
-    `messages` are its messages, nested ones first. `hashes` are those of its types by name, services
-    and actions included. Constants are read from the definitions in the folder `share`.
+    `messages` are its messages, nested ones first. `hashes` are those of its types by name,
+    services and actions included. Constants are read from the definitions in the folder `share`.
     """
     package, kind, _ = interface.split("/")
     detail = header_name(interface)
