@@ -29,5 +29,15 @@ std::shared_ptr<Client<ServiceT>> create_client(
 {
   return create_client<ServiceT>(base, service_name, qos, group);
 }
+/// The signature of Humble.
+template<class ServiceT, class GraphT>
+std::shared_ptr<Client<ServiceT>> create_client(
+  node_interfaces::NodeBaseInterface::SharedPtr base, std::shared_ptr<GraphT>,
+  node_interfaces::NodeServicesInterface::SharedPtr, const std::string & service_name,
+  const rmw_qos_profile_t & qos, CallbackGroup::SharedPtr group = nullptr)
+{
+  return create_client<ServiceT>(
+    base, service_name, QoS(QoSInitialization::from_rmw(qos), qos), group);
+}
 
 }  // namespace rclcpp

@@ -32,5 +32,16 @@ std::shared_ptr<Service<ServiceT>> create_service(
   return create_service<ServiceT>(
     base, service_name, std::forward<CallbackT>(callback), qos, group);
 }
+/// The signature of Humble.
+template<class ServiceT, class CallbackT>
+std::shared_ptr<Service<ServiceT>> create_service(
+  node_interfaces::NodeBaseInterface::SharedPtr base,
+  node_interfaces::NodeServicesInterface::SharedPtr, const std::string & service_name,
+  CallbackT && callback, const rmw_qos_profile_t & qos, CallbackGroup::SharedPtr group)
+{
+  return create_service<ServiceT>(
+    base, service_name, std::forward<CallbackT>(callback),
+    QoS(QoSInitialization::from_rmw(qos), qos), group);
+}
 
 }  // namespace rclcpp

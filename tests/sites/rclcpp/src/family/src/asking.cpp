@@ -83,11 +83,15 @@ void ask_about_the_graph(rclcpp::Node & node)
 
 void look_into_a_service(const rclcpp::Node::SharedPtr & node)
 {
-  auto service = node->create_service<AddTwoInts>(
-    "add", [](AddTwoInts::Request::SharedPtr ask, AddTwoInts::Response::SharedPtr answer) {
+  // As programs for Humble write it.
+  auto service = rclcpp::create_service<AddTwoInts>(
+    node->get_node_base_interface(), node->get_node_services_interface(), "add",
+    [](AddTwoInts::Request::SharedPtr ask, AddTwoInts::Response::SharedPtr answer) {
       answer->sum = ask->a + ask->b;
-    });
-  auto client = node->create_client<AddTwoInts>("add");
+    }, rmw_qos_profile_services_default, nullptr);
+  auto client = rclcpp::create_client<AddTwoInts>(
+    node->get_node_base_interface(), node->get_node_graph_interface(),
+    node->get_node_services_interface(), "add", rmw_qos_profile_services_default);
   const auto clock = node->get_clock();
   service->configure_introspection(clock, rclcpp::QoS(10), RCL_SERVICE_INTROSPECTION_METADATA);
   client->configure_introspection(clock, rclcpp::QoS(10), RCL_SERVICE_INTROSPECTION_CONTENTS);
