@@ -15,7 +15,15 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, cellimports, dependencies, imports, ipython, syntax
+from sitegen.nodes.python import (
+    arrays,
+    bytecode,
+    cellimports,
+    dependencies,
+    imports,
+    ipython,
+    syntax,
+)
 from sitegen.nodes.python.missing import Missing
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
@@ -53,10 +61,6 @@ USED = {
     ),
 }
 COMMON = "nodes/ros.zip"
-# sitegen's arrays under the name of numpy, for programs that need no more of it.
-NUMPY = "nodes/numpy.zip"
-ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
-NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
 # The module of panels and bags, which only cells have.
 IN_CELLS = "jupyros"
 OF_CELLS = f"nodes/{IN_CELLS}.zip"
@@ -157,9 +161,9 @@ def bundle(
     )
     small -= collected.missing.keys()
     archives = {COMMON: archived(bytecode.added(common))}
-    archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
+    archives |= {arrays.PATH: archived(arrays.module())} if small else {}
     for package, executable in sorted(small):
-        report.say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
+        report.say(f"{package}/{executable}: no numpy; arrays do not support arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
     needed: dict[tuple[str, str], Sequence[str]] = {}
     own: dict[tuple[str, str], Sequence[str]] = {}
@@ -170,7 +174,7 @@ def bundle(
         wheels = collected.wheels[package, executable]
         others = {f"nodes/wheels/{wheel.name}.zip": wheel for wheel in wheels}
         archives |= {path: wheel.data for path, wheel in others.items()}
-        ours = [NUMPY] if (package, executable) in small else []
+        ours = [arrays.PATH] if (package, executable) in small else []
         if (package, executable) in CELLS:
             archives[OF_CELLS] = archived(bytecode.added(of_cells))
             ours.append(OF_CELLS)
@@ -241,12 +245,11 @@ def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Pa
 def _content_with_ours(
     wanted: Mapping[tuple[str, str], Iterable[str]], needs: Mapping[str, Sequence[Package]]
 ) -> set[tuple[str, str]]:
-    """Return the programs for which sitegen's arrays can stand in for numpy."""
+    """Return the programs for which sitegen's module can stand in for numpy."""
     return {
         (package, executable)
         for (package, executable), modules in wanted.items()
-        if "numpy" in modules
-        and imports.names_of("numpy", *_program(needs[package], executable)) <= ARRAYS
+        if "numpy" in modules and arrays.enough(*_program(needs[package], executable))
     }
 
 
