@@ -13,7 +13,7 @@ from sitegen.cache.folder import cache_folder
 from sitegen.errors import SiteError
 from sitegen.model import Artifact, Programs, Site
 from sitegen.nodes.prebuilt.resolve import resolve
-from sitegen.nodes.programs import programs_of
+from sitegen.nodes.programs import left_out, programs_of
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
 from sitegen.site import assets, bags, bundles, jupyter, offline, pages
@@ -77,7 +77,7 @@ def make(
         renderer = pages.Renderer(site, programs)
         rendered = renderer.every_page()
         artifacts = renderer.site_artifacts(rendered)
-    notes = [*site.notes, *(note for page in rendered for note in page.notes)]
+    notes = [*left_out(programs), *site.notes, *(note for page in rendered for note in page.notes)]
     site = replace(site, notes=tuple(dict.fromkeys(notes)))
 
     # These artifacts, and the files that they refer to, make up the site.

@@ -10,7 +10,9 @@ from sitegen.model import Container, Cpp, Node, Prebuilt, Programs, Site
 from sitegen.nodes.cpp import compiler
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.nodes.prebuilt.ros2wasm import ros2wasm_programs
+from sitegen.nodes.python import missing
 from sitegen.nodes.python.archives import python_programs
+from sitegen.nodes.python.program import PythonProgram
 from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.workspace import containers
@@ -26,12 +28,16 @@ def programs_of(
 ) -> Programs:
     """Return the programs of all nodes of `site`; `prebuilt` has the builds from archives.
 
-    Raises: SiteError if a program cannot be made.
+    A Python program that only launch files start may lack modules; with `keep_going`, any may.
+
+    Raises: SiteError if any other program cannot be made.
     """
     nodes = nodes_of(site)
     # Errors in a Python program are reported before the minutes that compiling takes.
     ros2wasm = ros2wasm_programs(site, nodes, cache=cache)
-    python = python_programs(site, nodes, cache=cache, report=report)
+    every = {(node.package, node.executable) for node in nodes}
+    optional = every if options.keep_going else _only_launched(site)
+    python = python_programs(site, nodes, optional=optional, cache=cache, report=report)
 
     engines = engines_of(site, options)
     own = compiler.compile_nodes(
@@ -61,6 +67,22 @@ def programs_of(
 def nodes_of(site: Site) -> list[Node]:
     """Return the nodes that the pages run, one for each program."""
     return list({n.program: n for page in site.pages for n in page.nodes.values()}.values())
+
+
+def left_out(programs: Programs) -> list[str]:
+    """Return a line for each module that Python programs lack, which cannot start."""
+    python = (one for one in programs.values() if isinstance(one, PythonProgram))
+    return missing.lines({one.name: one.missing for one in python})
+
+
+def _only_launched(site: Site) -> set[tuple[str, str]]:
+    """Return the programs, by package and executable, of nodes that only launch files start."""
+    found: dict[bool, set[tuple[str, str]]] = {True: set(), False: set()}
+    for page in site.pages:
+        launched = {*page.launch.nodes, *page.launch.others} if page.launch else set()
+        for name, node in page.nodes.items():
+            found[name in launched].add((node.package, node.executable))
+    return found[True] - found[False]
 
 
 def engines_of(site: Site, options: Options) -> Sequence[str]:

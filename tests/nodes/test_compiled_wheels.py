@@ -116,8 +116,8 @@ def test_what_pinned_packages_need_is_pinned_too_or_of_the_distribution(
     (site / "src" / "mine" / "run.py").write_text("import contourpy\n")
     require(site, f"contourpy==1.4.0 --hash=sha256:{CONTOURPY}")
     assert problems(site) == [
-        "requirements.txt:1: contourpy: it needs 'numpy'; "
-        "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
+        "requirements.txt:1: contourpy: it needs 'numpy'; 'numpy' needs a build for Pyodide; "
+        f"{dependencies.unavailable('numpy').partition('; ')[2]}"
     ]
     shelved(site / "shelf", monkeypatch)
     lock = json.loads((site / "shelf" / "lock.json").read_text())

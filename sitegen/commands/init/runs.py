@@ -14,7 +14,8 @@ from sitegen.config.nodes import Declared, check_package
 from sitegen.errors import Location, Problems, relative
 from sitegen.launch import LaunchDescription, launched
 from sitegen.model import Argument, Node, Package
-from sitegen.nodes.python import archives, dependencies
+from sitegen.nodes.python import archives, dependencies, missing
+from sitegen.nodes.python.missing import Missing
 from sitegen.workspace.unsupported import unsupported_libraries
 
 # Both naming conventions of ROS: robot.launch.py and robot_launch.py.
@@ -58,7 +59,10 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
     launches: list[Launched] = []
     faults: list[str] = []
     described: set[str] = set()
-    missing = {name: unsupported_libraries(package, packages) for name, package in packages.items()}
+    unsupported = {
+        name: unsupported_libraries(package, packages) for name, package in packages.items()
+    }
+    lacking: dict[str, Missing] = {}
     there = {**workspace.shipped_packages(), **packages}
     for name, package in packages.items():
         location = Location(package.path / "package.xml", 1)
@@ -66,26 +70,33 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             Node(title, name, executable, location)
             for title, executable in _names(package.executables or ()).items()
         ]
-        wrong = _faults(root, nodes, packages, missing)
-        programs += [member(node, there, packages) for node in nodes if node.name not in wrong]
+        wrong = _faults(root, nodes, packages, unsupported)
+        found = _lacking(root, [node for node in nodes if node.name not in wrong], packages)
+        lacking |= found
+        able = [node for node in nodes if node.name not in wrong and _key(node) not in found]
+        programs += [member(node, there, packages) for node in able]
         faults += dict.fromkeys(wrong.values())
         for file in files(package, LAUNCH):
             path = package.path / file
-            found, problems, chosen = _described(path, there, root)
-            lines = [*problems.lines, *_faults(root, found.nodes, packages, missing).values()]
-            if not found.nodes and not lines:
-                what = "opens windows, but starts" if found.windows else "starts"
+            launch, problems, chosen = _described(path, there, root)
+            wrong = _faults(root, launch.nodes, packages, unsupported)
+            lines = [*problems.lines, *wrong.values()]
+            found = {} if lines else _lacking(root, launch.nodes, packages)
+            able = [node for node in launch.nodes if _key(node) not in found]
+            if not able and not lines:
+                what = "opens windows, but starts" if launch.windows else "starts"
                 lines = [f"{what} no node that can run in the browser"]
             if lines:
                 where = relative(path, root)
                 faults.append(lines[0] if lines[0].startswith(where) else f"{where}: {lines[0]}")
                 continue
-            members = [member(node, there, packages) for node in found.nodes]
-            plain = not found.handlers
-            launches.append(Launched(package, file, members, bool(found.windows), plain, chosen))
-            described |= {name_of(node) for node in found.nodes}
+            lacking |= found
+            members = [member(node, there, packages) for node in able]
+            plain = not launch.handlers
+            launches.append(Launched(package, file, members, bool(launch.windows), plain, chosen))
+            described |= {name_of(node) for node in able}
     shown, unclear = robots(root, packages, there, described)
-    return Runs(programs, launches, shown, [*faults, *unclear])
+    return Runs(programs, launches, shown, [*faults, *missing.lines(lacking), *unclear])
 
 
 def _described(
@@ -115,7 +126,7 @@ def _faults(
     root: Path,
     nodes: Sequence[Node],
     packages: Mapping[str, Package],
-    missing: Mapping[str, Mapping[str, str]],
+    unsupported: Mapping[str, Mapping[str, str]],
 ) -> dict[str, str]:
     """Return the reason why a node cannot run on a page, by the names of such nodes."""
     faults = {}
@@ -123,19 +134,39 @@ def _faults(
     for node in nodes:
         problems = Problems(root)
         check_package(Declared(node, None), there, problems)
-        setup = there[node.package].setup if node.package in there else None
-        what = missing.get(node.package, {}).get(node.executable)
+        what = unsupported.get(node.package, {}).get(node.executable)
         if what:
             folder = relative(packages[node.package].path, root)
             message = f"'{node.executable}' needs '{what}', which is not available in the browser"
             faults[node.name] = f"{folder}: {message}"
             continue
-        if not problems.lines and setup and node.executable in setup.scripts:
-            for module, one in archives.missing_modules(node, there).items():
-                problems.add(one.location, f"import {module}", dependencies.unavailable(module))
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults
+
+
+def _lacking(
+    root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]
+) -> dict[str, Missing]:
+    """Return the modules that nodes import and that pages lack, by the keys of such nodes.
+
+    A build leaves these nodes out of the pages of launch files.
+    """
+    there = workspace.with_shipped(packages, (node.package for node in nodes))
+    problems = Problems(root)
+    found: dict[str, Missing] = {}
+    for node in nodes:
+        setup = there[node.package].setup if node.package in there else None
+        if setup and node.executable in setup.scripts:
+            found[_key(node)] = {
+                f"import {module}: {dependencies.unavailable(module)}": problems.where(one.location)
+                for module, one in archives.missing_modules(node, there).items()
+            }
+    return {key: modules for key, modules in found.items() if modules}
+
+
+def _key(node: Node) -> str:
+    return f"{node.package}/{node.executable}"
 
 
 def _names(executables: Iterable[str]) -> dict[str, str]:

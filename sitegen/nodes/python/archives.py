@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -15,7 +15,16 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
-from sitegen.nodes.python import bytecode, cellimports, dependencies, imports, ipython, syntax
+from sitegen.nodes.python import (
+    arrays,
+    bytecode,
+    cellimports,
+    dependencies,
+    imports,
+    ipython,
+    syntax,
+)
+from sitegen.nodes.python.missing import Missing
 from sitegen.nodes.python.program import Archive, PythonProgram
 from sitegen.nodes.python.wheel import archived
 from sitegen.report import Report
@@ -52,10 +61,6 @@ USED = {
     ),
 }
 COMMON = "nodes/ros.zip"
-# sitegen's arrays under the name of numpy, for programs that need no more of it.
-NUMPY = "nodes/numpy.zip"
-ARRAYS = {"array", "empty", "float32", "float64", "ndarray", "pi", "zeros"}
-NUMPY_MODULE = {"python/numpy.py": b"from rclpy_backend.arrays.fixed_array import *\n"}
 # The module of panels and bags, which only cells have.
 IN_CELLS = "jupyros"
 OF_CELLS = f"nodes/{IN_CELLS}.zip"
@@ -70,23 +75,31 @@ class Bundles:
     """The archives of a site's Python nodes, by path.
 
     `needed` has the paths of the archives of each program, by package and executable; `own` names
-    the modules of the workspace in them; `types` has the message types of each package's nodes.
+    the modules of the workspace in them; `types` has the message types of each package's nodes. A
+    program with `missing` modules needs no archives.
     """
 
     archives: Mapping[str, bytes] = field(default_factory=dict)
     needed: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
     own: Mapping[tuple[str, str], Sequence[str]] = field(default_factory=dict)
     types: Mapping[str, dict[str, MessageType]] = field(default_factory=dict)
+    missing: Mapping[tuple[str, str], Missing] = field(default_factory=dict)
 
 
 def python_programs(
-    site: Site, nodes: Sequence[Node], *, cache: Path, report: Report
+    site: Site,
+    nodes: Sequence[Node],
+    *,
+    optional: Collection[tuple[str, str]] = (),
+    cache: Path,
+    report: Report,
 ) -> dict[tuple[str, ...], PythonProgram]:
     """Return the Python programs among `nodes`.
 
-    Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing.
+    Raises: SiteError if interface definitions of the workspace are wrong, or modules are missing
+        and the program, its package and executable, is not `optional`.
     """
-    bundles = bundle(site, nodes, cache=cache, report=report)
+    bundles = bundle(site, nodes, optional=optional, cache=cache, report=report)
     archives = {path: Archive(path, data) for path, data in bundles.archives.items()}
     found = {}
     for node in nodes:
@@ -98,15 +111,23 @@ def python_programs(
                 archives=[archives[path] for path in bundles.needed[key]],
                 modules=bundles.own[key],
                 messages=bundles.types[node.package],
+                missing=bundles.missing.get(key, {}),
             )
     return found
 
 
-def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) -> Bundles:
+def bundle(
+    site: Site,
+    nodes: Iterable[Node],
+    *,
+    optional: Collection[tuple[str, str]] = (),
+    cache: Path,
+    report: Report,
+) -> Bundles:
     """Return the archives of the Python programs among `nodes`.
 
-    Raises: SiteError if interface definitions or the syntax of a program are wrong, or modules are
-        missing.
+    Raises: SiteError if interface definitions or the syntax of a program are wrong, or modules of a
+        program that is not `optional` are missing.
     """
     programs = {(node.package, node.executable) for node in nodes if isinstance(node.kind, Python)}
     if not programs:
@@ -126,28 +147,34 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) ->
     of_cells = {path: brought[path] for path in brought if path.split("/")[1] == IN_CELLS}
     brought = {path: brought[path] for path in brought.keys() - of_cells}
     common = {**brought, **dict(_classes(_with_nested(wanted, prefix), prefix))}
-    missing = _wanted(programs, needs, common)
-    small = set() if site.pyodide.packages else _content_with_ours(missing, needs)
-    for program in missing:
+    wanted_modules = _wanted(programs, needs, common)
+    small = set() if site.pyodide.packages else _content_with_ours(wanted_modules, needs)
+    for program, modules in wanted_modules.items():
         if program[0] == workspace.SITEGEN:
             there = _there([*common, *of_cells])
             found = cellimports.imported(site, program[1])
-            missing[program] |= {name: one for name, one in found.items() if name not in there}
+            modules |= {name: one for name, one in found.items() if name not in there}
     for program in small:
-        del missing[program]["numpy"]
-    collected = dependencies.collect(site, missing, cache=cache, report=report)
+        del wanted_modules[program]["numpy"]
+    collected = dependencies.collect(
+        site, wanted_modules, optional=optional, cache=cache, report=report
+    )
+    small -= collected.missing.keys()
     archives = {COMMON: archived(bytecode.added(common))}
-    archives |= {NUMPY: archived(NUMPY_MODULE)} if small else {}
+    archives |= {arrays.PATH: archived(arrays.module())} if small else {}
     for package, executable in sorted(small):
-        report.say(f"{package}/{executable}: no numpy; message arrays do not support arithmetic")
+        report.say(f"{package}/{executable}: no numpy; arrays do not support arithmetic")
     archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
-    needed, own = {}, {}
+    needed: dict[tuple[str, str], Sequence[str]] = {}
+    own: dict[tuple[str, str], Sequence[str]] = {}
     for package, executable in sorted(programs):
-        others = {
-            f"nodes/wheels/{wheel.name}.zip": wheel for wheel in collected[package, executable]
-        }
+        if (package, executable) in collected.missing:
+            needed[package, executable], own[package, executable] = (), ()
+            continue
+        wheels = collected.wheels[package, executable]
+        others = {f"nodes/wheels/{wheel.name}.zip": wheel for wheel in wheels}
         archives |= {path: wheel.data for path, wheel in others.items()}
-        ours = [NUMPY] if (package, executable) in small else []
+        ours = [arrays.PATH] if (package, executable) in small else []
         if (package, executable) in CELLS:
             archives[OF_CELLS] = archived(bytecode.added(of_cells))
             ours.append(OF_CELLS)
@@ -160,7 +187,7 @@ def bundle(site: Site, nodes: Iterable[Node], *, cache: Path, report: Report) ->
             {p[1].removesuffix(".py") for p in paths if p[0] == "python"}
         )
     types = {name: _types(needs[name], prefix) for name in names}
-    return Bundles(archives, needed, own, types)
+    return Bundles(archives, needed, own, types, collected.missing)
 
 
 def _own(package: str) -> str:
@@ -218,12 +245,11 @@ def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Pa
 def _content_with_ours(
     wanted: Mapping[tuple[str, str], Iterable[str]], needs: Mapping[str, Sequence[Package]]
 ) -> set[tuple[str, str]]:
-    """Return the programs for which sitegen's arrays can stand in for numpy."""
+    """Return the programs for which sitegen's module can stand in for numpy."""
     return {
         (package, executable)
         for (package, executable), modules in wanted.items()
-        if "numpy" in modules
-        and imports.names_of("numpy", *_program(needs[package], executable)) <= ARRAYS
+        if "numpy" in modules and arrays.enough(*_program(needs[package], executable))
     }
 
 

@@ -6,7 +6,7 @@ import hashlib
 import json
 import re
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,8 @@ from sitegen.errors import Location, Problems
 from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
+from sitegen.nodes.python.missing import Missing
+from sitegen.nodes.python.pyodide import DOWNLOADS
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.report import Report
 from sitegen.shipped import VENDOR
@@ -31,7 +33,6 @@ THERE = {"pyyaml", "typing-extensions"}
 # The prefix of ROS packages on PyPI; pages have these with rclpy and the messages.
 OF_ROS = "ros-"
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
-POINT = "give the location of the Pyodide distribution in 'pyodide: {packages: …}'"
 
 
 # Package and executable.
@@ -46,20 +47,37 @@ class Shelf:
     cache: Path
     report: Report
 
+    def has(self, packages: Iterable[Mapping[str, Any]]) -> bool:
+        """Return whether it has packages, given by their entries; an address has all of them."""
+        if not isinstance(self.origin, Path):
+            return bool(self.origin)
+        places = ((self.cache / one["sha256"], self.origin / one["file_name"]) for one in packages)
+        return all(kept.exists() or given.exists() for kept, given in places)
+
+
+@dataclass(frozen=True)
+class Collected:
+    """The wheels that each program needs, and the modules that the optional programs lack."""
+
+    wheels: Mapping[Program, Sequence[Wheel]]
+    missing: Mapping[Program, Missing]
+
 
 def collect(
     site: Site,
     wanted: Mapping[Program, Mapping[str, Import]],
     *,
+    optional: Collection[Program] = (),
     cache: Path,
     report: Report,
-) -> dict[Program, list[Wheel]]:
+) -> Collected:
     """Return the wheels that each program needs.
 
     `wanted` maps each program to the modules that it imports from elsewhere. `report` names modules
     that are imported only conditionally and cannot be found.
 
-    Raises: SiteError if modules or wheels cannot be found, with the line of each import.
+    Raises: SiteError if wheels cannot be found, or modules of programs that are not `optional`,
+        with the line of each import.
     """
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     origins = {module: name for name, each in lock.items() for module in each["imports"]}
@@ -69,17 +87,23 @@ def collect(
     given = {module for wheel in pinned for module in wheel.modules}
     own = {wheel.package for wheel in pinned}
     found: dict[Program, dict[str, Wheel]] = {program: {} for program in wanted}
+    missing: dict[Program, dict[str, str]] = {}
     for program, modules in wanted.items():
         for module, (location, sure, quiet) in modules.items():
             wrong = problems if sure else notes
+            names = _with_needs([origins[module]], lock) if module in origins else []
             if module in given:
                 # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
-            elif module not in origins or not site.pyodide.packages:
-                if not quiet:
-                    wrong.add(location, f"import {module}", _unavailable(module, origins, lock))
+            elif not names or not shelf.has([lock[name] for name in names if name not in own]):
+                message = _unavailable(module, origins, lock, shelf.origin)
+                if sure and program in optional:
+                    missing.setdefault(program, {})[f"import {module}: {message}"] = problems.where(
+                        location
+                    )
+                elif not quiet:
+                    wrong.add(location, f"import {module}", message)
             else:
-                names = _with_needs([origins[module]], lock)
                 others = [name for name in names if name not in own]
                 try:
                     wheels = [_of_distribution(shelf, lock[name]) for name in others]
@@ -90,7 +114,7 @@ def collect(
     problems.raise_if_any()
     for line in dict.fromkeys(notes.lines):
         report.say(f"{line} (skipped: imported only conditionally)")
-    return {program: list(wheels.values()) for program, wheels in found.items()}
+    return Collected({key: list(wheels.values()) for key, wheels in found.items()}, missing)
 
 
 def provided(site: Site, *, cache: Path, report: Report) -> set[str]:
@@ -110,14 +134,29 @@ def unavailable(module: str) -> str:
     """Return the message about a module that no page has without configuration."""
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
     return _unavailable(
-        module, {name: each for each, of in lock.items() for name in of["imports"]}, lock
+        module, {name: each for each, of in lock.items() for name in of["imports"]}, lock, ""
     )
 
 
-def _unavailable(module: str, origins: Mapping[str, str], lock: Mapping[str, Any]) -> str:
-    if module not in origins or lock[origins[module]]["file_name"].endswith(PURE):
+def _unavailable(
+    module: str, origins: Mapping[str, str], lock: Mapping[str, Any], origin: str | Path
+) -> str:
+    if module not in origins or (not origin and lock[origins[module]]["file_name"].endswith(PURE)):
         return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"
-    return f"'{origins[module]}' needs a build for Pyodide; {POINT}"
+    return _advice(origins[module], lock, origin)
+
+
+def _advice(name: str, lock: Mapping[str, Any], origin: str | Path) -> str:
+    """Return the message about a package of the distribution that is not at `origin`."""
+    files = [lock[each]["file_name"] for each in _with_needs([name], lock)]
+    if isinstance(origin, Path):
+        absent = ", ".join(file for file in files if not (origin / file).exists())
+        where = "the folder of 'pyodide: packages'"
+        return f"'{name}' is not in {where}; add {absent} from {DOWNLOADS}"
+    return (
+        f"'{name}' needs a build for Pyodide; write 'pyodide: {{packages: {DOWNLOADS}}}' in "
+        f"site.yaml, or give a folder with {', '.join(files)} from there"
+    )
 
 
 def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, shelf: Shelf) -> list[Wheel]:
@@ -137,8 +176,10 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, shelf: Shel
                 names.append(need)
                 continue
             compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
-            advice = POINT if compiled else "add it to this file"
-            problems.add(location, wheel.package, f"it needs '{need}'; {advice}")
+            message = "add it to this file"
+            if compiled:
+                message = _advice(need, lock, shelf.origin)
+            problems.add(location, wheel.package, f"it needs '{need}'; {message}")
     for name in _with_needs(names, lock):
         if name not in there:
             try:
@@ -162,7 +203,8 @@ def _with_needs(names: Iterable[str], lock: Mapping[str, Any]) -> list[str]:
         one = waiting.pop()
         if one not in found:
             found[one] = None
-            waiting += lock[one]["depends"]
+            # Their spelling varies: prompt_toolkit is prompt-toolkit.
+            waiting += map(canonicalize_name, lock[one]["depends"])
     return list(found)
 
 

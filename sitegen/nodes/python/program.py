@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from sitegen.model import Artifact, Node
+from sitegen.nodes.python.missing import Missing
 from sitegen.nodes.python.pyodide import download_size
 
 
@@ -30,7 +31,8 @@ class PythonProgram:
 
     `target` is its entry point ("module:function") or the path of its script; `archives` are
     unpacked in this order; `modules` names the modules of the workspace in them; `messages` are the
-    message types that it may use.
+    message types that it may use. With modules that are `missing`, it is on its page and cannot
+    start.
     """
 
     package: str
@@ -39,15 +41,20 @@ class PythonProgram:
     archives: Sequence[Archive]
     modules: Sequence[str]
     messages: Mapping[str, object]
+    missing: Missing = field(default_factory=dict)
 
     worker = "python/pythonNode"
     written_in = "Python"
-    fault = ""
 
     @property
     def name(self) -> str:
         """Return its name as `ros2 run` takes it."""
         return f"{self.package}/{self.executable}"
+
+    @property
+    def fault(self) -> str:
+        """Return where it imports the first module that is missing, and what to do."""
+        return next((f"{place}: {message}" for message, place in self.missing.items()), "")
 
     @property
     def files(self) -> Sequence[Artifact]:
@@ -68,7 +75,7 @@ class PythonProgram:
         return self.messages
 
     def entry(self, node: Node, link: Callable[[str], str]) -> dict[str, object]:
-        """Return the NodeEntry of `node`, with the URLs of its archives."""
+        """Return the NodeEntry of `node`, with the URLs of its archives or the fault."""
         module, _, attribute = self.target.partition(":")
         python = {
             # The digest changes the URL with the archive, so that browsers can cache it forever.
@@ -84,5 +91,5 @@ class PythonProgram:
             "executable": self.executable,
             "arguments": node.command_line(),
             **({"environment": dict(node.environment)} if node.environment else {}),
-            "python": python,
+            **({"fault": self.fault} if self.fault else {"python": python}),
         }

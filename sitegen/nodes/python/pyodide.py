@@ -9,6 +9,10 @@ from pathlib import Path
 
 from sitegen.shipped import VENDOR
 
+# The release that package.json names.
+VERSION = "314.0.7"
+# Its packages, where its own loader looks for them.
+DOWNLOADS = f"https://cdn.jsdelivr.net/pyodide/v{VERSION}/full/"
 SUFFIXES = {".json", ".mjs", ".wasm", ".zip"}
 LOCK = VENDOR / "pyodide" / "pyodide-lock.json"
 
