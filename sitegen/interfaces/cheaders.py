@@ -106,7 +106,7 @@ def write_headers(
         ),
         visibility.removesuffix(".h"): (
             [],
-            [f"#define ROSIDL_GENERATOR_C_PUBLIC_{package} static inline"],
+            [f"#define ROSIDL_GENERATOR_C_PUBLIC_{package}"],
         ),
     }
     for name, (includes, lines) in files.items():
