@@ -37,7 +37,7 @@ def advice(name: str) -> str:
 
 def without(library: libraries.Library) -> str:
     """Return the end of a message about a library that is absent."""
-    return f"which is not installed (apt-get install {library.apt})" if library.apt else NO_BUILD
+    return f"which is not installed ({library.install})" if library.install else NO_BUILD
 
 
 @cache

@@ -17,20 +17,18 @@ class Library:
 
     `headers` is a regular expression for the first part of the paths of its headers. `packages` are
     the names that find_package() knows, each with its targets; `{}` in a target stands for each
-    component. `version` answers packages that compare it. `apt` is the package of Debian with its
-    headers, if these are all that a program needs. `marks` are files, relative to the folder of
-    headers, of which one tells the version that is installed. `definitions` are those of its
-    targets, and `needs` the libraries whose headers it includes.
+    component. `version` answers packages that compare it. `install` says how to get its headers, if
+    these are all that a program needs. `marks` are files, relative to the folder of headers, of
+    which one tells the version that is installed. `definitions` are those of its targets.
     """
 
     name: str
     headers: str
     packages: Mapping[str, str]
     version: str = "1.0.0"
-    apt: str = ""
+    install: str = ""
     marks: tuple[str, ...] = ()
     definitions: tuple[str, ...] = ()
-    needs: tuple[str, ...] = ()
 
 
 def _each(names: str, target: str = "{0}::{0}") -> dict[str, str]:
@@ -156,7 +154,7 @@ HEADER_ONLY = (
         "boost",
         {"Boost": "Boost::boost " + " ".join(f"Boost::{part}" for part in _BOOST.split())},
         "1.74.0",
-        "libboost-dev",
+        "apt-get install libboost-dev",
         ("boost/version.hpp",),
         # Its own list of what other platforms lack knows nothing of this one.
         ("BOOST_ERROR_CODE_HEADER_ONLY",),
@@ -166,7 +164,7 @@ HEADER_ONLY = (
         "fmt",
         {"fmt": "fmt::fmt fmt::fmt-header-only"},
         "9.1.0",
-        "libfmt-dev",
+        "apt-get install libfmt-dev",
         ("fmt/core.h", "fmt/base.h"),
         ("FMT_HEADER_ONLY=1",),
     ),
@@ -175,10 +173,9 @@ HEADER_ONLY = (
         "spdlog",
         {"spdlog": "spdlog::spdlog spdlog::spdlog_header_only", "spdlog_vendor": ""},
         "1.10.0",
-        "libspdlog-dev",
+        "apt-get install libspdlog-dev",
         ("spdlog/version.h",),
         ("FMT_HEADER_ONLY=1",),
-        ("fmt",),
     ),
     Library(
         "nlohmann_json",
@@ -188,7 +185,7 @@ HEADER_ONLY = (
             "nlohmann_json_schema_validator_vendor": "",
         },
         "3.11.2",
-        "nlohmann-json3-dev",
+        "apt-get install nlohmann-json3-dev",
         ("nlohmann/json.hpp",),
     ),
     Library(
@@ -196,7 +193,7 @@ HEADER_ONLY = (
         r"magic_enum.*",
         {"magic_enum": "magic_enum::magic_enum"},
         "0.8.2",
-        "libmagicenum-dev",
+        "put its headers into /usr/local/include",
         ("magic_enum.hpp", "magic_enum/magic_enum.hpp"),
     ),
 )

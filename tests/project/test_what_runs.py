@@ -9,13 +9,13 @@ from paths import ROOT
 
 from sitegen import workspace
 
-PAGES = ("what-runs.md", "libraries.md", "launch.md", "nodes.md")
+PAGES = ("what-runs.md", "libraries.md", "cpp-packages.md", "launch.md", "nodes.md")
 PAGE = "\n".join(ROOT.joinpath("docs", name).read_text(encoding="utf-8") for name in PAGES)
 INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"
 HEADERS = re.findall(r"`([\w/]+\.hp?p?)`", PAGE)
 PACKAGES = ROOT / "sitegen/packages"
-INCLUDES = [INCLUDE, ROS / "rcutils", *PACKAGES.glob("*/include")]
+INCLUDES = [INCLUDE, ROS / "rcutils", ROS / "rosidl_runtime_c", *PACKAGES.glob("*/include")]
 MISSING = {"`cv_bridge`": "cv_bridge"}
 
 
