@@ -41,6 +41,7 @@ def folder(tmp_path: Path) -> Path:
     (mixed / "bad.cpp").write_text("#include <absent/part.hpp>\nint main() {}\n")
     needs = "find_package(PCL REQUIRED)\nadd_executable(lost lost.cpp)\n"
     (lost / "CMakeLists.txt").write_text(CMAKE.format("lost") + needs)
+    (lost / "lost.cpp").write_text("#include <pcl/point_cloud.h>\nint main() {}\n")
     return tmp_path
 
 
