@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from sitegen.build import make
@@ -10,11 +11,12 @@ from sitegen.commands import notebooks, wiring
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Markdown, Site
+from sitegen.nodes.cpp.compiler import Job
 from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.site.prose import without_text
-from sitegen.workspace.absent import NO_BUILD, absent, advice
+from sitegen.workspace.absent import CLONE, NO_BUILD, absent
 from sitegen.workspace.unsupported import unsupported_libraries
 
 
@@ -24,8 +26,9 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
     Raises: SiteError if a build would fail, or if `strict` and there are warnings.
     """
     site = make(folder, report, options=Options(compile=False)).site
-    warnings = [*site.notes, *_absent(site), *_libraries(site)]
-    warnings += [*_definitions(site), *_images(site)]
+    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
+    warnings = [*site.notes, *_absent(site, jobs), *_libraries(site, jobs)]
+    warnings += [*_definitions(site, jobs), *_images(site)]
     warnings += wiring.warnings(site)
     warnings += notebooks.warnings(site, report)
     warnings = list(dict.fromkeys(warnings))
@@ -34,28 +37,25 @@ def check(folder: Path, report: Report, *, strict: bool = False) -> tuple[Site, 
     return site, warnings
 
 
-def _absent(site: Site) -> list[str]:
+def _absent(site: Site, jobs: Sequence[Job]) -> list[str]:
     """Return the packages that C++ nodes need and that have to be added to the workspace.
 
     They are warnings, because CMake may find them where the site is built.
     """
-    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     # Jobs share most of what they need.
     packages = {each.path: each for job in jobs for each in (*job.needs, job.package)}
     return [
-        f"{relative(path / 'CMakeLists.txt', site.root)}: '{package.name}' needs '{name}', "
-        f"{advice(name)}"
+        f"{relative(path / 'CMakeLists.txt', site.root)}: '{package.name}' needs '{name}', {CLONE}"
         for path, package in packages.items()
         for name in absent(package, site.packages)
     ]
 
 
-def _libraries(site: Site) -> list[str]:
+def _libraries(site: Site, jobs: Sequence[Job]) -> list[str]:
     """Return the programs that need libraries which no page can have.
 
     They are warnings, because a source may include a header only in builds for other platforms.
     """
-    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     packages = {job.package.path: job.package for job in jobs}
     needs = {path: unsupported_libraries(each, site.packages) for path, each in packages.items()}
     return [
@@ -66,12 +66,11 @@ def _libraries(site: Site) -> list[str]:
     ]
 
 
-def _definitions(site: Site) -> list[str]:
+def _definitions(site: Site, jobs: Sequence[Job]) -> list[str]:
     """Return the errors in interfaces that C++ nodes may use.
 
     They are warnings, because a build succeeds if no program needs these interfaces.
     """
-    jobs = jobs_of(site, nodes_of(site), cache=cache_folder())
     names = [job.package.name for job in jobs if job.package.name in site.packages]
     try:
         described(site, names, cache=cache_folder())

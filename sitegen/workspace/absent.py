@@ -29,12 +29,6 @@ def absent(package: Package, workspace: Collection[str]) -> list[str]:
     ]
 
 
-def advice(name: str) -> str:
-    """Return the end of a message about the package `name`, which is absent."""
-    library = libraries.of_package(name)
-    return without(library) if library else CLONE
-
-
 def without(library: libraries.Library) -> str:
     """Return the end of a message about a library that is absent."""
     return f"which is not installed ({library.install})" if library.install else NO_BUILD

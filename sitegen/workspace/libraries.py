@@ -199,7 +199,8 @@ HEADER_ONLY = (
 )
 
 LIBRARIES = (*UNAVAILABLE, *HEADER_ONLY)
-PACKAGES = {package: library for library in LIBRARIES for package in library.packages}
+# The names that find_package() finds.
+PACKAGES = {package for library in LIBRARIES for package in library.packages}
 
 
 def of_header(header: str) -> Library | None:
@@ -207,8 +208,3 @@ def of_header(header: str) -> Library | None:
     first = header.partition("/")[0]
     found = (one for one in LIBRARIES if one.headers and re.fullmatch(one.headers, first))
     return next(found, None)
-
-
-def of_package(package: str) -> Library | None:
-    """Return the library that find_package() finds by a name."""
-    return PACKAGES.get(package)

@@ -23,6 +23,13 @@ def workspace(tmp_path: Path) -> Path:
     return tmp_path
 
 
+def write(folder: Path, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+
 def test_a_workspace_becomes_a_site(workspace: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["init", str(workspace)]) == 0
     assert "/cpp_pubsub/  talker and listener" in capsys.readouterr().out
@@ -84,10 +91,7 @@ launch:
         "src/bringup/urdf/fox.urdf.xacro": "",
         "src/bringup/urdf/fox.urdf": "",
     }
-    for name, text in files.items():
-        file = workspace / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+    write(workspace, files)
     assert main(["init", str(workspace)]) == 0
     said = capsys.readouterr().out
     faults = [
@@ -131,10 +135,7 @@ def test_libraries_that_the_workspace_has_are_not_missing(
         "cv_bridge/CMakeLists.txt": "project(cv_bridge)\n",
         "cv_bridge/include/cv_bridge/part.hpp": "",
     }
-    for name, text in files.items():
-        file = workspace / "src" / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+    write(workspace / "src", files)
     assert main(["init", str(workspace)]) == 0
     assert "copies" not in "".join(
         line for line in capsys.readouterr().out.splitlines() if "skipped" in line
@@ -163,10 +164,7 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
         "launch/see.launch.xml": '<launch><node pkg="eyes" exec="seer"/></launch>',
         "launch/rest.launch.xml": '<launch><node pkg="eyes" exec="blind"/></launch>',
     }
-    for name, text in files.items():
-        file = workspace / "src/eyes" / name
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+    write(workspace / "src/eyes", files)
     assert main(["init", str(workspace)]) == 0
     said = capsys.readouterr().out
     assert "  /eyes/  blind\n" in said
@@ -197,9 +195,7 @@ def test_nodes_that_lack_a_module_are_left_out(
         "launch/both.launch.xml": "<launch><node pkg='plots' exec='say'/>"
         "<node pkg='plots' exec='draw'/></launch>",
     }
-    for name, text in files.items():
-        (package / name).parent.mkdir(parents=True, exist_ok=True)
-        (package / name).write_text(text)
+    write(package, files)
     assert main(["init", str(workspace)]) == 0
     said = capsys.readouterr().out
     fault = "src/plots/plots/draw.py:2: import matplotlib: 'matplotlib' needs a build for Pyodide"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -78,6 +79,23 @@ def test_what_libraries_lack_is_told_with_how_to_get_it(diagnosis: Diagnosis) ->
     first = diagnosis.of_build("a", line, diagnosis.root)[0].splitlines()[0]
     assert first == (
         "src/arm/CMakeLists.txt: could not link 'a': undefined symbol: "
-        "boost::filesystem::detail::status(boost::filesystem::path const&), which is compiled: "
-        "of Boost, pages have the headers only (package 'arm')"
+        "boost::filesystem::detail::status(boost::filesystem::path const&); "
+        "pages have only the headers of Boost (package 'arm')"
     )
+
+
+def test_a_package_of_the_workspace_comes_before_a_library(diagnosis: Diagnosis) -> None:
+    header = "cv_bridge/cv_bridge.hpp"
+    outputs = {"n": f"{diagnosis.root}/src/arm/n.cpp:3:10: fatal error: '{header}' file not found"}
+    why = "src/cv_bridge/CMakeLists.txt: why"
+    assert diagnosis.of_builds(outputs, diagnosis.root, {"cv_bridge": [why]}) == [
+        f"src/arm/n.cpp:3: 'arm' includes '{header}', which was not found, "
+        "because package 'cv_bridge' failed",
+        why,
+    ]
+    theirs = Package("cv_bridge", diagnosis.root / "src/cv_bridge", "ament_cmake", (), (), ())
+    needing = replace(diagnosis, needs=[theirs])
+    assert needing.of_builds(outputs, diagnosis.root, {}) == [
+        f"src/arm/n.cpp:3: 'arm' includes '{header}', which was not found; "
+        "package 'cv_bridge' has no such header"
+    ]

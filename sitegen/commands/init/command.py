@@ -15,7 +15,7 @@ from sitegen.commands.init.runs import runs
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.model import Package
 from sitegen.report import Report
-from sitegen.workspace.absent import absent, advice
+from sitegen.workspace.absent import CLONE, absent
 
 FILE = "site.yaml"
 
@@ -73,7 +73,7 @@ def _write_site(folder: Path, report: Report) -> None:
         report.say(f"  skipped: {fault}")
     for package in packages.values():
         for name in absent(package, packages):
-            report.say(f"  {package.name}: needs '{name}', {advice(name)}", "warning")
+            report.say(f"  {package.name}: needs '{name}', {CLONE}", "warning")
     report.say(f"wrote {file}")
     report.say(f"wrote {schema.write(folder)}")
 

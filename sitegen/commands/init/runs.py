@@ -159,7 +159,9 @@ def _lacking(
         setup = there[node.package].setup if node.package in there else None
         if setup and node.executable in setup.scripts:
             found[_key(node)] = {
-                f"import {module}: {dependencies.unavailable(module)}": problems.where(one.location)
+                missing.message(module, dependencies.unavailable(module)): problems.where(
+                    one.location
+                )
                 for module, one in archives.missing_modules(node, there).items()
             }
     return {key: modules for key, modules in found.items() if modules}

@@ -12,8 +12,8 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
-from sitegen.workspace.absent import NO_BUILD, advice, without
-from sitegen.workspace.libraries import of_header
+from sitegen.workspace.absent import CLONE, NO_BUILD, without
+from sitegen.workspace.libraries import HEADER_ONLY, of_header
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -58,7 +58,7 @@ class Diagnosis:
         missing = self.missing(output)
         if missing:
             if missing in self.package.depends:
-                return [self._needs(missing, advice(missing))]
+                return [self._needs(missing, CLONE)]
             how = INSTALLED.get(missing)
             return [self._needs(missing, f"which is not installed ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
@@ -86,9 +86,11 @@ class Diagnosis:
     def _without(
         self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]
     ) -> list[str]:
-        if library := of_header(header):
-            return [self._needs(library.name, without(library))]
         folder, _, rest = header.partition("/")
+        # A package of the workspace takes precedence over a library with the same headers.
+        theirs = folder in failed or any(need.name == folder for need in self.needs)
+        if not theirs and (library := of_header(header)):
+            return [self._needs(library.name, without(library))]
         others = f" (and {count(len(places) - 1, 'other file')})" if len(places) > 1 else ""
         problem = f"{places[0]}: '{self.package.name}' includes '{header}', which was not found"
         if folder in failed:
@@ -112,8 +114,10 @@ class Diagnosis:
         else:
             undefined = UNDEFINED.search(output)
             why = f": {undefined[1]}" if undefined else ""
-            if (space := NAMESPACE.search(why)) and (library := of_header(space[1])):
-                why += f", which is compiled: of {library.name}, pages have the headers only"
+            space = NAMESPACE.search(why)
+            library = of_header(space[1]) if space else None
+            if library in HEADER_ONLY:
+                why += f"; pages have only the headers of {library.name}"
             what = f"{self._cmake}: could not link '{executable}'{why}"
             what += f" (package '{self.package.name}')"
         return [f"{what}\n{self._quote(output)}"]

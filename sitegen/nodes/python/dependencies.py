@@ -18,7 +18,7 @@ from sitegen.errors import Location, Problems
 from sitegen.model import Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
-from sitegen.nodes.python.missing import Missing
+from sitegen.nodes.python.missing import Missing, message
 from sitegen.nodes.python.pyodide import DOWNLOADS
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.report import Report
@@ -96,13 +96,12 @@ def collect(
                 # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif not names or not shelf.has([lock[name] for name in names if name not in own]):
-                message = _unavailable(module, origins, lock, shelf.origin)
+                why = _unavailable(module, origins, lock, shelf.origin)
                 if sure and program in optional:
-                    missing.setdefault(program, {})[f"import {module}: {message}"] = problems.where(
-                        location
-                    )
+                    lacking = missing.setdefault(program, {})
+                    lacking[message(module, why)] = problems.where(location)
                 elif not quiet:
-                    wrong.add(location, f"import {module}", message)
+                    wrong.add(location, f"import {module}", why)
             else:
                 others = [name for name in names if name not in own]
                 try:
@@ -176,10 +175,8 @@ def _pinned(site: Site, lock: Mapping[str, Any], problems: Problems, shelf: Shel
                 names.append(need)
                 continue
             compiled = need in lock and not lock[need]["file_name"].endswith(PURE)
-            message = "add it to this file"
-            if compiled:
-                message = _advice(need, lock, shelf.origin)
-            problems.add(location, wheel.package, f"it needs '{need}'; {message}")
+            how = _advice(need, lock, shelf.origin) if compiled else "add it to this file"
+            problems.add(location, wheel.package, f"it needs '{need}'; {how}")
     for name in _with_needs(names, lock):
         if name not in there:
             try:

@@ -8,6 +8,11 @@ from collections.abc import Mapping
 Missing = Mapping[str, str]
 
 
+def message(module: str, why: str) -> str:
+    """Return the message about a module that a program imports."""
+    return f"import {module}: {why}"
+
+
 def lines(programs: Mapping[str, Missing]) -> list[str]:
     """Return a line for each module that `programs` lack, with the names of these programs."""
     places: dict[str, str] = {}

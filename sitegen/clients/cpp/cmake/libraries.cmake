@@ -83,9 +83,8 @@ endforeach()
 # pkg-config knows the libraries of this computer, which a page cannot have. A package that requires
 # one goes on without it.
 function(_sitegen_pkg_config prefix)
-  list(FIND ARGN REQUIRED required)
   set(found FALSE)
-  if(required GREATER -1)
+  if("REQUIRED" IN_LIST ARGN)
     set(found TRUE)
   endif()
   set(folders "${SITEGEN_HEADERS}")
