@@ -57,6 +57,7 @@ def programs_of(
             engines,
             builds.get((node.package, node.executable), ()),
             own.faults.get((node.package, node.executable), ""),
+            own.licences,
         )
         for node in nodes
         if isinstance(node.kind, Cpp | Container | Prebuilt)

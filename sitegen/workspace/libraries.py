@@ -1,13 +1,13 @@
 """Libraries that are no ROS packages of the workspace: which a page can have, and which none can.
 
-CMake finds all of them where a package requires them, most of them empty, so that a program that
-needs one does not stop the others of its package.
+CMake finds all of them where a package requires them. Those that no page can have are empty, so
+that a program that needs one does not stop the others of its package.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 
@@ -198,9 +198,60 @@ HEADER_ONLY = (
     ),
 )
 
+
+@dataclass(frozen=True)
+class Compiled:
+    """A library that is compiled for the page, from its source of Debian or Ubuntu.
+
+    `package` is the package that comes with sitegen and compiles it; a package of the workspace
+    with this name takes precedence. `source` is Debian's name of the source, `parts` are the
+    folders and files in it that are needed. `names` are other ones, by which find_package(),
+    pkg-config or rosdep know it.
+    """
+
+    package: str
+    source: str
+    parts: tuple[str, ...]
+    names: tuple[str, ...]
+
+
+COMPILED = (
+    Compiled(
+        "yaml-cpp",
+        "yaml-cpp",
+        ("include", "src"),
+        ("yaml_cpp_vendor", "YAML_CPP", "YamlCpp", "yaml_cpp", "libyaml-cpp-dev"),
+    ),
+    Compiled(
+        "tinyxml2",
+        "tinyxml2",
+        ("tinyxml2.cpp", "tinyxml2.h"),
+        ("TinyXML2", "tinyxml2_vendor", "libtinyxml2-dev"),
+    ),
+    Compiled(
+        "GeographicLib",
+        "geographiclib",
+        ("include", "src"),
+        ("geographiclib", "Geographic", "libgeographiclib-dev", "libgeographic-dev"),
+    ),
+    Compiled(
+        "orocos_kdl",
+        "orocos-kdl",
+        ("orocos_kdl/src",),
+        ("orocos_kdl_vendor", "orocos-kdl", "OrocosKDL", "liborocos-kdl-dev"),
+    ),
+)
+
 LIBRARIES = (*UNAVAILABLE, *HEADER_ONLY)
+# The packages that compile a library, by all of its names.
+COMPILED_BY = {name: one.package for one in COMPILED for name in (one.package, *one.names)}
 # The names that find_package() finds.
-PACKAGES = {package for library in LIBRARIES for package in library.packages}
+PACKAGES = {*COMPILED_BY, *(package for library in LIBRARIES for package in library.packages)}
+
+
+def compiled(names: Iterable[str]) -> list[str]:
+    """Return the packages that compile the libraries among `names`."""
+    return [COMPILED_BY[name] for name in names if name in COMPILED_BY]
 
 
 def of_header(header: str) -> Library | None:

@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 from sitegen import shipped
 from sitegen.errors import Location, Problems, nearest, relative
 from sitegen.model import Fault, Package, Setup
-from sitegen.workspace import cmakelists, components, folders, setupfiles
+from sitegen.workspace import cmakelists, components, folders, libraries, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
 # The interface packages that come with sitegen.
@@ -83,7 +83,8 @@ def _package(path: Path, problems: Problems) -> Package | None:
     cmake = path / "CMakeLists.txt"
     listing = cmakelists.read(cmake, name)
     depends = [*manifest.depends]
-    depends += (each for each in listing.finds if each in _shipped_names() and each != name)
+    depends += (each for each in listing.finds if each in _shipped_names())
+    depends += libraries.compiled([*listing.finds, *manifest.depends])
     ros1 = CATKIN in depends or not cmake.is_file()
     build_type = manifest.build_type or (CATKIN if ros1 else "ament_cmake")
     executables = listing.executables
@@ -100,7 +101,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         name=name,
         path=path,
         build_type=build_type,
-        depends=tuple(dict.fromkeys(depends)),
+        depends=tuple(each for each in dict.fromkeys(depends) if each != name),
         executables=None if executables is None else tuple(executables),
         interfaces=tuple(dict.fromkeys(listing.interfaces)),
         version=manifest.version,

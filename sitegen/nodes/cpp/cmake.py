@@ -12,6 +12,7 @@ from pathlib import Path
 from sitegen.model import Package
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.shipped import CLIENTS
+from sitegen.workspace.libraries import COMPILED_BY
 from sitegen.workspace.manifest import ENVIRONMENT
 
 HERE = Path(__file__).parent
@@ -24,6 +25,8 @@ SETTINGS = [
     "-DCMAKE_FIND_ROOT_PATH_MODE_PACKAGE=BOTH",
     # CMake cannot run a program for the page to test the compiler, and does not need to.
     "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
+    # ament_cmake says so, too, but packages of type `cmake` do without it.
+    "-DBUILD_TESTING=OFF",
     # Warnings for developers would hide the error.
     *("-Wno-dev", "-Wno-deprecated"),
     # CMake looks for packages again, because they may have moved.
@@ -32,6 +35,8 @@ SETTINGS = [
 
 # Where programs are, in the folder of a build.
 PROGRAMS = "bin"
+# The build type of packages that are no packages of ament.
+PLAIN = "cmake"
 UNDEFINED = "error: undefined symbol: "
 
 Done = subprocess.CompletedProcess[str]
@@ -55,6 +60,11 @@ class CMake:
     def ros(self) -> Path:
         """The prefix of the interface packages of ROS, which is the same for all engines."""
         return self.work / "ros"
+
+    @property
+    def sources(self) -> Path:
+        """The folder of the sources of libraries, which is the same for all versions of sitegen."""
+        return self.work.parents[1] / "sources"
 
     @property
     def headers(self) -> Path:
@@ -91,6 +101,17 @@ class CMake:
         store = self.work / self.engine / "precompiled"
         script = HERE / "precompiled.py"
         return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
+
+    def make_libraries(self, package: Package) -> Done:
+        """Build what other packages use of a configured package, and export it to its prefix."""
+        if package.build_type != PLAIN:
+            return self.make(package, "sitegen_libraries")
+        # It has no ament_package(): only its own installation knows what others use. A program or
+        # an example of it may fail that is not installed.
+        tree = self.tree(package)
+        made = self.tools.run(self.tools.ninja, "-C", tree, "-k", "0")
+        done = self.tools.run(self.tools.cmake, "--install", tree)
+        return made if done.returncode and made.returncode else done
 
     def make_library(self) -> Done:
         """Compile the rclcpp library."""
@@ -140,6 +161,8 @@ class CMake:
             "CMAKE_C_FLAGS_RELEASE": optimize,
             "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
             "CMAKE_CXX_FLAGS_RELEASE": optimize,
+            "CMAKE_INSTALL_PREFIX": tree / "prefix",
+            "SITEGEN_COMPILED": ";".join(f"{a}={b}" for a, b in COMPILED_BY.items()),
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
@@ -150,6 +173,7 @@ class CMake:
             "SITEGEN_PYTHON": sys.executable,
             "SITEGEN_RCLCPP": self.library,
             "SITEGEN_SHOWN": shown,
+            "SITEGEN_SOURCES": self.sources,
         }
         if self.tools.eigen:
             defines["Eigen3_DIR"] = self.tools.eigen

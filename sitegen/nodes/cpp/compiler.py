@@ -17,11 +17,13 @@ from sitegen.cache.durations import Durations
 from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator
-from sitegen.model import BROWSERS, Build, Package
+from sitegen.model import BROWSERS, Artifact, Build, Package
 from sitegen.nodes.cpp import drafts, libraries
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
+from sitegen.nodes.cpp.digests import Digests
 from sitegen.nodes.cpp.progress import Progress, counted, plan
+from sitegen.nodes.cpp.sources import LibrarySources
 from sitegen.nodes.cpp.store import keep
 from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
 from sitegen.options import PUBLISH, Options
@@ -60,10 +62,14 @@ Builds = Mapping[tuple[str, str], Sequence[Build]]
 
 @dataclass(frozen=True)
 class Compiled:
-    """The builds of the programs that compiled, and why the others did not, in one line each."""
+    """The builds of the programs that compiled, and why the others did not, in one line each.
+
+    `licences` are those of the libraries that the programs are linked with.
+    """
 
     builds: Builds
     faults: Mapping[tuple[str, str], str]
+    licences: Sequence[Artifact] = ()
 
 
 def compile_nodes(
@@ -120,7 +126,12 @@ def compile_nodes(
     built = {key: each for key, each in builds.items() if all(one.wasm.exists() for one in each)}
     for folder in {build.wasm.parent for each in built.values() for build in each}:
         use(folder)
-    return Compiled(built, {key: fault for key, fault in faults.items() if key not in built})
+    needs = {need.name: need for job in jobs for need in job.needs}
+    return Compiled(
+        built,
+        {key: fault for key, fault in faults.items() if key not in built},
+        compiler.library_sources.licences(needs.values()),
+    )
 
 
 # The errors of packages that other packages depend on, by package.
@@ -168,16 +179,16 @@ class Compiler:
     ) -> None:
         self._tools = tools
         self._root = root
-        # Tools write their own folders here, which are not sources of a package.
-        self._roots = roots
         self._report = report
         self._debug = options.debug
         self._draft = options.draft and not options.debug
-        self._base = digest_of(sources(), tools.identity)
         self._cache = cache
         self._nodes = cache / "nodes"
         self._work = work_folder(tools, cache)
-        self._digests: dict[Path, str] = {}
+        self.library_sources = LibrarySources(self._cmake("").sources, report)
+        base = digest_of(sources(), tools.identity)
+        shown = root if options.debug else None
+        self._digests = Digests(base, roots, shown, self.library_sources)
         self._folders: dict[tuple[Path, str], Path] = {}
 
     def builds(self, job: Job, engines: Iterable[str]) -> list[Build]:
@@ -196,24 +207,11 @@ class Compiler:
         # answer may change while compiling.
         key = (job.package.path, engine)
         if key not in self._folders:
-            folder = self._nodes / self._digest(job.package, job.needs)
+            folder = self._nodes / self._digests.of(job.package, job.needs)
             wanted = [folder / f"{name}.{engine}.wasm" for name in job.executables]
             drafted = self._draft and not all(wasm.exists() for wasm in wanted)
             self._folders[key] = drafts.draft_of(folder) if drafted else folder
         return self._folders[key]
-
-    def _digest(self, package: Package, needs: Sequence[Package]) -> str:
-        all_of_them = [*sorted(needs, key=lambda need: need.name), package]
-        for one in all_of_them:
-            if one.path not in self._digests:
-                self._digests[one.path] = digest_of([one.path], roots=self._roots)
-        places = ["debug", *map(self._shown, all_of_them)] if self._debug else []
-        return digest_of([], self._base, *(self._digests[one.path] for one in all_of_them), *places)
-
-    def _shown(self, package: Package) -> str:
-        """Return the path that programs show for a package's folder, real only with `debug`."""
-        below = self._debug and package.path.is_relative_to(self._root)
-        return package.path.relative_to(self._root).as_posix() if below else package.name
 
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
         """Compile all `jobs`, several at a time; return the errors of each."""
@@ -324,8 +322,9 @@ class Compiler:
             return
         self._report.doing(name, what)
         try:
+            self.library_sources.check(package)
             self._configure(cmake, package, needs, failed)
-            made = cmake.make(package, "sitegen_libraries")
+            made = cmake.make_libraries(package)
             if made.returncode:
                 diagnosis = Diagnosis(self._root, package, needs)
                 tree = cmake.tree(package)
@@ -342,7 +341,7 @@ class Compiler:
         return stamp.exists() and stamp.read_text() == self._state(package, needs)
 
     def _state(self, package: Package, needs: Sequence[Package]) -> str:
-        return f"{self._digest(package, needs)}{'-draft' if self._draft else ''}"
+        return f"{self._digests.of(package, needs)}{'-draft' if self._draft else ''}"
 
     def _stamp(self, cmake: CMake, package: Package) -> Path:
         return cmake.tree(package) / "prepared"
@@ -352,7 +351,7 @@ class Compiler:
     ) -> None:
         # Drafts are built in the same folder, whose contents may be those of another kind of build.
         self._stamp(cmake, package).unlink(missing_ok=True)
-        done = cmake.configure(package, needs, self._shown(package))
+        done = cmake.configure(package, needs, self._digests.shown(package))
         if done.returncode:
             diagnosis = Diagnosis(self._root, package)
             missing = failed.get(diagnosis.missing(done.stdout))
@@ -390,7 +389,7 @@ class Compiler:
                 theirs = [
                     one for one in (*job.needs, package) if not one.path.is_relative_to(PACKAGE)
                 ]
-                shown = list(map(self._shown, theirs))
+                shown = list(map(self._digests.shown, theirs))
                 keep(program, prefixes, shown, self.build(job, executable, engine))
                 progress.note(executable)
             self._report.done(name)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
-from sitegen.workspace.libraries import HEADER_ONLY, LIBRARIES
+from sitegen.workspace.libraries import COMPILED, HEADER_ONLY, LIBRARIES
 
 # Where Debian, `make install` and Homebrew put headers.
 ROOTS = [Path(root, "include") for root in ("/usr", "/usr/local", "/opt/homebrew")]
@@ -28,13 +28,19 @@ def write(prefix: Path) -> None:
     """Add the CMake packages of all libraries to the prefix."""
     for library in LIBRARIES:
         for package, targets in library.packages.items():
-            folder = prefix / "share" / package / "cmake"
-            folder.mkdir(parents=True, exist_ok=True)
             values = [package, "|".join(library.marks), targets, ";".join(library.definitions)]
             words = " ".join(f'"{value}"' for value in values)
-            (folder / f"{package}Config.cmake").write_text(f"sitegen_library({words})\n")
-            version = VERSION.format(version=library.version)
-            (folder / f"{package}ConfigVersion.cmake").write_text(version)
+            _write_package(prefix, package, f"sitegen_library({words})\n", library.version)
+    for compiled in COMPILED:
+        for name in compiled.names:
+            _write_package(prefix, name, f"sitegen_compiled({name} {compiled.package})\n", "1.0.0")
+
+
+def _write_package(prefix: Path, package: str, text: str, version: str) -> None:
+    folder = prefix / "share" / package / "cmake"
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f"{package}Config.cmake").write_text(text)
+    (folder / f"{package}ConfigVersion.cmake").write_text(VERSION.format(version=version))
 
 
 def link(folder: Path, eigen: Path | None) -> None:

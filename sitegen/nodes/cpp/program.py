@@ -17,6 +17,7 @@ class CppProgram:
 
     `builds` has one build for each of `engines`, or is empty if the programs were only checked.
     With a `fault`, which says why it did not compile, it is on its page and cannot start.
+    `licences` are those of libraries, which the site contains.
     """
 
     package: str
@@ -24,6 +25,7 @@ class CppProgram:
     engines: Sequence[str]
     builds: Sequence[Build] = ()
     fault: str = ""
+    licences: Sequence[Artifact] = ()
 
     worker = "cpp/cppNode"
     written_in = "C++"
@@ -36,7 +38,7 @@ class CppProgram:
     @cached_property
     def files(self) -> Sequence[Artifact]:
         """Return the module, the WebAssembly and, with `debug`, the source lines of each build."""
-        artifacts = []
+        artifacts = list(self.licences)
         for build in self.builds:
             stem = self._stem(build.engine)
             artifacts.append(Artifact(f"{stem}.js", build.script))

@@ -33,6 +33,11 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
             "spdlog has level warning",
             "Eigen has 6",
             "g++ includes 1 2 3",
+            "yaml-cpp reads 0.5",
+            "and fails at line 1",
+            "TinyXML2 reads arm",
+            "libuuid writes 36 characters",
+            "robot_joints 0.3.1 turns 180",
         ],
     }
     tab.goto(serve(built(SITES / "shapes")))

@@ -10,6 +10,7 @@
 #include <string>
 
 std::string listed();
+void print_compiled();
 
 int main()
 {
@@ -27,4 +28,5 @@ int main()
   std::printf("spdlog has level %s\n", fmt::format("{}", level).c_str());
   std::printf("Eigen has %d\n", Eigen::Vector3i(1, 2, 3).sum());
   std::printf("g++ includes %s\n", listed().c_str());
+  print_compiled();
 }

@@ -1,0 +1,1 @@
+sitegen_named(orocos-kdl orocos_kdl::orocos-kdl)
