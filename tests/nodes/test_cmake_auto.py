@@ -80,7 +80,7 @@ get_target_property(alone alone LINK_LIBRARIES)
 get_target_property(linked linked LINK_LIBRARIES)
 get_target_property(single single LINK_LIBRARIES)
 file(WRITE "${CMAKE_BINARY_DIR}/said" "${sources}|${alone}|${linked}|${single}")
-ament_auto_package(INSTALL_TO_PATH INSTALL_TO_SHARE config CONFIG_EXTRAS extra.cmake)
+ament_auto_package(CONFIG_EXTRAS extra.cmake INSTALL_TO_PATH INSTALL_TO_SHARE config)
 return()
 """,
         tags="<depend>std_msgs</depend><test_depend>ament_lint_auto</test_depend>",
