@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -42,7 +42,7 @@ class Libraries:
         elif name == "ament_auto_add_executable":
             links += [] if "NO_TARGET_LINK_LIBRARIES" in rest else self._auto
         elif name in (*ADDS_LIBRARY, "target_sources"):
-            self._sources.setdefault(target, []).extend(self._files(rest, here))
+            self._sources.setdefault(target, []).extend(self.files(rest, here))
             self._auto += [target] if name == "ament_auto_add_library" else []
 
     def rename(self, target: str, name: str) -> None:
@@ -62,11 +62,10 @@ class Libraries:
                 waiting += self._links.get(target, ())
         return list(found)
 
-    def _files(self, words: Sequence[str], here: Path) -> Iterator[str]:
-        """Yield the source files among the arguments of a command, relative to the package."""
+    def files(self, words: Sequence[str], here: Path) -> list[str]:
+        """Return the source files among the arguments of a command, relative to the package."""
         files = [here / word for word in words if word.endswith(SOURCES) and "$" not in word]
         if "DIRECTORY" in words[:-1]:  # of ament_cmake_auto
             folder = here / words[words.index("DIRECTORY") + 1]
-            files += sorted(file for file in folder.glob("*") if file.suffix in SOURCES)
-        for file in files:
-            yield Path(os.path.relpath(file, self.folder)).as_posix()
+            files += sorted(file for file in folder.rglob("*") if file.suffix in SOURCES)
+        return [Path(os.path.relpath(file, self.folder)).as_posix() for file in files]

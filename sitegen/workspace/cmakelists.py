@@ -32,6 +32,7 @@ ACTIONS = re.compile(r"(?:file|execute_process|configure_file|include)\s*\(", re
 # What the build makes: any file, or a program that is compiled.
 BUILT = re.compile(r"\$\{\w*BINARY_DIR\}/?")
 TARGET = "$<TARGET_"
+SETS_UP = "ament_python_install_package"
 AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
 
 
@@ -56,6 +57,8 @@ class Listing:
     finds: list[str] = field(default_factory=list)
     requires: list[str] = field(default_factory=list)
     plugins: list[str] = field(default_factory=list)
+    # The setup.cfg files whose programs ament_python_install_package() installs.
+    configs: list[Path] = field(default_factory=list)
     # What CMake refuses, or what is installed and known to CMake only; and where that is uncertain.
     faults: list[Fault] = field(default_factory=list)
     notes: list[Fault] = field(default_factory=list)
@@ -97,6 +100,8 @@ class Listing:
             self._add_shared(words)
         elif name == "ament_python_install_package":
             self._add_python(words)
+        elif name == "ament_python_install_module":
+            self._add_module(words)
 
     def _add_include(self, name: str, words: list[str]) -> None:
         """Process another file of the package, or a file of CMake or of another package."""
@@ -204,6 +209,27 @@ class Listing:
             at = words.index("PACKAGE_DIR") + 1 if "PACKAGE_DIR" in words[:-1] else 0
             folder = Arguments("DIRECTORY", {"DIRECTORY": [f"{words[at]}/"]})
             self._install(folder, f"python/{words[0]}", given)
+            if "SCRIPTS_DESTINATION" in words[:-1]:
+                self._add_programs(words)
+
+    def _add_programs(self, words: list[str]) -> None:
+        """Note the setup.cfg with the programs of a Python package, if `ros2 run` finds them."""
+        to = below_prefix(words[words.index("SCRIPTS_DESTINATION") + 1], PREFIX)
+        given = words[words.index("SETUP_CFG") + 1] if "SETUP_CFG" in words[:-1] else ""
+        file = self.script.folder / (given or "setup.cfg")
+        if to != f"lib/{''.join(self.script.variables['PROJECT_NAME'])}":
+            return
+        if given and not is_file(file):
+            self._say(f"no file '{given}'; add it, or remove SETUP_CFG", SETS_UP)
+        elif is_file(file):
+            self.configs.append(file)
+
+    def _add_module(self, given: list[str]) -> None:
+        words = self.script.values(given)
+        if words:
+            at = words.index("DESTINATION_SUFFIX") + 1 if "DESTINATION_SUFFIX" in words[:-1] else 0
+            to = f"python/{words[at]}" if at else "python"
+            self._install(Arguments("FILES", {"FILES": words[:1]}), to, given)
 
     def _add_executable(self, word: str) -> None:
         name = self.script.surely(word)
@@ -239,6 +265,8 @@ class Listing:
             self.sources[name] = [
                 self._below(word) for word in files if "." in word and "$" not in word
             ]
+            if "DIRECTORY" in files[:-1]:  # of ament_cmake_auto
+                self.sources[name] = self.libraries.files(files, self.script.folder)
 
     def _below(self, word: str) -> str:
         """Return a name relative to the package if the script gives its whole path."""

@@ -27,13 +27,18 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_DISTRO": "kilted", "ROS_PYTHON_VERSION":
 
 @dataclass(frozen=True)
 class Manifest:
-    """A package.xml without tags whose conditions are false; texts may be empty."""
+    """A package.xml without tags whose conditions are false; texts may be empty.
+
+    `tags` has the tag and the name of each dependency, `depends` the names of those that are not
+    only for tests.
+    """
 
     name: str
     version: str
     depends: tuple[str, ...]
     build_type: str
     description: str = ""
+    tags: tuple[tuple[str, str], ...] = ()
 
 
 class _Tree(ElementTree.TreeBuilder):
@@ -61,15 +66,18 @@ def read_manifest(file: Path, problems: Problems) -> Manifest | None:
         message = f"{what}; write it like <name>my_robot</name>"
         problems.add(location_of(file, "name"), "name", message)
         return None
-    depends = (tag.text for tag in _true(xml, file, problems) if tag.tag in DEPENDS)
-    tag = xml.find("description")
+    tags = [(tag.tag, (tag.text or "").strip()) for tag in _true(xml, file, problems)]
+    description = xml.find("description")
     types = (tag.text for tag in _true(xml.findall("export/build_type"), file, problems))
     return Manifest(
         name=name,
         version=(xml.findtext("version") or "").strip(),
-        depends=tuple(text.strip() for text in depends if text and text.strip()),
+        depends=tuple(text for tag, text in tags if tag in DEPENDS and text),
         build_type=next((text.strip() for text in types if text), ""),
-        description=" ".join("".join(tag.itertext()).split()) if tag is not None else "",
+        description=" ".join("".join(description.itertext()).split())
+        if description is not None
+        else "",
+        tags=tuple((tag, text) for tag, text in tags if tag in (*DEPENDS, "test_depend") and text),
     )
 
 

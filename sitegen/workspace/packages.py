@@ -135,13 +135,19 @@ def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> 
         for installed, file in files.items()
         if PurePosixPath(installed).parent == PurePosixPath("lib", name) and _is_python(file)
     }
+    points = dict[str, str]()
+    for config in listing.configs:
+        found = setupfiles.programs(config)
+        points |= found.scripts
+        if found.fault:
+            faults += (Fault(Location(*found.fault[:2]), "setup", found.fault[2]),)
     if not programs and not any(installed.startswith("python/") for installed in files):
         return Setup({}, {}, faults, notes) if faults or notes else None
     # The files that ament_package() installs; of the file in the index, only the name matters.
     index = f"share/ament_index/resource_index/packages/{name}"
     files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
     scripts = {PurePosixPath(installed).name: installed for installed in programs}
-    return Setup(scripts, files, faults, notes)
+    return Setup({**scripts, **points}, files, faults, notes)
 
 
 def _is_python(file: Path) -> bool:

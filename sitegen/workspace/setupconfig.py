@@ -39,9 +39,9 @@ def parsed(text: str, where: Path, line: int | None = None) -> configparser.Conf
     return parser
 
 
-def cfg(folder: Path) -> dict[str, Any]:
-    """Return the arguments that setup.cfg gives."""
-    file = folder / "setup.cfg"
+def cfg(folder: Path, name: str = "setup.cfg") -> dict[str, Any]:
+    """Return the arguments that setup.cfg, or a file with another name, gives."""
+    file = folder / name
     if not file.is_file():
         return {}
     try:

@@ -65,6 +65,19 @@ def read(folder: Path, within: Path | None = None) -> Listing:
     return listing
 
 
+def programs(file: Path) -> Listing:
+    """Return the programs that the setup.cfg of a CMake package defines, without their files."""
+    listing = Listing()
+    try:
+        given = setupconfig.cfg(file.parent, file.name)
+        if why := setupkeys.fault("entry_points", given.get("entry_points")):
+            raise UnreadableError(file, 1, why)
+        listing.scripts = dict(_scripts(file.parent, given.get("entry_points")))
+    except UnreadableError as error:
+        listing.fault = error.fault
+    return listing
+
+
 def _py(folder: Path, within: Path) -> dict[str, Any]:
     """Return the relevant arguments of setup() in setup.py."""
     file = folder / "setup.py"

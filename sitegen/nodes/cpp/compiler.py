@@ -44,6 +44,7 @@ GENERATOR = (
     "nodes/cpp/precompiled.py",
     "nodes/cpp/sourcemap.py",
     "workspace/libraries.py",
+    "workspace/manifestcmake.py",
 )
 
 
@@ -251,12 +252,12 @@ class Compiler:
 
     def _tell_of_warnings(self, jobs: Sequence[tuple[Job, str]]) -> None:
         strict = {
-            job.package.name
+            f"'{job.package.name}'"
             for job, engine in jobs
             if self._cmake(engine).has_strict_warnings(job.package)
         }
-        for name in sorted(strict):
-            self._report.say(f"{name}: -Werror has no effect in builds for the browser")
+        if names := ", ".join(sorted(strict)):
+            self._report.say(f"-Werror has no effect in builds for the browser: {names}")
 
     def _cmake(self, engine: str, watch: Callable[[str], None] | None = None) -> CMake:
         tools = replace(self._tools, watch=watch)

@@ -13,16 +13,6 @@ ROOTS = [Path(root, "include") for root in ("/usr", "/usr/local", "/opt/homebrew
 # Programs may include Eigen's headers with the name of their folder.
 EIGEN = "eigen3"
 
-# A library has whatever version a package asks for.
-VERSION = """\
-set(PACKAGE_VERSION "${{PACKAGE_FIND_VERSION}}")
-if(PACKAGE_VERSION STREQUAL "")
-  set(PACKAGE_VERSION "{version}")
-endif()
-set(PACKAGE_VERSION_COMPATIBLE TRUE)
-set(PACKAGE_VERSION_EXACT TRUE)
-"""
-
 
 def write(prefix: Path) -> None:
     """Add the CMake packages of all libraries to the prefix."""
@@ -40,7 +30,7 @@ def _write_package(prefix: Path, package: str, text: str, version: str) -> None:
     folder = prefix / "share" / package / "cmake"
     folder.mkdir(parents=True, exist_ok=True)
     (folder / f"{package}Config.cmake").write_text(text)
-    (folder / f"{package}ConfigVersion.cmake").write_text(VERSION.format(version=version))
+    (folder / f"{package}ConfigVersion.cmake").write_text(f'sitegen_any_version("{version}")\n')
 
 
 def link(folder: Path, eigen: Path | None) -> None:

@@ -62,6 +62,16 @@ function(sitegen_library package marks targets definitions)
   endif()
 endfunction()
 
+# The version file of a package: it has whatever version is asked for, and else this one.
+macro(sitegen_any_version version)
+  set(PACKAGE_VERSION "${PACKAGE_FIND_VERSION}")
+  if(PACKAGE_VERSION STREQUAL "")
+    set(PACKAGE_VERSION "${version}")
+  endif()
+  set(PACKAGE_VERSION_COMPATIBLE TRUE)
+  set(PACKAGE_VERSION_EXACT TRUE)
+endmacro()
+
 # The CMake package of a library that is compiled for the page, by another name than that of the
 # package that compiles it.
 macro(sitegen_compiled name package)

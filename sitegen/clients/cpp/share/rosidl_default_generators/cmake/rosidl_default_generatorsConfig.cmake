@@ -1,5 +1,6 @@
 # rosidl_generate_interfaces: a package's own messages, by the real generator (sitegen.interfaces.generator).
 include_guard(GLOBAL)
+find_package(ament_cmake REQUIRED)
 
 function(rosidl_generate_interfaces target)
   cmake_parse_arguments(ARG
