@@ -53,9 +53,17 @@ struct Registration
 
 }  // namespace impl
 
+/// The file name of a library.
+inline std::string systemLibraryFormat(const std::string & library_name)
+{
+  return "lib" + library_name + ".so";
+}
+
 class ClassLoader
 {
 public:
+  template<class Base>
+  using DeleterType = std::function<void (Base *)>;
   template<class Base>
   using UniquePtr = std::unique_ptr<Base, std::function<void (Base *)>>;
 

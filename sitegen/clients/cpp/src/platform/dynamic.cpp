@@ -2,54 +2,31 @@
 // functions are not kept, so none can be opened.
 #include <dlfcn.h>
 
-#include <string>
-#include <utility>
-
-namespace
-{
-
-std::string & message()
-{
-  static std::string message;
-  return message;
-}
-
-/// Whether there is an error that dlerror() has not returned.
-bool is_new = false;
-
-void fail(std::string text)
-{
-  message() = std::move(text);
-  is_new = true;
-}
-
-}  // namespace
-
 extern "C" {
+
+/// Set what dlerror() returns next: a function of the C library.
+void __dl_seterr(const char * format, ...);
 
 void * dlopen(const char * path, int)
 {
-  fail(
-    (path ? std::string(path) : "the program") +
-    ": cannot open: a page cannot load libraries; use pluginlib or class_loader, which find the "
-    "classes that are linked into the program");
+  __dl_seterr(
+    "%s: cannot open: a page cannot load libraries; use pluginlib or class_loader, which find the "
+    "classes that are linked into the program", path ? path : "the program");
   return nullptr;
 }
 
 void * dlsym(void *, const char * name)
 {
-  fail(std::string(name) + ": undefined symbol: a page cannot find functions by name");
+  __dl_seterr("%s: undefined symbol: a page cannot find functions by name", name);
   return nullptr;
 }
 
 int dlclose(void *)
 {
-  fail("not a library that was opened");
+  __dl_seterr("not a library that was opened");
   return -1;
 }
 
 int dladdr(const void *, Dl_info *) {return 0;}
-
-char * dlerror(void) {return std::exchange(is_new, false) ? message().data() : nullptr;}
 
 }

@@ -58,6 +58,16 @@ int sched_getaffinity(pid_t, size_t size, cpu_set_t * set)
   return error ? fail(error) : 0;
 }
 
+/// CPU_COUNT.
+int __sched_cpucount(size_t size, const cpu_set_t * set)
+{
+  int count = 0;
+  for (size_t i = 0; i < size; ++i) {
+    count += __builtin_popcount(reinterpret_cast<const unsigned char *>(set)[i]);
+  }
+  return count;
+}
+
 int sched_setaffinity(pid_t, size_t, const cpu_set_t *) {return fail(EPERM);}
 
 int getpriority(int, id_t) {return 0;}
