@@ -7,31 +7,15 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "class_loader/exceptions.hpp"
+#include "class_loader/visibility_control.hpp"
+
 namespace class_loader
 {
-
-class ClassLoaderException : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-class CreateClassException : public ClassLoaderException
-{
-public:
-  using ClassLoaderException::ClassLoaderException;
-};
-
-class LibraryLoadException : public ClassLoaderException
-{
-public:
-  using ClassLoaderException::ClassLoaderException;
-};
 
 namespace impl
 {
@@ -69,16 +53,25 @@ struct Registration
 
 }  // namespace impl
 
+/// The file name of a library.
+inline std::string systemLibraryFormat(const std::string & library_name)
+{
+  return "lib" + library_name + ".so";
+}
+
 class ClassLoader
 {
 public:
+  template<class Base>
+  using DeleterType = std::function<void (Base *)>;
   template<class Base>
   using UniquePtr = std::unique_ptr<Base, std::function<void (Base *)>>;
 
   /// The classes of one library, given by its path as in dlopen(), or all classes if the path is
   /// empty. Throws LibraryLoadException if the program is not linked with the library.
-  explicit ClassLoader(const std::string & library_path, bool = false)
-  : library_path_(library_path), library_(library_path.substr(library_path.rfind('/') + 1))
+  explicit ClassLoader(
+    const std::string & library_path, bool ondemand_load_unload = false)
+  : on_demand_(ondemand_load_unload), library_path_(library_path), library_(library_path.substr(library_path.rfind('/') + 1))
   {
     library_.erase(std::min(library_.find('.'), library_.size()));
     if (library_.rfind("lib", 0) == 0) {library_.erase(0, 3);}
@@ -90,6 +83,8 @@ public:
 
   std::string getLibraryPath() const {return library_path_;}
   bool isLibraryLoaded() const {return true;}
+  bool isLibraryLoadedByAnyClassloader() const {return true;}
+  bool isOnDemandLoadUnloadEnabled() const {return on_demand_;}
   void loadLibrary() {}
   int unloadLibrary() {return 0;}
 
@@ -117,6 +112,8 @@ public:
   {
     return UniquePtr<Base>(make<Base>(name).release(), [](Base * made) {delete made;});
   }
+  template<class Base>
+  Base * createUnmanagedInstance(const std::string & name) {return make<Base>(name).release();}
 
 private:
   bool has(const std::string & library) const {return library_.empty() || library == library_;}
@@ -130,6 +127,7 @@ private:
     return impl::classes<Base>().at(name).make();
   }
 
+  bool on_demand_;
   std::string library_path_;
   std::string library_;
 };

@@ -9,6 +9,10 @@
 #define CLASS_LOADER_JOIN_(first, second) first ## second
 #define CLASS_LOADER_JOIN(first, second) CLASS_LOADER_JOIN_(first, second)
 
+/// Upstream prints the message when the class is registered; here it is not printed.
+#define CLASS_LOADER_REGISTER_CLASS_WITH_MESSAGE(Derived, Base, Message) \
+  CLASS_LOADER_REGISTER_CLASS(Derived, Base)
+
 #define CLASS_LOADER_REGISTER_CLASS(Derived, Base) \
   namespace \
   { \

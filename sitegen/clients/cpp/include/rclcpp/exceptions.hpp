@@ -25,6 +25,33 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// Memory that the layers below could not allocate.
+class RCLBadAlloc : public RCLError
+{
+public:
+  using RCLError::RCLError;
+};
+
+class RCLInvalidROSArgsError : public RCLError
+{
+public:
+  using RCLError::RCLError;
+};
+
+class QoSCheckCompatibleException : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class MissingGroupNodeException : public std::runtime_error
+{
+public:
+  explicit MissingGroupNodeException(const std::string & object_type)
+  : std::runtime_error(
+      "cannot determine group or node of the " + object_type + " that is ready") {}
+};
+
 /// An argument that the layers below refuse.
 class RCLInvalidArgument : public RCLError, public std::invalid_argument
 {

@@ -42,6 +42,30 @@ public:
   AsyncParametersClient(
     node_interfaces::NodeBaseInterface::SharedPtr node, const std::string & remote,
     const QoS & qos, CallbackGroup::SharedPtr group);
+  /// As upstream, for node interfaces. The base interface does the work of the others.
+  AsyncParametersClient(
+    node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTopicsInterface::SharedPtr,
+    node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote = "",
+    const QoS & qos = ParametersQoS(), CallbackGroup::SharedPtr group = nullptr)
+  : AsyncParametersClient(std::move(base), remote, qos, std::move(group)) {}
+  /// The signatures of Humble.
+  AsyncParametersClient(
+    node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTopicsInterface::SharedPtr,
+    node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote,
+    const rmw_qos_profile_t & qos, CallbackGroup::SharedPtr group = nullptr)
+  : AsyncParametersClient(
+      std::move(base), remote, QoS(QoSInitialization::from_rmw(qos), qos), std::move(group)) {}
+  template<class NodeT>
+  AsyncParametersClient(
+    NodeT node, const std::string & remote, const rmw_qos_profile_t & qos,
+    CallbackGroup::SharedPtr group = nullptr)
+  : AsyncParametersClient(
+      node->get_node_base_interface(), remote, QoS(QoSInitialization::from_rmw(qos), qos),
+      std::move(group)) {}
 
   std::shared_future<std::vector<Parameter>> get_parameters(
     const std::vector<std::string> & names, Callback<std::vector<Parameter>> callback = nullptr);
@@ -71,7 +95,7 @@ public:
   {
     return on_parameter_event(node_, std::forward<CallbackT>(callback), qos);
   }
-  /// `node` is a pointer of any kind.
+  /// `node` is a pointer of any kind to a node or to its topics interface.
   template<
     class NodeT, class CallbackT,
     class = decltype(std::declval<NodeT &>()->get_node_base_interface())>
@@ -134,6 +158,31 @@ public:
     const QoS & qos = ParametersQoS())
   : executor_(std::move(executor)), node_(node->get_node_base_interface()),
     client_(std::make_shared<AsyncParametersClient>(node_, remote, qos)) {}
+  /// As upstream, for node interfaces.
+  SyncParametersClient(
+    Executor::SharedPtr executor, node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTopicsInterface::SharedPtr,
+    node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote = "",
+    const QoS & qos = ParametersQoS())
+  : SyncParametersClient(std::move(executor), std::move(base), remote, qos) {}
+  /// The signatures of Humble.
+  SyncParametersClient(
+    Executor::SharedPtr executor, node_interfaces::NodeBaseInterface::SharedPtr base,
+    node_interfaces::NodeTopicsInterface::SharedPtr,
+    node_interfaces::NodeGraphInterface::SharedPtr,
+    node_interfaces::NodeServicesInterface::SharedPtr, const std::string & remote,
+    const rmw_qos_profile_t & qos)
+  : SyncParametersClient(std::move(executor), std::move(base), remote, qos) {}
+  template<class NodeT>
+  SyncParametersClient(NodeT node, const std::string & remote, const rmw_qos_profile_t & qos)
+  : SyncParametersClient(node, remote, QoS(QoSInitialization::from_rmw(qos), qos)) {}
+  template<class NodeT>
+  SyncParametersClient(
+    Executor::SharedPtr executor, NodeT node, const std::string & remote,
+    const rmw_qos_profile_t & qos)
+  : SyncParametersClient(
+      std::move(executor), node, remote, QoS(QoSInitialization::from_rmw(qos), qos)) {}
 
   std::vector<Parameter> get_parameters(
     const std::vector<std::string> & names, Timeout timeout = Timeout(-1))

@@ -16,6 +16,7 @@ public:
 
   virtual ~RateBase() = default;
   virtual bool sleep() = 0;
+  virtual bool is_steady() const = 0;
   virtual rcl_clock_type_t get_type() const = 0;
   virtual void reset() = 0;
 };
@@ -33,6 +34,7 @@ public:
 
   /// Sleep until the end of the period; false at once if it has already ended.
   bool sleep() override;
+  bool is_steady() const override {return get_type() == RCL_STEADY_TIME;}
   rcl_clock_type_t get_type() const override {return clock_->get_clock_type();}
   void reset() override;
   std::chrono::nanoseconds period() const {return period_.to_chrono<std::chrono::nanoseconds>();}

@@ -47,12 +47,12 @@ std::string attempt(const char * what, ActT act)
 
 ParameterServices::ParameterServices(
   node_interfaces::NodeBaseInterface & node,
-  node_interfaces::NodeParametersInterface & parameters)
+  node_interfaces::NodeParametersInterface & parameters, const QoS & qos)
 {
   const auto serve = [&](auto type, const char * name, auto callback) {
       using ServiceT = decltype(type);
       auto service = std::make_shared<Service<ServiceT>>(
-        node, std::string("~/") + name, ParametersQoS(),
+        node, std::string("~/") + name, qos,
         [callback](
           std::shared_ptr<typename ServiceT::Request> request,
           std::shared_ptr<typename ServiceT::Response> response) {

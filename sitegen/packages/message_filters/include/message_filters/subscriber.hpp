@@ -14,12 +14,53 @@
 namespace message_filters
 {
 
-/// A filter that receives the messages of a topic. Older programs name the type of the node as a
-/// second parameter.
-template<class M, class ...>
-class Subscriber : public SimpleFilter<rclcpp::detail::custom_type<M>>
+/// A subscriber of messages of any type, as a base of programs that keep several. Humble names the
+/// type of the node as a parameter, and Rolling has no parameter, so it is a pack that may be empty.
+template<class ... NodeTs>
+class SubscriberBase
 {
 public:
+  virtual ~SubscriberBase() = default;
+
+  /// `node` is a node, or a pointer to one. An empty topic only unsubscribes.
+  template<class NodeT>
+  void subscribe(
+    NodeT && node, const std::string & topic,
+    const rclcpp::QoS & qos = rclcpp::SystemDefaultsQoS(),
+    const rclcpp::SubscriptionOptions & options = rclcpp::SubscriptionOptions())
+  {
+    unsubscribe();
+    if (topic.empty()) {return;}
+    subscribe_to(
+      rclcpp::node_interfaces::get_node_base_interface(node), topic, qos, options);
+  }
+  template<class NodeT>
+  void subscribe(
+    NodeT && node, const std::string & topic, const rmw_qos_profile_t & qos,
+    const rclcpp::SubscriptionOptions & options = rclcpp::SubscriptionOptions())
+  {
+    subscribe(
+      node, topic, rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(qos), qos), options);
+  }
+  /// Subscribe again.
+  virtual void subscribe() = 0;
+  virtual void unsubscribe() = 0;
+
+protected:
+  virtual void subscribe_to(
+    rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, const std::string & topic,
+    const rclcpp::QoS & qos, const rclcpp::SubscriptionOptions & options) = 0;
+};
+template<class ... NodeTs>
+using SubscriberBasePtr = std::shared_ptr<SubscriberBase<NodeTs...>>;
+
+/// A filter that receives the messages of a topic.
+template<class M, class ... NodeTs>
+class Subscriber
+  : public SubscriberBase<NodeTs...>, public SimpleFilter<rclcpp::detail::custom_type<M>>
+{
+public:
+  using SubscriberBase<NodeTs...>::subscribe;
   using MessageType = rclcpp::detail::custom_type<M>;
   using EventType = MessageEvent<MessageType const>;
 
@@ -40,40 +81,13 @@ public:
   {
     subscribe(node, topic, qos, options);
   }
-  virtual ~Subscriber() {unsubscribe();}
+  ~Subscriber() override {unsubscribe();}
 
-  template<class NodeT>
-  void subscribe(
-    NodeT && node, const std::string & topic,
-    const rclcpp::QoS & qos = rclcpp::SystemDefaultsQoS(),
-    const rclcpp::SubscriptionOptions & options = rclcpp::SubscriptionOptions())
-  {
-    unsubscribe();
-    if (topic.empty()) {return;}
-    subscribe_ = [this, base = rclcpp::node_interfaces::get_node_base_interface(node), topic, qos,
-        options]() {
-        subscription_ = rclcpp::create_subscription<M>(
-          base, topic, qos,
-          [this](std::shared_ptr<const MessageType> message) {
-            this->signalMessage(EventType(message));
-          }, options);
-      };
-    subscribe_();
-  }
-  template<class NodeT>
-  void subscribe(
-    NodeT && node, const std::string & topic, const rmw_qos_profile_t & qos,
-    const rclcpp::SubscriptionOptions & options = rclcpp::SubscriptionOptions())
-  {
-    subscribe(
-      node, topic, rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(qos), qos), options);
-  }
-  /// Subscribe again.
-  void subscribe()
+  void subscribe() override
   {
     if (subscribe_) {subscribe_();}
   }
-  void unsubscribe() {subscription_.reset();}
+  void unsubscribe() override {subscription_.reset();}
 
   std::string getTopic() const {return subscription_->get_topic_name();}
   typename rclcpp::Subscription<M>::SharedPtr getSubscriber() const {return subscription_;}
@@ -82,6 +96,21 @@ public:
   template<typename F>
   void connectInput(F &) {}
   void add(const EventType &) {}
+
+protected:
+  void subscribe_to(
+    rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node, const std::string & topic,
+    const rclcpp::QoS & qos, const rclcpp::SubscriptionOptions & options) override
+  {
+    subscribe_ = [this, node, topic, qos, options]() {
+        subscription_ = rclcpp::create_subscription<M>(
+          node, topic, qos,
+          [this](std::shared_ptr<const MessageType> message) {
+            this->signalMessage(EventType(message));
+          }, options);
+      };
+    subscribe_();
+  }
 
 private:
   std::function<void()> subscribe_;

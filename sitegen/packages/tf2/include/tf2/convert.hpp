@@ -93,20 +93,39 @@ std::array<std::array<double, 6>, 6> getCovarianceMatrix(const T & t)
   }
 }
 
+namespace impl
+{
+
+/// The conversion for each case of which type is a message.
+template<bool IS_MESSAGE_A, bool IS_MESSAGE_B>
+class Converter
+{
+public:
+  template<typename A, typename B>
+  static void convert(const A & a, B & b)
+  {
+    if constexpr (IS_MESSAGE_A) {
+      fromMsg(a, b);
+    } else if constexpr (IS_MESSAGE_B) {
+      b = toMsg(a);
+    } else {
+      fromMsg(toMsg(a), b);
+    }
+  }
+};
+
+}  // namespace impl
+
 /// Convert between any two types that have conversions to and from the same message.
 template<class A, class B>
 void convert(const A & a, B & b)
 {
-  constexpr bool from = rosidl_generator_traits::is_message<A>::value;
-  constexpr bool to = rosidl_generator_traits::is_message<B>::value;
   if constexpr (std::is_same_v<A, B>) {
     if (&a != &b) {b = a;}
-  } else if constexpr (from) {
-    fromMsg(a, b);
-  } else if constexpr (to) {
-    b = toMsg(a);
   } else {
-    fromMsg(toMsg(a), b);
+    impl::Converter<
+      rosidl_generator_traits::is_message<A>::value,
+      rosidl_generator_traits::is_message<B>::value>::convert(a, b);
   }
 }
 

@@ -6,9 +6,13 @@
 #include "builtin_interfaces/msg/time.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
 #include "rclcpp/duration.hpp"
+#include "rclcpp/rclcpp.hpp"
 #include "rclcpp/time.hpp"
+#include "tf2/buffer_core.hpp"
 #include "tf2/convert.hpp"
+#include "tf2/exceptions.hpp"
 #include "tf2/time.hpp"
+#include "tf2/transform_datatypes.hpp"
 #include "tf2_ros/visibility_control.h"
 
 namespace tf2_ros

@@ -99,4 +99,22 @@ private:
   std::thread thread_;
 };
 
+/// Fills a buffer from /tf_static only.
+class StaticTransformListener : public TransformListener
+{
+public:
+  explicit StaticTransformListener(tf2::BufferCore & buffer, bool spin_thread = true)
+  : TransformListener(buffer, spin_thread, true) {}
+
+  template<class NodeT, class = std::enable_if_t<!std::is_same_v<std::decay_t<NodeT>, bool>>>
+  StaticTransformListener(
+    tf2::BufferCore & buffer, NodeT && node, bool spin_thread = true,
+    const rclcpp::QoS & static_qos = StaticListenerQoS(),
+    const rclcpp::SubscriptionOptions & static_options =
+    detail::get_default_transform_listener_static_sub_options())
+  : TransformListener(
+      buffer, node, spin_thread, DynamicListenerQoS(), static_qos, rclcpp::SubscriptionOptions(),
+      static_options, true) {}
+};
+
 }  // namespace tf2_ros

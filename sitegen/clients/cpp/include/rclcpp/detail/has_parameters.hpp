@@ -28,6 +28,7 @@ public:
   using PostSetParametersCallbackHandle = node_interfaces::PostSetParametersCallbackHandle;
   using PreSetParametersCallbackType = node_interfaces::PreSetCallbackType;
   using OnSetParametersCallbackType = node_interfaces::OnSetCallbackType;
+  using OnParametersSetCallbackType = OnSetParametersCallbackType;
   using PostSetParametersCallbackType = node_interfaces::PostSetCallbackType;
 
   const ParameterValue & declare_parameter(

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/qos.hpp"
 #include "rclcpp/service.hpp"
 
 namespace rclcpp
@@ -22,7 +23,7 @@ class ParameterServices
 public:
   ParameterServices(
     node_interfaces::NodeBaseInterface & node,
-    node_interfaces::NodeParametersInterface & parameters);
+    node_interfaces::NodeParametersInterface & parameters, const QoS & qos = ParametersQoS());
 
 private:
   std::vector<std::shared_ptr<ServiceBase>> services_;

@@ -34,6 +34,8 @@ struct ParameterCallbackHandle
   RCLCPP_SMART_PTR_DEFINITIONS(ParameterCallbackHandle<CallbackT>)
 
   using CallbackType = CallbackT;
+  using OnSetParametersCallbackType = CallbackT;
+  using OnParametersSetCallbackType = CallbackT;
   CallbackT callback;
 };
 
@@ -55,6 +57,10 @@ public:
 
   using Descriptor = rcl_interfaces::msg::ParameterDescriptor;
   using SetResult = rcl_interfaces::msg::SetParametersResult;
+  using PreSetParametersCallbackType = PreSetCallbackType;
+  using OnSetParametersCallbackType = OnSetCallbackType;
+  using OnParametersSetCallbackType = OnSetCallbackType;
+  using PostSetParametersCallbackType = PostSetCallbackType;
 
   NodeParametersInterface(NodeBaseInterface::SharedPtr node, const NodeOptions & options);
   ~NodeParametersInterface();

@@ -5,10 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "rclcpp/client.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/logger.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/node_interfaces/node_base_interface.hpp"
+#include "rclcpp/service.hpp"
 #include "rclcpp/timer.hpp"
 #include "rclcpp/waitable.hpp"
 
@@ -54,13 +56,24 @@ private: \
     base_->add(detail::ExecutableKind::kTimer, timer, group); \
   }
 
-ROS_NODE_PART(NodeServicesInterface, ROS_RESOLVE(resolve_service_name, true))
+#define ROS_SERVICES \
+  void add_client(std::shared_ptr<ClientBase> client, CallbackGroup::SharedPtr group) \
+  { \
+    base_->add(detail::ExecutableKind::kClient, client, group); \
+  } \
+  void add_service(std::shared_ptr<ServiceBase> service, CallbackGroup::SharedPtr group) \
+  { \
+    base_->add(detail::ExecutableKind::kService, service, group); \
+  }
+
+ROS_NODE_PART(NodeServicesInterface, ROS_RESOLVE(resolve_service_name, true) ROS_SERVICES)
 ROS_NODE_PART(NodeTimersInterface, ROS_TIMERS)
 ROS_NODE_PART(NodeTopicsInterface, ROS_RESOLVE(resolve_topic_name, false))
 ROS_NODE_PART(NodeWaitablesInterface, ROS_WAITABLES)
 ROS_NODE_PART(NodeTimeSourceInterface, )
 
 #undef ROS_RESOLVE
+#undef ROS_SERVICES
 #undef ROS_TIMERS
 #undef ROS_WAITABLES
 #undef ROS_NODE_PART

@@ -1,0 +1,4 @@
+// Without the class of upstream: a node creates its interfaces itself.
+#pragma once
+
+#include "rclcpp/node_interfaces/node_timers_interface.hpp"

@@ -1,0 +1,4 @@
+// Exists because upstream has this header.
+#pragma once
+
+#include "rclcpp/wait_set.hpp"

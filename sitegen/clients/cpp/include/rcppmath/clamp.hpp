@@ -1,0 +1,10 @@
+#pragma once
+
+#include <algorithm>
+
+namespace rcppmath
+{
+
+using std::clamp;
+
+}  // namespace rcppmath

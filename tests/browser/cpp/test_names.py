@@ -1,0 +1,26 @@
+"""Names of the API that published packages use: `tests/nodes/public_names` lists all of them."""
+
+from __future__ import annotations
+
+from panel import Played
+from paths import SITES
+
+SITE = SITES / "rclcpp"
+
+
+def test_names_of_published_packages_work_or_say_why_not(played: Played) -> None:
+    names = played(SITE, "names", "names")
+    assert names.lines() == [
+        "set 1, speed 2.5",
+        "waited, speed 2.5",
+        "copied 2.5",
+        "heard 2",
+        "sched_setscheduler -1 EPERM",
+        "mlockall -1 EPERM",
+        "setpriority -1 EPERM",
+        "thread 1",
+        "opened 0: libother.so: cannot open: a page cannot load libraries; use pluginlib or "
+        "class_loader, which find the classes that are linked into the program",
+        "library refused",
+        "MultiLibraryClassLoader: no loaded library has the class missing",
+    ]

@@ -1,0 +1,110 @@
+// Names of the API that published packages use and tutorials do not.
+#include <dlfcn.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "class_loader/multi_library_class_loader.hpp"
+#include "message_filters/subscriber.h"
+#include "rclcpp/copy_all_parameter_values.hpp"
+#include "rclcpp/parameter_service.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "rcpputils/shared_library.hpp"
+#include "std_msgs/msg/string.hpp"
+
+using std_msgs::msg::String;
+
+void set_and_get(rclcpp::Node::SharedPtr node)
+{
+  auto other = std::make_shared<rclcpp::Node>(
+    "other", rclcpp::NodeOptions().start_parameter_services(false));
+  other->declare_parameter("speed", 1.5);
+  rclcpp::ParameterService service(
+    other->get_node_base_interface(), other->get_node_services_interface(),
+    other->get_node_parameters_interface().get());
+
+  rclcpp::AsyncParametersClient client(
+    node->get_node_base_interface(), node->get_node_topics_interface(),
+    node->get_node_graph_interface(), node->get_node_services_interface(), "other",
+    rmw_qos_profile_parameters);
+  client.wait_for_service(std::chrono::seconds(5));
+  rclcpp::executors::SingleThreadedExecutor executor;
+  executor.add_node(node);
+  executor.add_node(other);
+  auto done = client.set_parameters({rclcpp::Parameter("speed", 2.5)});
+  executor.spin_until_future_complete(done);
+  std::printf("set %d, speed %.1f\n", done.get()[0].successful, other->get_parameter("speed").as_double());
+
+  executor.remove_node(node);
+  std::thread spinning([&] {executor.spin();});
+  auto own = std::make_shared<rclcpp::executors::SingleThreadedExecutor>();
+  rclcpp::SyncParametersClient waiting(
+    own, node->get_node_base_interface(), node->get_node_topics_interface(),
+    node->get_node_graph_interface(), node->get_node_services_interface(), "other");
+  std::printf("waited, speed %.1f\n", waiting.get_parameter<double>("speed"));
+  executor.cancel();
+  spinning.join();
+
+  rclcpp::copy_all_parameter_values(other, node);
+  std::printf("copied %.1f\n", node->get_parameter("speed").as_double());
+}
+
+void filter(rclcpp::Node::SharedPtr node)
+{
+  message_filters::Subscriber<String, rclcpp::Node> filter(
+    node.get(), "words", rmw_qos_profile_default);
+  message_filters::Subscriber<String> newer(node, "words", rclcpp::QoS(10));
+  int heard = 0;
+  filter.registerCallback([&](const String::ConstSharedPtr &) {++heard;});
+  newer.registerCallback([&](const String::ConstSharedPtr &) {++heard;});
+  message_filters::SubscriberBase<rclcpp::Node> & base = filter;
+  base.unsubscribe();
+  base.subscribe();
+  auto publisher = node->create_publisher<String>("words", 10);
+  publisher->publish(String());
+  for (int i = 0; i < 100 && heard < 2; ++i) {
+    rclcpp::spin_some(node);
+    rclcpp::sleep_for(std::chrono::milliseconds(10));
+  }
+  std::printf("heard %d\n", heard);
+}
+
+template<class CallT>
+void refused(const char * name, CallT call)
+{
+  errno = 0;
+  const int result = call();
+  std::printf("%s %d%s\n", name, result, errno == EPERM ? " EPERM" : "");
+}
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("names");
+  set_and_get(node);
+  filter(node);
+  sched_param parameters{};
+  parameters.sched_priority = 80;
+  refused("sched_setscheduler", [&] {return sched_setscheduler(0, SCHED_FIFO, &parameters);});
+  refused("mlockall", [] {return mlockall(MCL_CURRENT);});
+  refused("setpriority", [] {return setpriority(PRIO_PROCESS, 0, -5);});
+  std::printf(
+    "thread %d\n", pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == EPERM);
+  std::printf("opened %d: %s\n", dlopen("libother.so", RTLD_NOW) != nullptr, dlerror());
+  try {
+    rcpputils::SharedLibrary library("libother.so");
+  } catch (const std::runtime_error &) {
+    std::puts("library refused");
+  }
+  try {
+    class_loader::MultiLibraryClassLoader(false).createInstance<int>("missing");
+  } catch (const class_loader::CreateClassException & error) {
+    std::puts(error.what());
+  }
+  rclcpp::shutdown();
+}
