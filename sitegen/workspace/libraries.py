@@ -205,13 +205,15 @@ class Compiled:
 
     `package` is the package that comes with sitegen and compiles it; a package of the workspace
     with this name takes precedence. `source` is Debian's name of the source, `parts` are the
-    folders and files in it that are needed. `names` are other ones, by which find_package(),
-    pkg-config or rosdep know it.
+    folders and files in it that are needed. `headers` is a regular expression for the first part
+    of the paths of its headers. `names` are other ones, by which find_package(), pkg-config or
+    rosdep know it.
     """
 
     package: str
     source: str
     parts: tuple[str, ...]
+    headers: str
     names: tuple[str, ...]
 
 
@@ -220,24 +222,28 @@ COMPILED = (
         "yaml-cpp",
         "yaml-cpp",
         ("include", "src"),
+        "yaml-cpp",
         ("yaml_cpp_vendor", "YAML_CPP", "YamlCpp", "yaml_cpp", "libyaml-cpp-dev"),
     ),
     Compiled(
         "tinyxml2",
         "tinyxml2",
         ("tinyxml2.cpp", "tinyxml2.h"),
+        r"tinyxml2\.h",
         ("TinyXML2", "tinyxml2_vendor", "libtinyxml2-dev"),
     ),
     Compiled(
         "GeographicLib",
         "geographiclib",
         ("include", "src"),
+        "GeographicLib",
         ("geographiclib", "Geographic", "libgeographiclib-dev", "libgeographic-dev"),
     ),
     Compiled(
         "orocos_kdl",
         "orocos-kdl",
         ("orocos_kdl/src",),
+        "kdl",
         ("orocos_kdl_vendor", "orocos-kdl", "OrocosKDL", "liborocos-kdl-dev"),
     ),
 )
@@ -259,3 +265,9 @@ def of_header(header: str) -> Library | None:
     first = header.partition("/")[0]
     found = (one for one in LIBRARIES if one.headers and re.fullmatch(one.headers, first))
     return next(found, None)
+
+
+def compiled_for(header: str) -> str:
+    """Return the package that compiles the library of a header; "" if there is none."""
+    first = header.partition("/")[0]
+    return next((one.package for one in COMPILED if re.fullmatch(one.headers, first)), "")

@@ -84,6 +84,19 @@ def test_what_libraries_lack_is_told_with_how_to_get_it(diagnosis: Diagnosis) ->
     )
 
 
+def test_libraries_that_are_compiled_must_be_found(diagnosis: Diagnosis) -> None:
+    said = f"{diagnosis.root}/src/arm/n.cpp:3:10: fatal error: 'kdl/chain.hpp' file not found"
+    problem = "src/arm/n.cpp:3: 'arm' includes 'kdl/chain.hpp', which was not found"
+    assert diagnosis.of_builds({"n": said}, diagnosis.root, {}) == [
+        f"{problem}; add find_package(orocos_kdl REQUIRED) to CMakeLists.txt"
+    ]
+    why = "the source of 'orocos_kdl' is missing: this computer is offline"
+    assert diagnosis.of_builds({"n": said}, diagnosis.root, {"orocos_kdl": [why]}) == [
+        f"{problem}, because package 'orocos_kdl' failed",
+        why,
+    ]
+
+
 def test_a_package_of_the_workspace_comes_before_a_library(diagnosis: Diagnosis) -> None:
     header = "cv_bridge/cv_bridge.hpp"
     outputs = {"n": f"{diagnosis.root}/src/arm/n.cpp:3:10: fatal error: '{header}' file not found"}

@@ -34,7 +34,7 @@ def test_each_package_that_cmake_finds_is_on_the_page() -> None:
     shares = {folder.name for folder in ROOT.glob("sitegen/clients/cpp/share/*")}
     tools = {
         name for name in shares if name.startswith(("ament_cmake", "ament_lint", "rosidl_"))
-    } | {"rclpy"}
+    } | {"launch_testing_ament_cmake", "rclpy", "ros_testing"}
     for package in shares - tools - {"class_loader"}:
         assert f"`{package}`" in PAGE or f"## {package}" in PAGE
 

@@ -13,7 +13,7 @@ from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
 from sitegen.workspace.absent import CLONE, NO_BUILD, without
-from sitegen.workspace.libraries import HEADER_ONLY, of_header
+from sitegen.workspace.libraries import HEADER_ONLY, compiled_for, of_header
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -87,6 +87,8 @@ class Diagnosis:
         self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]
     ) -> list[str]:
         folder, _, rest = header.partition("/")
+        library_package = compiled_for(header)
+        folder = library_package or folder
         # A package of the workspace takes precedence over a library with the same headers.
         theirs = folder in failed or any(need.name == folder for need in self.needs)
         if not theirs and (library := of_header(header)):
@@ -96,6 +98,8 @@ class Diagnosis:
         if folder in failed:
             return [f"{problem}, because package '{folder}' failed{others}", *failed[folder]]
         hint = f"; is package '{folder}' in the workspace?" if rest else ""
+        if library_package:
+            hint = f"; add find_package({folder} REQUIRED) to CMakeLists.txt"
         if any(need.name == folder for need in self.needs):
             hint = f"; package '{folder}' has no such header"
         return [f"{problem}{others}{hint}"]

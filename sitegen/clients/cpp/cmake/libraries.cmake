@@ -130,8 +130,8 @@ endforeach()
 # to link it with, or nothing.
 function(_sitegen_find_compiled name result)
   set(found "")
-  if(name STREQUAL "uuid")
-    set(found uuid)  # Emscripten has it
+  if(name MATCHES "^(-l)?uuid$")
+    set(found -luuid)  # Emscripten has it
   endif()
   foreach(pair IN LISTS SITEGEN_COMPILED)
     if(pair MATCHES "^([^=]+)=(.+)$" AND CMAKE_MATCH_1 STREQUAL name)

@@ -1,7 +1,7 @@
 # libuuid is a part of Emscripten.
 if(NOT TARGET UUID::UUID)
   add_library(UUID::UUID INTERFACE IMPORTED GLOBAL)
-  set_target_properties(UUID::UUID PROPERTIES INTERFACE_LINK_LIBRARIES uuid)
+  set_target_properties(UUID::UUID PROPERTIES INTERFACE_LINK_LIBRARIES -luuid)
 endif()
-set(UUID_LIBRARIES uuid)
-set(UUID_LIBRARY uuid)
+set(UUID_LIBRARIES -luuid)
+set(UUID_LIBRARY -luuid)
