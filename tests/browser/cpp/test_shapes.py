@@ -38,6 +38,7 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
             "TinyXML2 reads arm",
             "libuuid writes 36 characters",
             "robot_joints 0.3.1 turns 180",
+            "and says so when it ends",
         ],
     }
     tab.goto(serve(built(SITES / "shapes")))

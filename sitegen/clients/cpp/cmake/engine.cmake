@@ -21,7 +21,10 @@ else()
   list(APPEND _settings ASYNCIFY=1 ASYNCIFY_IMPORTS=ros_wait ASYNCIFY_STACK_SIZE=65536)
 endif()
 # The defaults of g++ for a package that sets no standard; a standard that it sets takes precedence.
-add_compile_options(${_exceptions} $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++17>)
+# Without the last option, clang 14 registers a destructor that has another type than the functions
+# which exit() calls, for each constant reference to a temporary object: the program would trap.
+add_compile_options(${_exceptions}
+  $<$<COMPILE_LANGUAGE:CXX>:-std=gnu++17> $<$<COMPILE_LANGUAGE:CXX>:-fno-use-cxa-atexit>)
 add_link_options(
   ${_exceptions} LINKER:--stack-first
   "SHELL:--js-library ${SITEGEN_CPP}/src/platform/host.js" "SHELL:--pre-js ${SITEGEN_CPP}/src/platform/host_pre.js")

@@ -8,6 +8,17 @@
 #include <cstring>
 #include <string>
 
+namespace
+{
+struct Farewell
+{
+  ~Farewell() {std::puts("and says so when it ends");}
+};
+
+// exit() ends the object that the reference keeps.
+const Farewell & farewell = Farewell();
+}  // namespace
+
 void print_compiled()
 {
   const YAML::Node map = YAML::Load("{image: map.pgm, origin: [-10, 0.5]}");
@@ -21,7 +32,7 @@ void print_compiled()
   document.Parse("<robot name='arm'/>");
   std::printf("TinyXML2 reads %s\n", document.RootElement()->Attribute("name"));
   uuid_t id;
-  uuid_generate(id);
+  uuid_generate_random(id);
   char text[37];
   uuid_unparse(id, text);
   std::printf("libuuid writes %zu characters\n", std::strlen(text));
