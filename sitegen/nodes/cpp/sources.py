@@ -102,7 +102,7 @@ def _download(source: str, folder: Path) -> Path:
     (lists / "partial").mkdir(parents=True)
     (folder / "sources.list.d").mkdir()
     for number, file in enumerate(each for each in ARCHIVES if each.is_file()):
-        text = "\n".join(_with_sources(file.read_text(encoding="utf-8", errors="replace")))
+        text = "\n".join(_with_sources(file.read_text(encoding="utf-8-sig", errors="replace")))
         (folder / "sources.list.d" / f"{number}{file.suffix}").write_text(text, encoding="utf-8")
     if not apt or not any((folder / "sources.list.d").iterdir()):
         raise _DownloadError("this computer has no apt-get of Debian or Ubuntu")
