@@ -6,6 +6,8 @@ const NEAR = 24;
 
 export class Tail {
   #log;
+  /** Where the log was scrolled to last, in pixels. */
+  #top = 0;
   /** Whether the end stays in view as the log grows. */
   following = true;
 
@@ -13,7 +15,12 @@ export class Tail {
   constructor(log, scrolled = () => {}) {
     this.#log = log;
     log.addEventListener("scroll", () => {
-      this.following = log.scrollHeight - log.scrollTop - log.clientHeight < NEAR;
+      const fromEnd = log.scrollHeight - log.scrollTop - log.clientHeight;
+      // The event comes a frame later. If the log became smaller since then, its end is out of view
+      // although the visitor has not scrolled up.
+      if (fromEnd < NEAR) this.following = true;
+      else if (log.scrollTop < this.#top) this.following = false;
+      this.#top = log.scrollTop;
       scrolled();
     });
   }
@@ -26,5 +33,6 @@ export class Tail {
   /** Scroll to the end. */
   jump() {
     this.#log.scrollTop = this.#log.scrollHeight;
+    this.#top = this.#log.scrollTop;
   }
 }

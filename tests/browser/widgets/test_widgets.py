@@ -190,6 +190,23 @@ def test_the_console_follows_until_the_reader_scrolls_up(page: Tab) -> None:
     assert from_end(page) < 2
 
 
+def test_a_console_that_becomes_smaller_follows(page: Tab) -> None:
+    """Between the frame in which the console scrolls and the event that says so."""
+    page.evaluate(
+        """async () => {
+          const log = document.querySelector("#console .ros-lines");
+          const frame = () => new Promise(requestAnimationFrame);
+          node.say(...Array.from({ length: 100 }, (_, number) => `line ${number}`));
+          await frame();
+          await new Promise((resolve) => setTimeout(resolve));
+          log.style.height = `${log.clientHeight - 60}px`;
+          for (let count = 0; count < 3; count += 1) await frame();
+        }"""
+    )
+    assert from_end(page) < 2
+    assert page.locator("#console .ros-newest").is_hidden()
+
+
 def test_the_keyboard_scrolls_the_console(page: Tab) -> None:
     log = page.get_by_role("log", name="talker").last
     print_numbers(page, 1, 200)
