@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from configuring import Configuring, cmake_for_tests
 from filelock import FileLock
 from packages import Workspace
 
@@ -31,3 +32,13 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 @pytest.fixture
 def workspace(tmp_path: Path, cache: Path) -> Workspace:
     return Workspace(tmp_path, cache)
+
+
+@pytest.fixture(scope="module")
+def configured(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("configured")
+
+
+@pytest.fixture
+def packages(tmp_path: Path, configured: Path) -> Configuring:
+    return Configuring(cmake_for_tests(configured), tmp_path)

@@ -2,22 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from configuring import Configuring, cmake_for_tests
+from configuring import Configuring
 
 FIND = "find_package(ament_cmake_auto REQUIRED)\nament_auto_find_build_dependencies({})\n"
-
-
-@pytest.fixture(scope="module")
-def work(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("work")
-
-
-@pytest.fixture
-def packages(tmp_path: Path, work: Path) -> Configuring:
-    return Configuring(cmake_for_tests(work), tmp_path)
 
 
 def test_a_failed_dependency_is_told(packages: Configuring) -> None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
-from configuring import Configuring, cmake_for_tests
+from configuring import Configuring
 
 INCLUDES = """\
 #include "other/other.hpp"
@@ -42,16 +40,6 @@ ament_target_dependencies(other INTERFACE rclcpp std_msgs)
 install(TARGETS other EXPORT other)
 ament_export_targets(other)
 """
-
-
-@pytest.fixture(scope="module")
-def work(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("work")
-
-
-@pytest.fixture
-def packages(tmp_path: Path, work: Path) -> Configuring:
-    return Configuring(cmake_for_tests(work), tmp_path)
 
 
 def write_other(packages: Configuring, body: str) -> None:
