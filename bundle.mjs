@@ -46,6 +46,7 @@ const ALONE = [
   "widgets/robots/parts/moveHub.js",
   "workers/bag/bagNode.js",
   "workers/cpp/cppNode.js",
+  "workers/cpp/packageFiles.js",
   "workers/cpp/stackTrace.js",
   "workers/environment.js",
   "workers/gateway/gatewayNode.js",

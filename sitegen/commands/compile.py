@@ -10,6 +10,7 @@ from sitegen import workspace
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Package
+from sitegen.nodes import share
 from sitegen.nodes.cpp import compiler
 from sitegen.nodes.prebuilt import archive
 from sitegen.report import Report, count, size
@@ -35,7 +36,8 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
         jobs, engines, root=root, workspace=root, cache=cache_folder(), report=report
     )
     builds = compiled.builds
-    archive.pack(builds, output)
+    opening = [job.package.name for job in jobs if _opens_files(job, builds)]
+    archive.pack(builds, share.files_of(packages, opening), output)
     data = output.read_bytes()
     report.say(f"wrote {output}: {count(len(builds), 'node')}, {size(len(data))}; in site.yaml:")
     digest = hashlib.sha256(data).hexdigest()
@@ -47,6 +49,10 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
         if len(builds) > 1:
             report.say(f"    package: {package_name}")
             report.say(f"    executable: {executable}")
+
+
+def _opens_files(job: compiler.Job, builds: compiler.Builds) -> bool:
+    return any(share.opens_files(builds[job.package.name, name]) for name in job.executables)
 
 
 def _wanted(names: Sequence[str], packages: Mapping[str, Package]) -> dict[str, list[str]]:

@@ -12,6 +12,7 @@ from sitegen.build import make
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Layout, Markdown, Page, Part, Python, Ros2wasm, Site, Widget
 from sitegen.nodes.python import pyodide
+from sitegen.options import PUBLISH, Options
 from sitegen.report import Report, shown, size
 from sitegen.shipped import DEFAULT_THEME
 from sitegen.site import assets, pages, single
@@ -20,7 +21,13 @@ from sitegen.site.pages.texts import texts
 
 
 def build_single(
-    folder: Path, path: str, *, output: Path | None, report: Report, with_python: bool = False
+    folder: Path,
+    path: str,
+    *,
+    output: Path | None,
+    report: Report,
+    with_python: bool = False,
+    options: Options = PUBLISH,
 ) -> None:
     """Build one page of the site of `folder` as one HTML file, which needs no server.
 
@@ -39,7 +46,7 @@ def build_single(
         raise SiteError([f"{output} was not written by sitegen; choose another --output"])
     if python and not with_python:
         page = _without(page, python, _notice(site, page, python))
-    made = make(folder, report)
+    made = make(folder, report, options=options)
     text, artifacts = pages.Renderer(made.site, made.programs).alone(page)
     if "<iframe" in text or any(isinstance(p, Widget) and p.kind == "jupyter" for p in page.leaves):
         line = Problems(site.root).where(page.location)

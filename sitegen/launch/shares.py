@@ -52,9 +52,10 @@ def by_package(text: str) -> str:
 def _files(package: Package) -> dict[str, Path]:
     """Return the files that are installed to the share folder of a package, by path in it."""
     above = f"share/{package.name}/"
-    files = package.setup.files if package.setup else {}
     return {
-        path.removeprefix(above): file for path, file in files.items() if path.startswith(above)
+        path.removeprefix(above): file
+        for path, file in package.share.items()
+        if path.startswith(above)
     }
 
 

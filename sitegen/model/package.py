@@ -40,9 +40,10 @@ class Package:
 
     `executables` is None if only CMake can tell their names; `sources` maps executables to their
     source files, where these are known, and `libraries` to the source files of libraries of the
-    package that they are linked to. `plugins` names the packages that it provides plugins for,
-    and `linked` the packages whose plugins are linked into its programs. A `windowed` package needs
-    Qt, which pages do not have.
+    package that they are linked to. `share` has the files that it installs to `share/`, by path
+    below the prefix. `plugins` names the packages that it provides plugins for, and `linked` the
+    packages whose plugins are linked into its programs. A `windowed` package needs Qt, which pages
+    do not have.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Package:
     sources: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     libraries: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     setup: Setup | None = None
+    share: Mapping[str, Path] = field(default_factory=dict)
     plugins: tuple[str, ...] = ()
     linked: tuple[str, ...] = ()
     windowed: bool = False

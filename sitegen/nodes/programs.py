@@ -7,8 +7,10 @@ from pathlib import Path
 
 from sitegen import workspace
 from sitegen.model import Container, Cpp, Node, Prebuilt, Programs, Site
+from sitegen.nodes import share
 from sitegen.nodes.cpp import compiler
 from sitegen.nodes.cpp.program import CppProgram
+from sitegen.nodes.prebuilt.resolve import Unpacked
 from sitegen.nodes.prebuilt.ros2wasm import ros2wasm_programs
 from sitegen.nodes.python import missing
 from sitegen.nodes.python.archives import python_programs
@@ -20,13 +22,13 @@ from sitegen.workspace import containers
 
 def programs_of(
     site: Site,
-    prebuilt: compiler.Builds,
+    prebuilt: Unpacked,
     *,
     options: Options,
     cache: Path,
     report: Report,
 ) -> Programs:
-    """Return the programs of all nodes of `site`; `prebuilt` has the builds from archives.
+    """Return the programs of all nodes of `site`; `prebuilt` has those from archives.
 
     A Python program that only launch files start may lack modules; with `keep_going`, any may.
 
@@ -49,7 +51,9 @@ def programs_of(
         report=report,
         options=options,
     )
-    builds = {**own.builds, **prebuilt}
+    builds = {**own.builds, **prebuilt.builds}
+    opening = {name for name, forms in builds.items() if share.opens_files(forms)}
+    opened = share.share_of(site, opening, prebuilt.share)
     cpp = {
         node.program: CppProgram(
             node.package,
@@ -58,6 +62,7 @@ def programs_of(
             builds.get((node.package, node.executable), ()),
             own.faults.get((node.package, node.executable), ""),
             own.licences,
+            opened if node.program in opening else None,
         )
         for node in nodes
         if isinstance(node.kind, Cpp | Container | Prebuilt)

@@ -25,11 +25,12 @@
  *   level?: string, ids?: number[], handler?: LaunchHandler}} LaunchEffect
  * @typedef {{
  *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
- *   autostart: boolean, later?: boolean, needs?: string[],
+ *   autostart: boolean, later?: boolean, needs?: string[], share?: string,
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry, fault?: string,
  * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `needs`
- *   names nodes without which it only waits, and with `later` the launch file starts it by itself
+ *   names nodes without which it only waits, and with `later` the launch file starts it by itself; `share` lists the
+ *   files of packages that a compiled program can open: see Listing in workers/cpp/packageFiles.js
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
@@ -188,7 +189,7 @@ export const DEFAULT_QOS = Object.freeze({
  * From page to worker. docs/protocol.md explains each message.
  * @typedef {{op: "load", script: string}
  *   | {op: "start", id: number, engine: Engine, module: WebAssembly.Module, name: string,
- *     arguments: string[], environment?: Record<string, string>, lines?: string}
+ *     arguments: string[], environment?: Record<string, string>, lines?: string, share?: string}
  *   | {op: "join"}
  *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}

@@ -65,8 +65,8 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     workers = {programs[node.program].worker for node in nodes}
     names |= {f"workers/{worker}.js" for worker in workers}
     if "cpp/cppNode" in workers:
-        # Loaded by programs that use content filters.
-        names.add("messages/filter/contentFilter.js")
+        # Loaded by programs that use content filters, and by those that open files.
+        names |= {"messages/filter/contentFilter.js", "workers/cpp/packageFiles.js"}
     if debug:
         names.add("workers/cpp/stackTrace.js")
     if kinds & {"bag", "terminal"}:

@@ -120,8 +120,7 @@ def find(url: str, packages: Mapping[str, Package]) -> tuple[Package, Path]:
     package = packages[name]
     folder = package.path.resolve()
     for path in dict.fromkeys((rest, unquote(rest))):
-        installed = package.setup.files.get(f"share/{name}/{path}") if package.setup else None
-        file = (installed or folder / path).resolve()
+        file = package.share.get(f"share/{name}/{path}", folder / path).resolve()
         if file.is_relative_to(folder) and file.is_file():
             return package, file
     others = (one.name for one in folder.rglob("*") if _is_mesh(one.name))

@@ -50,3 +50,11 @@ def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
     for one in linked:
         needs |= {each.name: each for each in with_dependencies(packages, one)}
     return [*needs.values(), replace(package, linked=tuple(linked))]
+
+
+def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
+    """Return the packages among `packages` that `package` depends on, in build order."""
+    names = set(package.depends)
+    for one in reversed(list(packages.values())):
+        names |= set(one.depends) if one.name in names else set()
+    return [one for name, one in packages.items() if name in names]

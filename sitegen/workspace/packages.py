@@ -90,10 +90,13 @@ def _package(path: Path, problems: Problems) -> Package | None:
     executables = listing.executables
     sources = listing.sources | components.sources(path, listing.components)
     if build_type == PYTHON:
-        setup: Setup | None = _setup(path, problems.root)
+        python = _setup(path, problems.root)
+        setup: Setup | None = python
+        installed = dict(python.files)
         executables, sources = [], {}
     else:
-        setup = _scripts(path, name, listing, problems.root)
+        installed = cmakelists.installed(listing, problems.root) | _by_ament(path, name)
+        setup = _scripts(name, listing, installed, problems.root)
     if setup:
         executables = None if executables is None else [*executables, *setup.scripts]
         sources = sources | _modules(path, setup)
@@ -113,6 +116,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
             if (files := listing.libraries.of(name))
         },
         setup=setup,
+        share={to: file for to, file in installed.items() if to.startswith("share/")},
         plugins=tuple(dict.fromkeys(listing.plugins)),
         windowed=any(each.lower().startswith("qt") for each in listing.finds),
     )
@@ -125,9 +129,16 @@ def _setup(path: Path, root: Path) -> Setup:
     return Setup(listing.scripts, files, (fault,) if fault else ())
 
 
-def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> Setup | None:
+def _by_ament(path: Path, name: str) -> dict[str, Path]:
+    """Return the files that ament_package() installs; of the one in the index, the name matters."""
+    index = f"share/ament_index/resource_index/packages/{name}"
+    return dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
+
+
+def _scripts(
+    name: str, listing: cmakelists.Listing, files: Mapping[str, Path], root: Path
+) -> Setup | None:
     """Return the Python programs and modules that a package installs by CMake, if any."""
-    files = cmakelists.installed(listing, root)
     faults = tuple(listing.faults)
     notes = (*listing.notes, *cmakelists.outside(listing, root))
     programs = {
@@ -143,9 +154,6 @@ def _scripts(path: Path, name: str, listing: cmakelists.Listing, root: Path) -> 
             faults += (Fault(Location(*found.fault[:2]), "setup", found.fault[2]),)
     if not programs and not any(installed.startswith("python/") for installed in files):
         return Setup({}, {}, faults, notes) if faults or notes else None
-    # The files that ament_package() installs; of the file in the index, only the name matters.
-    index = f"share/ament_index/resource_index/packages/{name}"
-    files |= dict.fromkeys((f"share/{name}/package.xml", index), path / "package.xml")
     scripts = {PurePosixPath(installed).name: installed for installed in programs}
     return Setup({**scripts, **points}, files, faults, notes)
 

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import pytest
 from configuring import Configuring, cmake_for_tests
-from filelock import FileLock
 from packages import Workspace
 
 from sitegen.cache.folder import cache_folder
+from sitegen.nodes.cpp.locks import locked
+from sitegen.report import Report
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +23,7 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     for library in own.glob("work/*/jspi/rclcpp/librclcpp.a"):
         there = folder / library.relative_to(own)
         there.parent.mkdir(parents=True)
-        with FileLock(library.parents[2] / "lock"):  # another process may be writing it
+        with locked([library.parent], Report()):  # another process may be writing it
             shutil.copyfile(library, there)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("SITEGEN_CACHE", str(folder))

@@ -57,8 +57,10 @@ def test_what_is_packed_comes_out(tmp_path: Path) -> None:
         return Build(engine, *files)
 
     builds = {("p", "talker"): [build("jspi"), build("asyncify")]}
-    pack(builds, tmp_path / "out" / "nodes.zip")
-    pack(builds, tmp_path / "again.zip")
+    (tmp_path / "hall #1.json").write_text("[")
+    share = {"share/rooms/maps/hall #1.json": tmp_path / "hall #1.json"}
+    pack(builds, share, tmp_path / "out" / "nodes.zip")
+    pack(builds, share, tmp_path / "again.zip")
     file = tmp_path / "out" / "nodes.zip"
     assert [path.name for path in file.parent.iterdir()] == ["nodes.zip"]
     assert file.read_bytes() == (tmp_path / "again.zip").read_bytes()
@@ -70,7 +72,15 @@ def test_what_is_packed_comes_out(tmp_path: Path) -> None:
     assert [form.wasm.read_text() for form in node.builds] == ["{} jspi.wasm", "{} asyncify.wasm"]
     assert [form.script.read_text() for form in node.builds] == ["{} jspi.js", "{} asyncify.js"]
     written = {path for path in (tmp_path / "unpacked").rglob("*") if path.is_file()}
-    assert len(written) == 6
+    assert len(written) == 7
+    [(path, unpacked)] = node.share.items()
+    assert (path, unpacked.read_text()) == (*share, "[")
+
+
+def test_those_without_files_can_be_read_by_earlier_versions(tmp_path: Path) -> None:
+    pack({}, {}, tmp_path / "nodes.zip")
+    with zipfile.ZipFile(tmp_path / "nodes.zip") as made:
+        assert json.loads(made.read("manifest.json"))["format"] == 1
 
 
 def test_folders_may_stand_in_it(tmp_path: Path) -> None:
@@ -118,6 +128,10 @@ def changed(**node: object) -> str:
     return json.dumps({**MANIFEST, "nodes": [{**MANIFEST["nodes"][0], **node}]})
 
 
+def shared(*paths: object) -> str:
+    return json.dumps({**MANIFEST, "format": 2, "share": paths})
+
+
 @pytest.mark.parametrize(
     ("manifest", "expected"),
     [
@@ -125,9 +139,20 @@ def changed(**node: object) -> str:
         ("[" * 100_000, "its 'manifest.json' is not valid JSON"),
         ("[]", "has no format"),
         (
-            json.dumps({**MANIFEST, "format": 2}),
-            "has format 2, this version of sitegen reads format 1",
+            json.dumps({**MANIFEST, "format": 3}),
+            "has format 3, this version of sitegen reads formats up to 2",
         ),
+        (shared("share/p/../../x"), "lists an invalid file: 'share/p/../../x'"),
+        (shared("share/p/.."), "lists an invalid file"),
+        (shared("/share/p/x"), "lists an invalid file"),
+        (shared("share/p\\x/y"), "lists an invalid file"),
+        (shared("share/p/\n"), "lists an invalid file"),
+        (shared("share/p/" + "ä" * 200), "lists an invalid file"),
+        (shared("share/x"), "lists an invalid file"),
+        (shared(1), "lists an invalid file"),
+        (json.dumps({**MANIFEST, "format": 2, "share": {}}), "lists an invalid file: {}"),
+        (shared("share/p/x", "share/p/x/y"), "lists a file that is a folder: 'share/p/x'"),
+        (shared("share/p/x"), "'share/p/x' is missing"),
         (json.dumps({**MANIFEST, "nodes": []}), "lists no nodes"),
         (json.dumps({**MANIFEST, "nodes": MANIFEST["nodes"] * 2}), "lists a node twice"),
         (changed(package=".."), "lists an invalid node"),

@@ -200,6 +200,38 @@ def test_archives_hold_what_a_package_uses(package: Path, tmp_path: Path) -> Non
     assert "python/py_pubsub/talker.py" in names(bundles.archives["nodes/py_pubsub/python.zip"])
 
 
+def test_archives_hold_the_files_of_packages_without_python(package: Path, tmp_path: Path) -> None:
+    """Of those that the package needs, and of those that an argument names; but no meshes."""
+    (package / "setup.py").write_text(SETUP_PY)
+    more = "<exec_depend>robot</exec_depend>"
+    (package / "package.xml").write_text(PACKAGE.format(name="py_pubsub", more=more))
+    cmake = "cmake_minimum_required(VERSION 3.16)\nproject({})\n{}ament_package()\n"
+    for name in ("robot", "rooms", "others"):
+        folder = package.parent / name
+        folder.mkdir()
+        made = PACKAGE.format(name=name, more="").replace("ament_python", "ament_cmake")
+        (folder / "package.xml").write_text(made)
+        install = "install(FILES hall.yaml wall.STL DESTINATION share/${PROJECT_NAME}/maps)\n"
+        (folder / "CMakeLists.txt").write_text(cmake.format(name, install))
+        (folder / "hall.yaml").write_text(name)
+        (folder / "wall.STL").write_text("solid")
+    site_yaml = package.parents[1] / "site.yaml"
+    given = "talker, parameters: {map: /ros/share/rooms/maps/hall.yaml}"
+    site_yaml.write_text(SITE.replace("EXECUTABLE", given))
+    site = config.load(site_yaml)
+    bundles = archives.bundle(site, nodes_of(site), cache=tmp_path / "cache", report=Report())
+    found = {
+        name
+        for name in names(bundles.archives["nodes/py_pubsub/python.zip"])
+        if name.startswith("share/") and "py_pubsub" not in name
+    }
+    index = "share/ament_index/resource_index/packages"
+    assert found == {
+        *(f"{index}/robot", "share/robot/package.xml", "share/robot/maps/hall.yaml"),
+        *(f"{index}/rooms", "share/rooms/package.xml", "share/rooms/maps/hall.yaml"),
+    }
+
+
 def test_a_site_of_python_nodes_needs_no_compiler(
     package: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -15,7 +15,6 @@ from pathlib import Path
 
 import pytest
 from distribution import commit, environment
-from filelock import FileLock
 from paths import ROOT
 from workflow import Runner, Step, system, workflow
 
@@ -25,7 +24,9 @@ from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import cache_folder
 from sitegen.commands import installed
 from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.report import Report
 
 RELEASE = f"ros-sitegen=={__version__}"
 # Where the installed copy compiles, and what it compiles with.
@@ -85,9 +86,8 @@ class Computer:
         assert sources == digest_of(compiler.sources()), "the wheel has other sources"
         assert Path(work).is_relative_to(self.folder / "home" / ".cache" / "sitegen")
         own = compiler.work_folder(Toolchain.find(), cache_folder())
-        own.mkdir(parents=True, exist_ok=True)
-        with FileLock(own / "lock"):
-            for library in own.glob("*/rclcpp/librclcpp.a"):
+        for library in own.glob("*/rclcpp/librclcpp.a"):
+            with locked([library.parent], Report()):
                 copy = Path(work) / library.relative_to(own)
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(library, copy)

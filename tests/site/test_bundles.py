@@ -12,6 +12,7 @@ from paths import ROOT
 
 from sitegen.config import load
 from sitegen.errors import SiteError
+from sitegen.nodes.prebuilt.resolve import Unpacked
 from sitegen.nodes.programs import programs_of
 from sitegen.options import Options
 from sitegen.report import Report
@@ -100,7 +101,7 @@ def test_modules_that_a_page_has_twice_keep_nothing() -> None:
 def test_a_debug_build_has_the_modules_for_the_tools_of_browsers() -> None:
     site = load(ROOT / "demos/demo01/site.yaml")
     programs = programs_of(
-        site, {}, options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
+        site, Unpacked(), options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
     )
     plain = {artifact.path for artifact in assets.runtime(site, programs)}
     debug = {artifact.path: artifact for artifact in assets.runtime(site, programs, debug=True)}
@@ -130,7 +131,7 @@ def test_only_pages_that_show_images_load_what_decodes_them() -> None:
     # A camera in a 3D view asks for it.
     site = load(ROOT / "demos/demo10/site.yaml")
     programs = programs_of(
-        site, {}, options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
+        site, Unpacked(), options=Options(compile=False), cache=ROOT, report=Report(io.StringIO())
     )
     paths = {artifact.path for artifact in assets.runtime(site, programs)}
     assert f"runtime/{decoder}" in paths

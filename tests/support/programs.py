@@ -22,7 +22,7 @@ from sitegen.options import Options
 from sitegen.report import Report
 
 # Sites whose tests run in browsers without JSPI, too.
-ASYNCIFY = {ROOT, *(SITES / name for name in ("engines", "faults", "services"))}
+ASYNCIFY = {ROOT, *(SITES / name for name in ("engines", "faults", "files", "services"))}
 # Its tests run with `--all` only.
 BENCH = ROOT / "bench" / "site"
 # These are complete only when a fixture has added the packages of a demo.
@@ -65,6 +65,8 @@ def compile_all(*, everything: bool) -> None:
         # Packages with many programs first: the last ones leave a processor idle.
         missing.sort(key=lambda pair: len(pair[0].executables), reverse=True)
         told = making.compile(missing) if missing else []
+        # Tests that compile programs of their own would wait for it, each within its limit.
+        making.compile_library("jspi")
         if wrong := [line for lines in told for line in lines]:
             raise SiteError(wrong)
 

@@ -67,6 +67,13 @@ def test_a_package_is_what_its_files_say(tmp_path: Path) -> None:
             interfaces=(),
             version="0.1.0",
             sources={"talker": ("src/talker.cpp",)},
+            share=dict.fromkeys(
+                (
+                    "share/cpp_pubsub/package.xml",
+                    "share/ament_index/resource_index/packages/cpp_pubsub",
+                ),
+                tmp_path / "src/cpp_pubsub/package.xml",
+            ),
         )
     }
 

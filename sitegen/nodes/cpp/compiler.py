@@ -10,8 +10,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
-from filelock import FileLock
-
 from sitegen.cache.digest import digest_of
 from sitegen.cache.durations import Durations
 from sitegen.cache.folder import forget_old, use
@@ -22,6 +20,7 @@ from sitegen.nodes.cpp import drafts, libraries
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
 from sitegen.nodes.cpp.digests import Digests
+from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.progress import Progress, counted, plan
 from sitegen.nodes.cpp.sources import LibrarySources
 from sitegen.nodes.cpp.store import keep
@@ -29,6 +28,7 @@ from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
 from sitegen.shipped import INTERFACES, PACKAGE, ROS
+from sitegen.workspace.dependencies import closure
 
 # What a program depends on besides its sources, the library and the compiler.
 GENERATOR = (
@@ -141,14 +141,6 @@ Failures = Mapping[str, list[str]]
 Step = Callable[[Job, str], None]
 
 
-def closure(package: Package, packages: Mapping[str, Package]) -> list[Package]:
-    """Return the packages among `packages` that `package` depends on, in build order."""
-    names = set(package.depends)
-    for one in reversed(list(packages.values())):
-        names |= set(one.depends) if one.name in names else set()
-    return [one for name, one in packages.items() if name in names]
-
-
 def sources() -> list[Path]:
     """Return the files and folders of sitegen that determine the result of a compilation."""
     return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
@@ -217,10 +209,10 @@ class Compiler:
     def compile(self, jobs: Sequence[tuple[Job, str]]) -> list[list[str]]:
         """Compile all `jobs`, several at a time; return the errors of each."""
         engines = sorted({engine for _, engine in jobs})
-        self._work.mkdir(parents=True, exist_ok=True)
-        use(self._work)
-        with FileLock(self._work / "lock"), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            self._write_ros()
+        self._write_ros()
+        packages = ((engine, one) for job, engine in jobs for one in (job.package, *job.needs))
+        trees = {self._cmake(engine).tree(package) for engine, package in packages}
+        with locked(trees, self._report), ThreadPoolExecutor(os.cpu_count() or 1) as pool:
             # Every program needs the exports of the packages it depends on, and then the library.
             wanted = [[job for job, one in jobs if one == engine] for engine in engines]
             failed = dict(zip(engines, pool.map(self._prepare, engines, wanted), strict=True))
@@ -230,7 +222,7 @@ class Compiler:
             ready = [at for at, lines in enumerate(told) if not lines]
             if ready:
                 self._tell_of_warnings([jobs[at] for at in ready])
-                list(pool.map(self._compile_library, engines))
+                list(pool.map(self.compile_library, engines))
                 compiling = partial(self._compile_job, failed)
                 made = self._told(pool, compiling, [jobs[at] for at in ready])
                 for at, lines in zip(ready, made, strict=True):
@@ -265,21 +257,26 @@ class Compiler:
 
     def _write_ros(self) -> None:
         cmake, complete = self._cmake(""), self._work / "ros.complete"
-        if not complete.exists():
-            generator.write_ros(cmake.ros)
-            generator.write_shipped(cmake.ros)
-            libraries.write(cmake.ros)
-            complete.touch()
-        libraries.link(cmake.headers, self._tools.eigen)
+        with locked([cmake.ros], self._report):
+            use(self._work)
+            if not complete.exists():
+                generator.write_ros(cmake.ros)
+                generator.write_shipped(cmake.ros)
+                libraries.write(cmake.ros)
+                complete.touch()
+            libraries.link(cmake.headers, self._tools.eigen)
 
-    def _compile_library(self, engine: str) -> None:
+    def compile_library(self, engine: str) -> None:
+        """Compile the rclcpp library for an engine, if no build has done so yet."""
+        self._write_ros()
         name, what = f"rclcpp ({BROWSERS[engine]})", "compiling the library (once for all nodes)"
         cmake = self._cmake(engine, counted(self._report, name, what))
-        if cmake.library.exists():
-            return
-        self._report.doing(name, what)
-        done = cmake.make_library()
-        self._report.done(name)
+        with locked([cmake.library.parent], self._report):
+            if cmake.library.exists():
+                return
+            self._report.doing(name, what)
+            done = cmake.make_library()
+            self._report.done(name)
         if done.returncode:
             raise RuntimeError(f"the rclcpp library could not be compiled:\n{done.stdout}")
 

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from sitegen.cache.digest import digest_of
 from sitegen.model import Artifact, Build, Node
+from sitegen.nodes.share import Share
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,8 @@ class CppProgram:
 
     `builds` has one build for each of `engines`, or is empty if the programs were only checked.
     With a `fault`, which says why it did not compile, it is on its page and cannot start.
-    `licences` are those of libraries, which the site contains.
+    `licences` are those of libraries, which the site contains; `share` are the files of packages,
+    if it opens any.
     """
 
     package: str
@@ -26,6 +28,7 @@ class CppProgram:
     builds: Sequence[Build] = ()
     fault: str = ""
     licences: Sequence[Artifact] = ()
+    share: Share | None = None
 
     worker = "cpp/cppNode"
     written_in = "C++"
@@ -38,7 +41,7 @@ class CppProgram:
     @cached_property
     def files(self) -> Sequence[Artifact]:
         """Return the module, the WebAssembly and, with `debug`, the source lines of each build."""
-        artifacts = list(self.licences)
+        artifacts = [*self.licences, *(self.share.artifacts if self.share else ())]
         for build in self.builds:
             stem = self._stem(build.engine)
             artifacts.append(Artifact(f"{stem}.js", build.script))
@@ -70,6 +73,7 @@ class CppProgram:
             "executable": self.executable,
             "arguments": node.command_line(),
             **({"environment": dict(node.environment)} if node.environment else {}),
+            **({"share": link(self.share.listing.path)} if self.share else {}),
             **({"fault": self.fault} if self.fault else {"builds": builds}),
         }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-import shutil
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,12 +20,18 @@ def keep(program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: B
     """
     build.wasm.parent.mkdir(parents=True, exist_ok=True)
     types = messages.types_of(program.with_suffix(".wasm"), prefixes)
-    build.types.write_text(json.dumps(types))
+    _write(build.types, json.dumps(types).encode())
     if build.lines:
         lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
-        build.lines.write_text(json.dumps(lines, separators=(",", ":")))
-    shutil.copyfile(program.with_suffix(".js"), build.script)
-    # Last, and in one step: the presence of this file means that the program is complete.
-    draft = build.wasm.with_suffix(".draft")
-    shutil.copyfile(program.with_suffix(".wasm"), draft)
-    draft.replace(build.wasm)
+        _write(build.lines, json.dumps(lines, separators=(",", ":")).encode())
+    _write(build.script, program.with_suffix(".js").read_bytes())
+    # Last: the presence of this file means that the program is complete.
+    _write(build.wasm, program.with_suffix(".wasm").read_bytes())
+
+
+def _write(file: Path, content: bytes) -> None:
+    """Write a file in one step: another build may read it, or write the same."""
+    with tempfile.TemporaryDirectory(dir=file.parent) as temporary:
+        draft = Path(temporary) / file.name
+        draft.write_bytes(content)
+        draft.replace(file)

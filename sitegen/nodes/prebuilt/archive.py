@@ -1,6 +1,7 @@
 """Pack compiled nodes into an archive for other sites, and unpack untrusted archives.
 
-`manifest.json` in an archive lists its nodes; all other file names follow from their names.
+`manifest.json` in an archive lists its nodes, whose names say which files they have, and the files
+of packages that these open.
 """
 
 from __future__ import annotations
@@ -16,13 +17,15 @@ import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from sitegen import __version__
 from sitegen.model import Build
 
 # Increased when compiled nodes need a different page: it covers host.h, the worker and the graph.
-FORMAT = 1
+FORMAT = 2
+# The one without files of packages, which is still written for nodes that open none.
+WITHOUT_SHARE = 1
 MANIFEST = "manifest.json"
 ENGINES = ("jspi", "asyncify")
 # The maximum sizes of an archive, packed and unpacked.
@@ -45,6 +48,9 @@ INVALID = (
 MOST_NODES = 1000
 PACKAGE = re.compile(r"[A-Za-z][\w-]{0,99}", re.ASCII)
 EXECUTABLE = re.compile(r"\w[\w-]{0,99}(\.[\w-]{1,99})*", re.ASCII)
+# A file in the share folder of a package: no part of its path leads elsewhere.
+SHARED = re.compile(r"share(/(?!\.{1,2}(/|$))[^/\\]{1,200}){2,12}")
+LONGEST_NAME = 255
 EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
@@ -54,20 +60,28 @@ class ArchiveError(Exception):
 
 @dataclass(frozen=True)
 class Member:
-    """A node of an archive, and its unpacked builds."""
+    """A node of an archive, its unpacked builds, and the files of packages that it may open."""
 
     package: str
     executable: str
     builds: tuple[Build, ...]
+    share: Mapping[str, Path]
 
 
-def pack(builds: Mapping[tuple[str, str], Sequence[Build]], to: Path) -> None:
-    """Write an archive of nodes; the same nodes always result in the same bytes."""
+def pack(
+    builds: Mapping[tuple[str, str], Sequence[Build]], share: Mapping[str, Path], to: Path
+) -> None:
+    """Write an archive of nodes and of the files that they open, by their paths below the prefix.
+
+    The same nodes and files always result in the same bytes.
+    """
     nodes = [
         {"package": package, "executable": executable, "engines": [form.engine for form in forms]}
         for (package, executable), forms in sorted(builds.items())
     ]
-    manifest = {"format": FORMAT, "sitegen": __version__, "nodes": nodes}
+    manifest = {"format": WITHOUT_SHARE, "sitegen": __version__, "nodes": nodes}
+    if share:
+        manifest |= {"format": FORMAT, "share": sorted(share)}
     to.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=to.parent, prefix=f".{to.name}-") as temporary:
         draft = Path(temporary) / to.name
@@ -79,6 +93,8 @@ def pack(builds: Mapping[tuple[str, str], Sequence[Build]], to: Path) -> None:
                     script, wasm = _names(package, executable, form.engine)
                     _add(archive, script, form.script.read_bytes())
                     _add(archive, wasm, form.wasm.read_bytes())
+            for path, file in sorted(share.items()):
+                _add(archive, path, file.read_bytes())
         draft.replace(to)
 
 
@@ -108,9 +124,11 @@ def unpack(archive: Path, to: Path) -> None:
 
 def members(folder: Path) -> list[Member]:
     """Return the nodes of an archive that was unpacked to `folder`."""
+    content = _manifest((folder / MANIFEST).read_bytes())
+    share = {path: folder / path for path in content.share}
     return [
-        Member(package, executable, tuple(_build(folder, package, executable, e) for e in engines))
-        for package, executable, engines in _nodes((folder / MANIFEST).read_bytes())
+        Member(name, executable, tuple(_build(folder, name, executable, e) for e in engines), share)
+        for name, executable, engines in content.nodes
     ]
 
 
@@ -150,12 +168,17 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
         raise ArchiveError("it contains two files with the same name")
     left = LARGEST_UNPACKED
     manifest = b"".join(_read(archive, MANIFEST, left))
-    nodes = _nodes(manifest)
-    wanted = {MANIFEST, *(_types(package, executable) for package, executable, _ in nodes)}
+    content = _manifest(manifest)
+    nodes = content.nodes
+    types = {_types(package, executable) for package, executable, _ in nodes}
+    wanted = {MANIFEST, *types, *content.share}
     wanted |= {
         name for p, e, engines in nodes for engine in engines for name in _names(p, e, engine)
     }
-    folders = {f"{package}/" for package, _, _ in nodes}
+    above = {folder for name in wanted for folder in _above(name)}
+    if wanted & above:
+        raise ArchiveError(f"its {MANIFEST} lists a file that is a folder: {min(wanted & above)!r}")
+    folders = {f"{folder}/" for folder in above}
     for entry in entries:
         # The upper bits are the type of the file, if it was packed on Unix.
         kind = stat.S_IFMT(entry.external_attr >> 16)
@@ -174,13 +197,13 @@ def _extract(archive: zipfile.ZipFile, to: Path) -> None:
             for data in _read(archive, name, left):
                 written.write(data)
                 left -= len(data)
-        if name.endswith(".types.json") and not isinstance(_json(file.read_bytes(), name), dict):
+        if name in types and not isinstance(_json(file.read_bytes(), name), dict):
             raise ArchiveError(f"its '{name}' does not contain a JSON object")
 
 
 def _read(archive: zipfile.ZipFile, name: str, left: int) -> Iterator[bytes]:
     """Yield the contents of a file in pieces, and raise ArchiveError after `left` bytes."""
-    is_json = name.endswith(".json")
+    is_json = name.endswith(".json") and not _is_shared(name)
     most = min(left, LARGEST_JSON) if is_json else left
     # The size in the header may be wrong.
     with archive.open(name) as file:
@@ -193,14 +216,20 @@ def _read(archive: zipfile.ZipFile, name: str, left: int) -> Iterator[bytes]:
             yield data
 
 
-def _nodes(manifest: bytes) -> list[tuple[str, str, Sequence[str]]]:
-    """Return package, executable and engines of the nodes that a manifest names."""
+class Manifest(NamedTuple):
+    """What a manifest lists: package, executable and engines of nodes, and files of packages."""
+
+    nodes: list[tuple[str, str, Sequence[str]]]
+    share: list[str]
+
+
+def _manifest(manifest: bytes) -> Manifest:
     content = _json(manifest, MANIFEST)
     found = content.get("format") if isinstance(content, dict) else None
-    if found != FORMAT:
+    if found not in (WITHOUT_SHARE, FORMAT):
         theirs = f"has format {found}" if isinstance(found, int) else "has no format"
         raise ArchiveError(
-            f"its {MANIFEST} {theirs}, this version of sitegen reads format {FORMAT}; "
+            f"its {MANIFEST} {theirs}, this version of sitegen reads formats up to {FORMAT}; "
             "compile it again"
         )
     nodes = content.get("nodes")
@@ -209,7 +238,11 @@ def _nodes(manifest: bytes) -> list[tuple[str, str, Sequence[str]]]:
     read = [_node(node) for node in nodes]
     if len({node[:2] for node in read}) < len(read):
         raise ArchiveError(f"its {MANIFEST} lists a node twice")
-    return read
+    share = content.get("share", []) if found == FORMAT else []
+    for path in share if isinstance(share, list) else [share]:
+        if not _is_shared(path):
+            raise ArchiveError(f"its {MANIFEST} lists an invalid file: {path!r:.80}")
+    return Manifest(read, share)
 
 
 def _node(node: Any) -> tuple[str, str, Sequence[str]]:
@@ -236,6 +269,18 @@ def _names(package: str, executable: str, engine: str) -> tuple[str, str]:
 
 def _types(package: str, executable: str) -> str:
     return f"{package}/{executable}.types.json"
+
+
+def _is_shared(path: object) -> bool:
+    if not isinstance(path, str) or not path.isprintable() or not SHARED.fullmatch(path):
+        return False
+    return all(len(name.encode()) <= LONGEST_NAME for name in path.split("/"))
+
+
+def _above(name: str) -> Iterator[str]:
+    """Yield the folders that a file of an archive is in."""
+    while name := name.rpartition("/")[0]:
+        yield name
 
 
 def _add(archive: zipfile.ZipFile, name: str, data: bytes) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from sitegen.cache.fetch import FetchError, fetch, mismatch
@@ -14,11 +14,17 @@ from sitegen.model import Build, Node, Prebuilt, Site
 from sitegen.nodes.prebuilt.archive import LARGEST, ArchiveError, Member, described, members, unpack
 from sitegen.report import Report
 
-Builds = Mapping[tuple[str, str], Sequence[Build]]
+
+@dataclass(frozen=True)
+class Unpacked:
+    """The builds of prebuilt nodes, by package and executable, and the files that they open."""
+
+    builds: Mapping[tuple[str, str], Sequence[Build]] = field(default_factory=dict)
+    share: Mapping[str, Path] = field(default_factory=dict)
 
 
-def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
-    """Return the site with the nodes that its archives contain, and the builds of these nodes.
+def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Unpacked]:
+    """Return the site with the nodes that its archives contain, and what was in these.
 
     Raises: SiteError if an archive cannot be read, or does not contain a node that the site names.
     """
@@ -26,6 +32,7 @@ def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
     nodes = [node for page in site.pages for node in page.nodes.values()]
     own = {node.program for node in nodes if not isinstance(node.kind, Prebuilt)}
     builds: dict[tuple[str, str], Sequence[Build]] = {}
+    share: dict[str, Path] = {}
     found: dict[Prebuilt, Node] = {}
     folders: dict[tuple[str | Path, str], Path | None] = {}
     for node in nodes:
@@ -44,15 +51,16 @@ def resolve(site: Site, *, cache: Path, report: Report) -> tuple[Site, Builds]:
             message = f"another '{'/'.join(name)}' is already on the site; use one of the two"
             problems.add(given.location, given.key, message)
         builds[name] = member.builds
+        share |= member.share
         found[given] = replace(node, package=member.package, executable=member.executable)
     problems.raise_if_any()
     if not found:
-        return site, {}
+        return site, Unpacked()
     pages = tuple(
         replace(page, nodes={name: _named(node, found) for name, node in page.nodes.items()})
         for page in site.pages
     )
-    return replace(site, pages=pages), builds
+    return replace(site, pages=pages), Unpacked(builds, share)
 
 
 def _named(node: Node, found: Mapping[Prebuilt, Node]) -> Node:

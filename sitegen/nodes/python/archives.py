@@ -15,6 +15,7 @@ from sitegen.interfaces import generator, messages
 from sitegen.interfaces.descriptions import described
 from sitegen.interfaces.messages import MessageType
 from sitegen.model import Node, Package, Python, Site
+from sitegen.nodes import share
 from sitegen.nodes.python import (
     arrays,
     bytecode,
@@ -65,6 +66,8 @@ COMMON = "nodes/ros.zip"
 IN_CELLS = "jupyros"
 OF_CELLS = f"nodes/{IN_CELLS}.zip"
 CELLS = {(workspace.SITEGEN, workspace.NOTEBOOK), (workspace.SITEGEN, workspace.CELLS)}
+# Files that views load, and that programs hardly ever read.
+MESHES = {".stl", ".dae", ".obj", ".mtl", ".gltf", ".glb"}
 # The modules that Pyodide has besides those of Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
@@ -164,7 +167,9 @@ def bundle(
     archives |= {arrays.PATH: archived(arrays.module())} if small else {}
     for package, executable in sorted(small):
         report.say(f"{package}/{executable}: no numpy; arrays do not support arithmetic")
-    archives |= {_own(name): archived(dict(_installed(needs[name]))) for name in names}
+    for name in names:
+        shared = dict(_shared([*needs[name], *_named_packages(site, name)]))
+        archives[_own(name)] = archived(shared | dict(_installed(needs[name])))
     needed: dict[tuple[str, str], Sequence[str]] = {}
     own: dict[tuple[str, str], Sequence[str]] = {}
     for package, executable in sorted(programs):
@@ -258,6 +263,22 @@ def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
     for package in packages:
         for path, file in (package.setup.files if package.setup else {}).items():
             yield path, file.read_bytes()
+
+
+def _shared(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
+    """Yield the files that packages install to `share/`, by path, except for meshes."""
+    for package in packages:
+        for path, file in package.share.items():
+            if file.suffix.lower() not in MESHES:
+                yield path, file.read_bytes()
+
+
+def _named_packages(site: Site, package: str) -> list[Package]:
+    """Return the packages that the arguments of the Python nodes of a package name."""
+    nodes = (node for page in site.pages for node in page.nodes.values())
+    own = (node for node in nodes if node.package == package and isinstance(node.kind, Python))
+    names = {name for node in own for name in share.named(node)}
+    return [site.packages[name] for name in sorted(names & site.packages.keys())]
 
 
 def _rclpy() -> dict[str, bytes]:

@@ -146,7 +146,8 @@ export class NodeProcess extends EventTarget {
       this.#post(worker, { op: "load", script });
       const module = await (this.#module ??= compile(wasm));
       const { executable: name, environment } = this.#entry;
-      return { op: "start", id, engine: built, module, name, arguments: this.arguments, environment, lines };
+      const share = this.#entry.share && new URL(this.#entry.share, this.#base).href;
+      return { op: "start", id, engine: built, module, name, arguments: this.arguments, environment, lines, share };
     });
   }
 

@@ -31,8 +31,12 @@ POLICY = "sitegen:policy"
 # Python itself, and the workers that load it.
 PYTHON = "runtime/vendor/pyodide/"
 # Modules that workers load when they need them.
-LATER = ("runtime/messages/filter/", "runtime/bag/")
+LATER = (
+    *("runtime/messages/filter/", "runtime/bag/", "runtime/workers/environment.js"),
+    "runtime/workers/cpp/packageFiles.js",
+)
 PYTHON_WORKERS = "runtime/workers/python/"
+CPP_WORKER = "runtime/workers/cpp/cppNode.js"
 # Files that are useless without a server.
 DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
 
@@ -195,6 +199,7 @@ class _Writer(HTMLParser):
             return bundle([], self.entries, {}, b"", self._read)
         run = json.loads(self._read(entry.path))
         programs = []
+        shared: list[str] = []
         python: list[str] = []
         for node in run["nodes"].values():
             for build in node.get("builds", {}).values():
@@ -202,6 +207,10 @@ class _Writer(HTMLParser):
                     path = self._path(address) or ""
                     programs.append(path)
                     build[name] = f"sitegen:{path}"
+            if "share" in node:
+                listing = self._path(node["share"]) or ""
+                shared += [listing, *(f"nodes/{path}" for path in json.loads(self._read(listing)))]
+                node["share"] = f"sitegen:{listing}"
             if "python" in node:
                 archives = [self._path(address) or "" for address in node["python"]["bundles"]]
                 python += archives
@@ -240,14 +249,17 @@ class _Writer(HTMLParser):
         later = [path for path in modules if path.startswith(LATER)]
         begun = [path for path in workers if path.endswith("Node.js")]
         starts = {
-            path: list(dict.fromkeys(python))
+            path: [*dict.fromkeys(python), *later]
             if path.startswith(PYTHON_WORKERS)
             else [*scripts, *later]
             for path in begun
         }
+        if CPP_WORKER in starts:
+            starts[CPP_WORKER] += dict.fromkeys(shared)
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
         paths += dict.fromkeys([*meshes, *own])
-        return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
+        page = json.dumps(run).encode()
+        return bundle(paths, self.entries, starts, page, self._read, plain=set(shared))
 
     def _policy(self) -> str:
         def listed(hashes: list[str]) -> str:

@@ -37,8 +37,9 @@ set(_threads
   cond_init cond_wait cond_timedwait cond_signal cond_broadcast
   key_create key_delete getspecific setspecific)
 list(TRANSFORM _threads PREPEND pthread_ OUTPUT_VARIABLE _wrapped)
-# The keyboard is implemented in src/platform/input.cpp.
-list(APPEND _wrapped abort __assert_fail __wasi_fd_read fcntl poll select)
+# The keyboard is implemented in src/platform/input.cpp, the files of packages in files.cpp.
+list(APPEND _wrapped
+  abort __assert_fail __syscall_open __syscall_openat __wasi_fd_read fcntl poll select)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
 endif()

@@ -57,6 +57,7 @@ async function run(node, graph) {
   /** @type {any} */
   let program;
   lines = node.lines;
+  const files = await packageFiles(node, graph);
   const own = node.environment && await import(place("workers/environment.js"));
   printer.format = own?.logFormat(node.environment);
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
@@ -79,7 +80,12 @@ async function run(node, graph) {
   const args = [node.name, ...node.arguments];
   const { default: load } = await script;
   program = await load({
-    ros: { ...cppHost(graph, printer, args, fail, ended, grown), ...keyboardHost(typed, printer, post) },
+    ros: {
+      ...cppHost(graph, printer, args, fail, ended, grown),
+      ...keyboardHost(typed, printer, post),
+      /** @param {any} file @param {number} truncated */
+      open: (file, truncated) => files?.open(file, truncated) ?? 0,
+    },
     noInitialRun: true,
     // The page has loaded the WebAssembly. A script in a single-file page could not resolve its name.
     locateFile: (/** @type {string} */ name) => name,
@@ -91,6 +97,7 @@ async function run(node, graph) {
     onExit: (code) => end(code, failure, whence),
     instantiateWasm: instantiator(node, own, ended),
   });
+  files?.mount(program.rosFiles());
   post({ op: "running" });
   try {
     if (node.engine === "jspi") {
@@ -101,6 +108,16 @@ async function run(node, graph) {
   } catch (error) {
     ended(error);
   }
+}
+
+/**
+ * Return the files of packages, for a program that opens files.
+ * @param {Extract<ToWorker, {op: "start"}>} node @param {Participant} graph
+ */
+async function packageFiles({ share }, graph) {
+  if (!share) return undefined;
+  const { PackageFiles } = await import(place("workers/cpp/packageFiles.js"));
+  return PackageFiles.listedAt(share, () => graph.wake(), printer);
 }
 
 /**

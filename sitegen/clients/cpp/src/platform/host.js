@@ -55,6 +55,16 @@ mergeInto(LibraryManager.library, {
   ros_reading__deps: ['$FS'],
   ros_typed: function() { return Module["ros"]["typed"](); },
   ros_take_typed: function(to, capacity) { return Module["ros"]["takeTyped"](HEAPU8, to, capacity); },
+  ros_open: function(folder, path, truncated) {
+    var node;
+    try {
+      node = FS.lookupPath(SYSCALLS.calculateAt(folder, UTF8ToString(path)), { follow: true }).node;
+    } catch (error) {
+      return 0; // open() says what is wrong
+    }
+    return Module["ros"]["open"](node, truncated);
+  },
+  ros_open__deps: ['$FS', '$SYSCALLS'],
   ros_now: function() { return Module["ros"]["now"](); },
   ros_log: function(severity, logger, text, stamp) {
     Module["ros"]["log"](HEAPU8, severity, logger, text, stamp);

@@ -51,9 +51,10 @@ void wait(double milliseconds)
   if (signal) {std::raise(signal);}
 }
 
+bool is_ending() {return ending;}
+
 void breathe()
 {
-  // Functions that run at exit() must not wait.
   if (!ending && now() - last_wait >= kBreath) {wait(0);}
 }
 

@@ -108,6 +108,10 @@ void ros_reading(int32_t keyboard);
 int32_t ros_typed(void);
 /* Copy up to `capacity` of these bytes to `to` and remove them; returns their number. */
 int32_t ros_take_typed(uint8_t * to, int32_t capacity);
+/* Ask for the content of the file at `path`, relative to the open folder `folder`. 0 if it is there,
+ * or is not a file of a package, 1 if it is being loaded: then all waits end. A negative error
+ * number if it cannot be loaded. A file that is truncated needs no content. */
+int32_t ros_open(int32_t folder, const char * path, int32_t truncated);
 /* End all waits of this program. */
 void ros_wake(void);
 /* Call `entry` with `argument` when the caller waits. It may wait as well: JSPI gives it its own

@@ -23,6 +23,9 @@ void wait(double milliseconds);
 /// Yield to the event loop if the program has not done so for a while, for messages and Stop.
 void breathe();
 
+/// Whether the program is ending: functions that run at exit() must not wait.
+bool is_ending();
+
 /// Run `body`; an uncaught exception ends the program with its message.
 void guarded(const std::function<void()> & body);
 

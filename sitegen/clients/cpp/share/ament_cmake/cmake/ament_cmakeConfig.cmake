@@ -53,7 +53,8 @@ macro(ament_export_interfaces)  # the former name
   ament_export_targets(${ARGN})
 endmacro()
 
-# Record the files that a package installs to share/, for programs that read them: `file@where`.
+# Record the files that the build of a package has made and that it installs to share/: `file@where`.
+# The site has the others, and programs load them when they open them.
 function(install)
   _install(${ARGN})
   cmake_parse_arguments(ARG "" "DESTINATION" "DIRECTORY;FILES;PROGRAMS" ${ARGN})
@@ -67,20 +68,21 @@ function(install)
       get_filename_component(name "${path}" NAME)
       string(APPEND where "/${name}")
     endif()
-    if(EXISTS "${path}")
-      set_property(GLOBAL APPEND PROPERTY SITEGEN_SHARE "${path}@${where}")
+    if(NOT EXISTS "${path}")
+      continue()
+    endif()
+    string(FIND "${path}" "${CMAKE_SOURCE_DIR}/" at)
+    if(at EQUAL 0)
       # The CMake files of CONFIG_EXTRAS include others from where they are installed.
-      string(FIND "${path}" "${CMAKE_SOURCE_DIR}/" at)
-      if(at EQUAL 0)
-        file(COPY "${item}" DESTINATION "${SITEGEN_PREFIX}/${ARG_DESTINATION}"
-          FILES_MATCHING PATTERN "*.cmake")
-      endif()
+      file(COPY "${item}" DESTINATION "${SITEGEN_PREFIX}/${ARG_DESTINATION}"
+        FILES_MATCHING PATTERN "*.cmake")
+    else()
+      set_property(GLOBAL APPEND PROPERTY SITEGEN_SHARE "${path}@${where}")
     endif()
   endforeach()
 endfunction()
 
-# Give the programs of this package access to the installed files of this package and its
-# dependencies.
+# Embed the recorded files of this package and its dependencies in the programs of this package.
 function(sitegen_embed_share folder)
   get_property(files GLOBAL PROPERTY SITEGEN_SHARE)
   get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)

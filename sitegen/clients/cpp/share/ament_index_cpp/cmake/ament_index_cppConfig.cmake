@@ -1,5 +1,5 @@
-# A part of the rclcpp library. In a package that finds it, ament_package() gives programs access to
-# the files that packages install to share/.
+# A part of the rclcpp library. In a package that finds it, ament_package() embeds in programs the files
+# that the builds of packages make and install to share/.
 include_guard(GLOBAL)
 include(CMakeFindDependencyMacro)
 find_dependency(rclcpp)

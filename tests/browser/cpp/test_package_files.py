@@ -1,0 +1,149 @@
+"""Files that packages install to share/, opened by programs that do not use ament_index_cpp."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from browser import WITHOUT_JSPI, Built, Serve
+from panel import Panel
+from paths import SITES
+from playwright.sync_api import Browser, Page, Route
+from programs import options_of
+
+from sitegen.__main__ import main
+from sitegen.build import make
+from sitegen.commands.single import build_single
+from sitegen.nodes.cpp.program import CppProgram
+from sitegen.nodes.prebuilt.archive import pack
+from sitegen.report import Report
+
+SITE = SITES / "files"
+LIST = "nodes/share-*.json"
+HALL = "hall & stairs #1.txt"
+READ = [
+    "empty.txt 0",
+    "hall & stairs #1.txt 20",
+    "panel.js 23",
+    "a hall with 3 doors",
+    "a hall with 3 doors",
+    "empty: ''",
+    "speed: 0.5",
+    "cannot open: No such file or directory",
+    'import "./nothing.js";',
+    '<package format="3">',
+    "replaced",
+    "speed: 0.5",
+    "speed: 2.0",
+    "done",
+]
+
+
+def read(tab: Page) -> list[str]:
+    """Return what the program prints."""
+    panel = Panel(tab, "reader")
+    panel.start()
+    panel.wait_for("done")
+    panel.expect_state("stopped")
+    return panel.lines()
+
+
+def test_programs_read_them(built: Built, serve: Serve, tab: Page) -> None:
+    """Own ones, and those of a package that only a parameter names."""
+    loaded: list[str] = []
+    tab.on("request", lambda request: loaded.append(request.url.rpartition("/")[2]))
+    tab.goto(serve(built(SITE)))
+    assert read(tab) == READ
+    # What two threads open is loaded once, and what nobody opens, never.
+    assert len([name for name in loaded if name.startswith("hall")]) == 1
+    assert not [name for name in loaded if name.startswith("empty")]
+
+
+def test_programs_without_jspi_read_them(built: Built, serve: Serve, browser: Browser) -> None:
+    tab = browser.new_page()
+    tab.add_init_script(WITHOUT_JSPI)
+    tab.goto(serve(built(SITE)))
+    assert read(tab) == READ
+    tab.close()
+
+
+def test_they_are_in_a_page_that_is_a_single_file(browser: Browser, tmp_path: Path) -> None:
+    file = tmp_path / "files.html"
+    options = options_of(SITE, everything=False)
+    build_single(SITE, "/", output=file, report=Report(), options=options)
+    tab = browser.new_page()
+    tab.goto(file.as_uri())
+    assert read(tab) == READ
+    tab.close()
+
+
+def test_they_come_with_programs_that_were_compiled_elsewhere(
+    browser: Browser, serve: Serve, tmp_path: Path
+) -> None:
+    """That of another package comes, too: the program was given it where it was compiled."""
+    made = make(SITE, Report(), options=options_of(SITE, everything=False))
+    program = made.programs["reader", "reader"]
+    assert isinstance(program, CppProgram)
+    assert program.share
+    pack({("reader", "reader"): program.builds}, program.share.files, tmp_path / "reader.zip")
+    text = (SITE / "site.yaml").read_text()
+    text = text.replace("package: reader\n    executable: reader", "compiled: reader.zip")
+    (tmp_path / "site.yaml").write_text(text)
+    assert main(["build", str(tmp_path), "--output", str(tmp_path / "dist")]) == 0
+    tab = browser.new_page()
+    tab.goto(serve(tmp_path / "dist"))
+    assert read(tab) == READ
+    tab.close()
+
+
+def test_what_cannot_be_loaded_is_said(built: Built, serve: Serve, browser: Browser) -> None:
+    """Opening fails, as on a disk that is broken; the next attempt may succeed."""
+    tab = browser.new_page()
+    missing = ["404"]
+
+    def answer(route: Route) -> None:
+        if missing:
+            route.fulfill(status=int(missing.pop()), body="")
+        else:
+            route.continue_()
+
+    tab.route("**/limits.yaml*", answer)
+    tab.goto(serve(built(SITE)))
+    lines = read(tab)
+    assert "/ros/share/reader/config/limits.yaml: the server answered 404" in lines
+    assert "cannot open: I/O error" in lines
+    assert lines[-3:] == READ[-3:]
+    tab.close()
+
+
+@pytest.mark.parametrize("what", [LIST, "packageFiles.js"])
+def test_a_program_does_not_start_without_the_list(
+    what: str, built: Built, serve: Serve, browser: Browser
+) -> None:
+    tab = browser.new_page()
+    tab.route(f"**/{what}", lambda route: route.fulfill(status=503, body=""))
+    tab.goto(serve(built(SITE)))
+    panel = Panel(tab, "reader")
+    panel.start()
+    panel.expect_state("failed")
+    tab.close()
+
+
+def test_sites_have_what_their_programs_open(built: Built) -> None:
+    dist = built(SITE)
+    [listing] = dist.glob(LIST)
+    listed = json.loads(listing.read_text())
+    index = "share/ament_index/resource_index/packages"
+    assert list(listed) == [
+        *(f"{index}/reader", f"{index}/rooms"),
+        *("share/reader/config/limits.yaml", "share/reader/package.xml"),
+        *(f"share/rooms/floors/{name}" for name in ("empty.txt", HALL, "panel.js")),
+        "share/rooms/package.xml",
+    ]
+    for path, (size, _) in listed.items():
+        assert (dist / "nodes" / path).stat().st_size == size
+    # Programs that open no files come without.
+    others = json.loads((built(SITES / "shapes") / "page.json").read_text())["nodes"]
+    assert "share" not in others["plain"]
+    assert "share" in others["edges"]
