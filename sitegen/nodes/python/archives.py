@@ -66,7 +66,7 @@ COMMON = "nodes/ros.zip"
 IN_CELLS = "jupyros"
 OF_CELLS = f"nodes/{IN_CELLS}.zip"
 CELLS = {(workspace.SITEGEN, workspace.NOTEBOOK), (workspace.SITEGEN, workspace.CELLS)}
-# Files that views load, and that programs hardly ever read.
+# Files that views load, and that programs hardly ever read; their textures are beside them.
 MESHES = {".stl", ".dae", ".obj", ".mtl", ".gltf", ".glb"}
 # The modules that Pyodide has besides those of Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
@@ -168,7 +168,9 @@ def bundle(
     for package, executable in sorted(small):
         report.say(f"{package}/{executable}: no numpy; arrays do not support arithmetic")
     for name in names:
-        shared = dict(_shared([*needs[name], *_named_packages(site, name)]))
+        # A prompt depends on the whole workspace, whose files may be many.
+        depends = needs[name] if name != workspace.SITEGEN else []
+        shared = dict(_shared([*depends, *_named_packages(site, name)]))
         archives[_own(name)] = archived(shared | dict(_installed(needs[name])))
     needed: dict[tuple[str, str], Sequence[str]] = {}
     own: dict[tuple[str, str], Sequence[str]] = {}
@@ -266,10 +268,10 @@ def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
 
 
 def _shared(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files that packages install to `share/`, by path, except for meshes."""
+    """Yield the files that packages install to `share/`, by path, except for those of meshes."""
     for package in packages:
         for path, file in package.share.items():
-            if file.suffix.lower() not in MESHES:
+            if file.suffix.lower() not in MESHES and "/meshes/" not in path:
                 yield path, file.read_bytes()
 
 

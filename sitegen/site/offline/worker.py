@@ -87,6 +87,9 @@ def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequenc
     for node in entry["nodes"].values():
         for build in node.get("builds", {}).values():
             addresses += build.values()
+        if "share" in node:
+            listing = _inside(path, node["share"])
+            found |= {listing, *(f"nodes/{name}" for name in json.loads(contents[listing]))}
         if "python" in node:
             addresses += node["python"]["bundles"]
             found |= {name for name in later if name.startswith("runtime/vendor/pyodide/")}

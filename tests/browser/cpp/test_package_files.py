@@ -3,24 +3,36 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
-from browser import WITHOUT_JSPI, Built, Serve
+from browser import WITHOUT_JSPI, Built, Serve, serving
 from panel import Panel
 from paths import SITES
 from playwright.sync_api import Browser, Page, Route
 from programs import options_of
+from waiting import until
 
 from sitegen.__main__ import main
-from sitegen.build import make
+from sitegen.build import make, write
 from sitegen.commands.single import build_single
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.nodes.prebuilt.archive import pack
 from sitegen.report import Report
+from sitegen.site.offline import worker
 
 SITE = SITES / "files"
 LIST = "nodes/share-*.json"
+# The page is cached when all of its files are.
+KEPT = """async () => {
+  const found = [];
+  for (const name of await caches.keys()) {
+    found.push(...(await (await caches.open(name)).keys()).map(({ url }) => url));
+  }
+  const wanted = [".jspi.wasm", ".jspi.js", "limits.yaml", "panel.js"];
+  return wanted.every((end) => found.some((url) => url.endsWith(end)));
+}"""
 HALL = "hall & stairs #1.txt"
 READ = [
     "empty.txt 0",
@@ -36,6 +48,7 @@ READ = [
     "replaced",
     "speed: 0.5",
     "speed: 2.0",
+    "west",
     "done",
 ]
 
@@ -97,6 +110,25 @@ def test_they_come_with_programs_that_were_compiled_elsewhere(
     tab.close()
 
 
+def test_a_large_site_that_works_without_a_network_keeps_them_with_the_page(
+    browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker, "WHOLE", 100_000)
+    shutil.copytree(SITE, tmp_path / "site")
+    text = (SITE / "site.yaml").read_text()
+    text = text.replace("title: Files of packages", "title: Files, offline: true")
+    (tmp_path / "site" / "site.yaml").write_text(text)
+    made = make(tmp_path / "site", Report(), options=options_of(SITE, everything=False))
+    write(made.artifacts, tmp_path / "dist")
+    tab = browser.new_page()
+    with serving(tmp_path / "dist", "/files/") as url:
+        tab.goto(url)
+        until(lambda: tab.evaluate(KEPT))
+    tab.reload()
+    assert read(tab) == READ
+    tab.close()
+
+
 def test_what_cannot_be_loaded_is_said(built: Built, serve: Serve, browser: Browser) -> None:
     """Opening fails, as on a disk that is broken; the next attempt may succeed."""
     tab = browser.new_page()
@@ -113,7 +145,7 @@ def test_what_cannot_be_loaded_is_said(built: Built, serve: Serve, browser: Brow
     lines = read(tab)
     assert "/ros/share/reader/config/limits.yaml: the server answered 404" in lines
     assert "cannot open: I/O error" in lines
-    assert lines[-3:] == READ[-3:]
+    assert lines[-4:] == READ[-4:]
     tab.close()
 
 

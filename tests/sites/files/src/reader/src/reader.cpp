@@ -1,6 +1,7 @@
 // Opens files that packages install to share/, by their paths.
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -57,5 +58,6 @@ int main(int argc, char ** argv)
   std::ofstream("config/limits.yaml", std::ios::app) << "speed: 2.0\n";
   std::ifstream limits("config/limits.yaml");
   std::cout << std::string(std::istreambuf_iterator<char>(limits), {});
+  std::cout << std::getenv("DOOR") << '\n';
   std::cout << "done" << std::endl;
 }
