@@ -14,14 +14,17 @@ from functools import cached_property
 from pathlib import Path
 
 from sitegen import workspace
+from sitegen.launch.shares import PREFIX
 from sitegen.model import Artifact, Build, Container, Node, Package, Site
 
 # What names a package in the arguments of a node: its folder in the page, or the URL of a file.
-NAMED = re.compile(r"(?:/ros/share/|package://)([A-Za-z]\w*)")
+NAMED = re.compile(rf"(?:{PREFIX}/share/|package://)([A-Za-z]\w*)")
 # In the scripts of programs that look for files: the functions by which they do, and the one that
 # gives the page their file system (clients/cpp/src/platform/host_pre.js).
 LOOKS = re.compile(rb"___syscall_(open|stat64|lstat64|fstatat64|access|faccessat|chdir)")
 FILES = b"rosFiles"
+# The files that views load, and that programs hardly ever read.
+MESHES = (".stl", ".dae", ".obj", ".gltf", ".glb")
 
 
 @dataclass(frozen=True)
@@ -44,8 +47,18 @@ class Share:
     @cached_property
     def artifacts(self) -> Sequence[Artifact]:
         """The list and the files; their paths are relative to the list."""
-        files = (Artifact(f"nodes/{path}", file) for path, file in self.files.items())
+        files = (Artifact(_published(path), file) for path, file in self.files.items())
         return [self.listing, *files]
+
+
+def listed(listing: bytes) -> list[str]:
+    """Return the paths in `dist/` of the files on a list of Share."""
+    return [_published(path) for path in json.loads(listing)]
+
+
+def _published(path: str) -> str:
+    # A package may bring anything. By this name, no server takes it for a page or a setting.
+    return f"nodes/{path}.bin"
 
 
 def opens_files(builds: Sequence[Build]) -> bool:

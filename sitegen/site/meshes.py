@@ -14,8 +14,8 @@ import yaml
 from sitegen.errors import nearest
 from sitegen.launch.shares import PREFIX, on_page
 from sitegen.model import Package
+from sitegen.nodes.share import MESHES
 
-SUFFIXES = (".stl", ".dae", ".obj", ".gltf", ".glb")
 PICTURES = (".png", ".jpg", ".jpeg", ".webp")
 SCHEME = "package://"
 SHARE = re.compile(rf"(?:file://)?{PREFIX}/share/")
@@ -101,7 +101,7 @@ def names_of_source(file: Path, text: str) -> Iterator[str]:
 
 
 def _is_mesh(url: str) -> bool:
-    return url.lower().endswith(SUFFIXES)
+    return url.lower().endswith(MESHES)
 
 
 def find(url: str, packages: Mapping[str, Package]) -> tuple[Package, Path]:
@@ -115,7 +115,7 @@ def find(url: str, packages: Mapping[str, Package]) -> tuple[Package, Path]:
         raise LookupError(f"'{url}' is not in a package; write package://PACKAGE/PATH")
     if name not in packages:
         raise LookupError(f"'{url}': no package '{name}' in the workspace")
-    if not given.lower().endswith((*SUFFIXES, *PICTURES)):
+    if not given.lower().endswith((*MESHES, *PICTURES)):
         raise LookupError(f"'{url}' is not an STL, COLLADA, OBJ or glTF file")
     package = packages[name]
     folder = package.path.resolve()

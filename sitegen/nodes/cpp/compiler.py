@@ -222,7 +222,7 @@ class Compiler:
             ready = [at for at, lines in enumerate(told) if not lines]
             if ready:
                 self._tell_of_warnings([jobs[at] for at in ready])
-                list(pool.map(self.compile_library, engines))
+                list(pool.map(self._compile_library, engines))
                 compiling = partial(self._compile_job, failed)
                 made = self._told(pool, compiling, [jobs[at] for at in ready])
                 for at, lines in zip(ready, made, strict=True):
@@ -269,6 +269,9 @@ class Compiler:
     def compile_library(self, engine: str) -> None:
         """Compile the rclcpp library for an engine, if no build has done so yet."""
         self._write_ros()
+        self._compile_library(engine)
+
+    def _compile_library(self, engine: str) -> None:
         name, what = f"rclcpp ({BROWSERS[engine]})", "compiling the library (once for all nodes)"
         cmake = self._cmake(engine, counted(self._report, name, what))
         with locked([cmake.library.parent], self._report):

@@ -66,8 +66,6 @@ COMMON = "nodes/ros.zip"
 IN_CELLS = "jupyros"
 OF_CELLS = f"nodes/{IN_CELLS}.zip"
 CELLS = {(workspace.SITEGEN, workspace.NOTEBOOK), (workspace.SITEGEN, workspace.CELLS)}
-# Files that views load, and that programs hardly ever read; their textures are beside them.
-MESHES = {".stl", ".dae", ".obj", ".mtl", ".gltf", ".glb"}
 # The modules that Pyodide has besides those of Python itself.
 IN_THE_PAGE = {"js", "pyodide", "pyodide_js", "_pyodide"}
 IMPORTED = re.compile(r"\b(\w+)\.(msg|srv|action)\b")
@@ -170,8 +168,9 @@ def bundle(
     for name in names:
         # A prompt depends on the whole workspace, whose files may be many.
         depends = needs[name] if name != workspace.SITEGEN else []
-        shared = dict(_shared([*depends, *_named_packages(site, name)]))
-        archives[_own(name)] = archived(shared | dict(_installed(needs[name])))
+        files = _shared([*depends, *_named_packages(site, name)]) | _installed(needs[name])
+        contents = {path: file.read_bytes() for path, file in files.items()}
+        archives[_own(name)] = archived(contents)
     needed: dict[tuple[str, str], Sequence[str]] = {}
     own: dict[tuple[str, str], Sequence[str]] = {}
     for package, executable in sorted(programs):
@@ -189,7 +188,7 @@ def bundle(
             archives[ipython.PATH] = ipython.archive()
             ours.append(ipython.PATH)
         needed[package, executable] = (COMMON, *ours, *others, _own(package))
-        paths = [path.split("/") for path, _ in _installed(needs[package])]
+        paths = [path.split("/") for path in _installed(needs[package])]
         own[package, executable] = sorted(
             {p[1].removesuffix(".py") for p in paths if p[0] == "python"}
         )
@@ -244,9 +243,8 @@ def _there(common: Iterable[str]) -> set[str]:
 
 def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:
     """Return the files of a program of the last of `packages`, and its entry point."""
-    setups = [each.setup for each in packages if each.setup]
-    files = {path: file for setup in setups for path, file in setup.files.items()}
-    return files, setups[-1].scripts[executable]
+    *_, setup = (each.setup for each in packages if each.setup)
+    return _installed(packages), setup.scripts[executable]
 
 
 def _content_with_ours(
@@ -260,19 +258,20 @@ def _content_with_ours(
     }
 
 
-def _installed(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files of a package and of the packages that it needs, by path."""
-    for package in packages:
-        for path, file in (package.setup.files if package.setup else {}).items():
-            yield path, file.read_bytes()
+def _installed(packages: Iterable[Package]) -> dict[str, Path]:
+    """Return the files of a package and of the packages that it needs, by path."""
+    setups = (package.setup for package in packages if package.setup)
+    return {path: file for setup in setups for path, file in setup.files.items()}
 
 
-def _shared(packages: Iterable[Package]) -> Iterator[tuple[str, bytes]]:
-    """Yield the files that packages install to `share/`, by path, except for those of meshes."""
-    for package in packages:
-        for path, file in package.share.items():
-            if file.suffix.lower() not in MESHES and "/meshes/" not in path:
-                yield path, file.read_bytes()
+def _shared(packages: Iterable[Package]) -> dict[str, Path]:
+    """Return what packages install to `share/`, by path, without meshes and their textures."""
+    files = {path: file for package in packages for path, file in package.share.items()}
+    return {
+        path: file
+        for path, file in files.items()
+        if not path.lower().endswith(share.MESHES) and "/meshes/" not in path
+    }
 
 
 def _named_packages(site: Site, package: str) -> list[Package]:

@@ -12,6 +12,7 @@ from urllib.parse import unquote, urljoin, urlsplit
 from sitegen import pagepath
 from sitegen.mediatype import media_type
 from sitegen.model import Artifact, Site
+from sitegen.nodes import share
 from sitegen.site.engine import ENGINE
 
 PATH = "sw.js"
@@ -89,7 +90,7 @@ def _needs(path: str, contents: Mapping[str, bytes], later: set[str]) -> Sequenc
             addresses += build.values()
         if "share" in node:
             listing = _inside(path, node["share"])
-            found |= {listing, *(f"nodes/{name}" for name in json.loads(contents[listing]))}
+            found |= {listing, *share.listed(contents[listing])}
         if "python" in node:
             addresses += node["python"]["bundles"]
             found |= {name for name in later if name.startswith("runtime/vendor/pyodide/")}

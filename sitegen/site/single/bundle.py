@@ -6,7 +6,7 @@ import base64
 import gzip
 import json
 import posixpath
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from sitegen.site.single.imports import imports, references
 
@@ -34,12 +34,11 @@ def bundle(
     workers: Mapping[str, Sequence[str]],
     page: bytes,
     read: Read,
-    plain: Collection[str] = (),
 ) -> str:
     """Return the files `paths` and `page`, a page.json, as base64.
 
     `entries` are the modules that start.js runs; `workers` maps the worker scripts to the files
-    that they load. Those in `plain` are data, whatever their names say.
+    that they load.
     """
     parts: dict[str, bytes] = {"page.json": page} if page else {}
     for path in [*paths, *entries]:
@@ -48,23 +47,16 @@ def bundle(
     for worker, scripts in workers.items():
         own: dict[str, bytes] = {}
         for path in (*scripts, worker):
-            if path in plain:
-                own[path] = read(path)
-            else:
-                _add(path, own, read)
+            _add(path, own, read)
         loads[worker] = list(own)
         parts |= own
     files = [
-        {"path": path, "type": OTHER if path in plain else _type(path), "size": len(content)}
+        {"path": path, "type": TYPES.get(posixpath.splitext(path)[1], OTHER), "size": len(content)}
         for path, content in parts.items()
     ]
     about = {"files": files, "entries": list(entries), "workers": loads}
     head = json.dumps(about, separators=(",", ":")).encode()
     return _packed(b"".join([len(head).to_bytes(4, "big"), head, *parts.values()]))
-
-
-def _type(path: str) -> str:
-    return TYPES.get(posixpath.splitext(path)[1], OTHER)
 
 
 def packed_size(contents: Iterable[bytes]) -> int:

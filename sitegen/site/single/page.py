@@ -17,6 +17,7 @@ from urllib.parse import unquote, urljoin, urlsplit
 
 from sitegen import pagepath
 from sitegen.model import Artifact, Page, Site
+from sitegen.nodes import share
 from sitegen.site.prose import resourced
 from sitegen.site.single.bundle import bundle
 
@@ -209,7 +210,7 @@ class _Writer(HTMLParser):
                     build[name] = f"sitegen:{path}"
             if "share" in node:
                 listing = self._path(node["share"]) or ""
-                shared += [listing, *(f"nodes/{path}" for path in json.loads(self._read(listing)))]
+                shared += [listing, *share.listed(self._read(listing))]
                 node["share"] = f"sitegen:{listing}"
             if "python" in node:
                 archives = [self._path(address) or "" for address in node["python"]["bundles"]]
@@ -258,8 +259,7 @@ class _Writer(HTMLParser):
             starts[CPP_WORKER] += dict.fromkeys(shared)
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
         paths += dict.fromkeys([*meshes, *own])
-        page = json.dumps(run).encode()
-        return bundle(paths, self.entries, starts, page, self._read, plain=set(shared))
+        return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)
 
     def _policy(self) -> str:
         def listed(hashes: list[str]) -> str:

@@ -30,7 +30,7 @@ KEPT = """async () => {
   for (const name of await caches.keys()) {
     found.push(...(await (await caches.open(name)).keys()).map(({ url }) => url));
   }
-  const wanted = [".jspi.wasm", ".jspi.js", "limits.yaml", "panel.js"];
+  const wanted = [".jspi.wasm", ".jspi.js", "limits.yaml.bin", "panel.js.bin"];
   return wanted.every((end) => found.some((url) => url.endsWith(end)));
 }"""
 HALL = "hall & stairs #1.txt"
@@ -149,9 +149,15 @@ def test_what_cannot_be_loaded_is_said(built: Built, serve: Serve, browser: Brow
     tab.close()
 
 
-@pytest.mark.parametrize("what", [LIST, "packageFiles.js"])
+@pytest.mark.parametrize(
+    ("what", "said"),
+    [
+        (LIST, "the list of the files of packages could not be loaded: the server answered 503"),
+        ("packageFiles.js", "packageFiles.js"),
+    ],
+)
 def test_a_program_does_not_start_without_the_list(
-    what: str, built: Built, serve: Serve, browser: Browser
+    what: str, said: str, built: Built, serve: Serve, browser: Browser
 ) -> None:
     tab = browser.new_page()
     tab.route(f"**/{what}", lambda route: route.fulfill(status=503, body=""))
@@ -159,6 +165,7 @@ def test_a_program_does_not_start_without_the_list(
     panel = Panel(tab, "reader")
     panel.start()
     panel.expect_state("failed")
+    panel.wait_for(said)
     tab.close()
 
 
@@ -174,7 +181,7 @@ def test_sites_have_what_their_programs_open(built: Built) -> None:
         "share/rooms/package.xml",
     ]
     for path, (size, _) in listed.items():
-        assert (dist / "nodes" / path).stat().st_size == size
+        assert (dist / "nodes" / f"{path}.bin").stat().st_size == size
     # Programs that open no files come without.
     others = json.loads((built(SITES / "shapes") / "page.json").read_text())["nodes"]
     assert "share" not in others["plain"]

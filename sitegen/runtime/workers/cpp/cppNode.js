@@ -57,8 +57,11 @@ async function run(node, graph) {
   /** @type {any} */
   let program;
   lines = node.lines;
-  const files = await packageFiles(node, graph);
-  const own = node.environment && await import(place("workers/environment.js"));
+  const [{ default: load }, files, own] = await Promise.all([
+    /** @type {Promise<any>} */ (script),
+    packageFiles(node, graph),
+    node.environment && import(place("workers/environment.js")),
+  ]);
   printer.format = own?.logFormat(node.environment);
   if (lines) Object.assign(Error, { stackTraceLimit: DEPTH });
   /** @param {unknown} error */
@@ -78,7 +81,6 @@ async function run(node, graph) {
   };
   const grown = (/** @type {number} */ bytes) => post({ op: "memory", bytes });
   const args = [node.name, ...node.arguments];
-  const { default: load } = await script;
   program = await load({
     ros: {
       ...cppHost(graph, printer, args, fail, ended, grown),

@@ -42,8 +42,11 @@ export class PackageFiles {
    * @param {string} address @param {() => void} wake @param {Printer} printer
    */
   static async listedAt(address, wake, printer) {
-    const listing = await (await loaded(place(address))).json();
-    return new PackageFiles(listing, address, wake, printer);
+    try {
+      return new PackageFiles(await (await loaded(place(address))).json(), address, wake, printer);
+    } catch (error) {
+      throw new Error(`the list of the files of packages could not be loaded: ${textOf(error)}`);
+    }
   }
 
   /** Put the files into the file system of a program that has not begun. @param {any} fileSystem */
@@ -61,8 +64,8 @@ export class PackageFiles {
   /** @param {string} path @param {string} hash */
   #addressOf(path, hash) {
     const folder = this.#address.slice(0, this.#address.lastIndexOf("/") + 1);
-    if (folder.startsWith(INSIDE)) return place(`${folder}${path}`);
-    return `${folder}${path.split("/").map(encodeURIComponent).join("/")}?v=${hash}`;
+    if (folder.startsWith(INSIDE)) return place(`${folder}${path}.bin`);
+    return `${folder}${path.split("/").map(encodeURIComponent).join("/")}.bin?v=${hash}`;
   }
 
   /**
@@ -91,13 +94,16 @@ export class PackageFiles {
       delete file.address;
       this.#loading.delete(file);
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
+      const why = textOf(error);
       this.#loading.set(file, why);
       this.#printer.print("stderr", `${file.path}: ${why}`);
     }
     this.#wake();
   }
 }
+
+/** @param {unknown} error */
+const textOf = (error) => (error instanceof Error ? error.message : String(error));
 
 /** @param {string} address */
 async function loaded(address) {
