@@ -280,8 +280,9 @@ def test_frames_that_are_heard_of_no_more_disappear(stage: Tab) -> None:
     display = {"kind": "tf", "names": False, "arrows": False, "scale": 5, "timeout": 0.5}
     panel = view(stage, display)
     old = "{ transforms: [transform('map', 'old', [-1, 0, 0], 0, 1)] }"
-    emit(stage, "/tf", old)
+    # The one that grows old is the last one, however long a frame takes to draw.
     emit(stage, "/tf_static", "{ transforms: [transform('map', 'fixed', [-1, 1, 0])] }")
+    emit(stage, "/tf", old)
     assert at(pixels(panel), -0.5, 0) == "red"
     # All are silent, as when a bag is paused: nothing grows old.
     stage.wait_for_timeout(700)
