@@ -124,6 +124,16 @@ def _check(arguments: argparse.Namespace) -> None:
     _report(arguments).say(said, "warning" if warnings else "good")
 
 
+def _missing(arguments: argparse.Namespace) -> None:
+    from sitegen.commands.missing import missing, tell, vcs
+
+    found = missing(arguments.folder)
+    if arguments.vcs:
+        print(vcs(found))
+    else:
+        tell(found, _report(arguments))
+
+
 def _compile(arguments: argparse.Namespace) -> None:
     from sitegen.commands.compile import compile_to
 
@@ -185,6 +195,7 @@ RUN = {
     "deploy": _deploy,
     "gateway": _gateway,
     "init": _init,
+    "missing": _missing,
     "new": _new,
     "schema": _schema,
     "serve": _serve,

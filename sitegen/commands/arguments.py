@@ -178,6 +178,11 @@ def _add_builds(add: Add) -> Parser:
     check = add("check", help="report errors and warnings without compiling anything")
     _add_folder(check)
     check.add_argument("--strict", action="store_true", help="treat warnings as errors")
+    missing = add("missing", help="list the packages that a workspace lacks, and where they are")
+    _add_folder(missing, "the workspace folder")
+    missing.add_argument(
+        "--vcs", action="store_true", help="print the file that `vcs import` clones them with"
+    )
     build = add("build", help="build the site into a folder")
     _add_folder(build)
     build.add_argument(

@@ -11,12 +11,14 @@ from sitegen.commands import notebooks, wiring
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.interfaces.descriptions import described
 from sitegen.model import Markdown, Site
-from sitegen.nodes.cpp.compiler import Job
+from sitegen.nodes.cpp.jobs import Job
+from sitegen.nodes.cpp.libraries import not_installed
 from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
 from sitegen.report import Report
 from sitegen.site.prose import without_text
-from sitegen.workspace.absent import CLONE, NO_BUILD, absent
+from sitegen.workspace.absent import absent, clone, without
+from sitegen.workspace.libraries import UNAVAILABLE
 from sitegen.workspace.unsupported import unsupported_libraries
 
 
@@ -45,21 +47,26 @@ def _absent(site: Site, jobs: Sequence[Job]) -> list[str]:
     # Jobs share most of what they need.
     packages = {each.path: each for job in jobs for each in (*job.needs, job.package)}
     return [
-        f"{relative(path / 'CMakeLists.txt', site.root)}: '{package.name}' needs '{name}', {CLONE}"
+        f"{relative(path / 'CMakeLists.txt', site.root)}: '{package.name}' needs '{name}', "
+        f"{clone(name)}"
         for path, package in packages.items()
         for name in absent(package, site.packages)
     ]
 
 
 def _libraries(site: Site, jobs: Sequence[Job]) -> list[str]:
-    """Return the programs that need libraries which no page can have.
+    """Return the programs that need libraries which no page can have or that are not installed.
 
     They are warnings, because a source may include a header only in builds for other platforms.
     """
     packages = {job.package.path: job.package for job in jobs}
-    needs = {path: unsupported_libraries(each, site.packages) for path, each in packages.items()}
+    lacking = (*UNAVAILABLE, *not_installed())
+    needs = {
+        path: unsupported_libraries(each, site.packages, lacking) for path, each in packages.items()
+    }
     return [
-        f"{relative(job.package.path, site.root)}: '{name}' needs '{library}', {NO_BUILD}"
+        f"{relative(job.package.path, site.root)}: '{name}' needs '{library.name}', "
+        f"{without(library)}"
         for job in jobs
         for name in job.executables
         if (library := needs[job.package.path].get(name))

@@ -8,10 +8,12 @@ from pathlib import Path
 
 from sitegen import workspace
 from sitegen.cache.folder import cache_folder
+from sitegen.config.builds import builds_of
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Package
 from sitegen.nodes import share
 from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.jobs import Builds, Job
 from sitegen.nodes.prebuilt import archive
 from sitegen.report import Report, count, size
 
@@ -23,14 +25,16 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
     """
     root = folder.resolve()
     problems = Problems(root)
-    packages = workspace.scan(root, problems=problems)
+    built = builds_of(root, problems)
+    packages = workspace.scan(root, built.settings, problems)
+    built.check(packages, problems)
     problems.raise_if_any()
     packages = workspace.with_shipped(packages, (name.partition("/")[0] for name in names))
     wanted = _wanted(names, packages)
     jobs = []
     for name, executables in wanted.items():
         *needs, package = workspace.with_plugins(packages, name)
-        jobs.append(compiler.Job(package, tuple(executables), tuple(needs)))
+        jobs.append(Job(package, tuple(executables), tuple(needs)))
     engines = archive.ENGINES
     compiled = compiler.compile_nodes(
         jobs, engines, root=root, workspace=root, cache=cache_folder(), report=report
@@ -51,7 +55,7 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
             report.say(f"    executable: {executable}")
 
 
-def _opens_files(job: compiler.Job, builds: compiler.Builds) -> bool:
+def _opens_files(job: Job, builds: Builds) -> bool:
     return any(share.opens_files(builds[job.package.name, name]) for name in job.executables)
 
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sitegen.config.layout import CONSOLES
+from sitegen.config.nodekeys import COMPILED, NODE, ROS2WASM
 from sitegen.config.page import LAYOUTS
 from sitegen.config.schema import (
-    COMPILED,
+    BUILD,
     CONNECT,
     DEPLOY,
     FILE,
     FORMS,
     NAMES,
-    NODE,
     PAGE,
     PYODIDE,
-    ROS2WASM,
     SITE,
     Key,
 )
@@ -60,6 +59,7 @@ TYPES: dict[str, Json] = {
     "pyodide": {"$ref": "#/$defs/pyodide"},
     "connect": {"$ref": "#/$defs/connect"},
     "names": {"$ref": "#/$defs/names"},
+    "builds": {"type": "object", "additionalProperties": {"$ref": "#/$defs/build"}},
     "mapping of decimals": {"type": "object", "additionalProperties": {"type": "number"}},
 }
 TYPES |= {name: {"type": "string", "pattern": f"^{form.pattern}$"} for name, form in FORMS.items()}
@@ -102,6 +102,7 @@ def json_schema() -> Json:
             "nav": NAV,
             "connect": _mapping(CONNECT),
             "names": _mapping(NAMES),
+            "build": _mapping(BUILD),
             "deploy": _mapping(DEPLOY),
             "pyodide": _mapping(PYODIDE),
             "threshold": _mapping(THRESHOLD),

@@ -10,7 +10,8 @@ from typing import NamedTuple
 from sitegen.config import parameters, prebuilt, ros2wasm
 from sitegen.config.document import Value
 from sitegen.config.files import locate
-from sitegen.config.schema import COMPILED, NODE, ROS2WASM, Key
+from sitegen.config.nodekeys import COMPILED, NODE, ROS2WASM
+from sitegen.config.schema import Key
 from sitegen.config.section import Section, check
 from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import published_description

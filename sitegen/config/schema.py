@@ -54,6 +54,7 @@ TYPES = {
     "deploy": ("mapping", "keys and values"),
     "pyodide": ("mapping", "keys and values"),
     "connect": ("mapping", "keys and values"),
+    "builds": ("mapping", "packages with keys and values each"),
     "names": ("mapping", "lists of names"),
     "list of patterns": ("list", "a list of names, with * and **"),
     "mapping of decimals": ("mapping", "names with a number each"),
@@ -111,6 +112,12 @@ FILE = (
         "connect",
         "[gateways](gateway.md) that pages can join",
         "connect: {addresses: [ws://localhost:9090]}",
+    ),
+    Key(
+        "build",
+        "builds",
+        "[how CMake builds a package](cpp-packages.md#settings-of-a-package), by name",
+        "build: {my_robot: {cmake: [-DWITH_CAMERA=OFF]}}",
     ),
     Key("deploy", "deploy", "where `sitegen deploy` publishes", "deploy: {branch: gh-pages}"),
 )
@@ -233,67 +240,20 @@ NAMES = (
     Key("actions", "list of patterns", "actions", "actions: [/navigate_*]"),
 )
 
+BUILD = (
+    Key("cmake", "list of text", "definitions for CMake", "cmake: [-DWITH_CAMERA=OFF]"),
+    Key(
+        "environment",
+        "mapping of texts",
+        "environment variables of CMake",
+        "environment: {ROBOT: arm}",
+    ),
+)
+
 DEPLOY = (
     Key("branch", "text", "branch that is served", "branch: gh-pages", default="gh-pages"),
     Key("remote", "text", "git remote to push to", "remote: origin", default="origin"),
     Key("cname", "text", "custom domain, written to `CNAME`", "cname: robot.example.org"),
-)
-
-_NEEDS = Key(
-    "needs", "list of text", "nodes that this one depends on, by name", "needs: [turtlesim]"
-)
-
-# Keys of all nodes.
-_HOW = (
-    Key("namespace", "text", "namespace of the node, starting with `/`", "namespace: /demo"),
-    Key(
-        "remap",
-        "mapping of texts",
-        "remapping rules, as with `-r from:=to`",
-        "remap: {chatter: /demo/chatter}",
-    ),
-    Key("parameters", "parameters", "parameter values or files", "parameters: {speed: 2.5}"),
-    Key("arguments", "list of text", "further arguments of `main()`", "arguments: [--foo]"),
-    Key("environment", "mapping of texts", "environment variables", "environment: {MODEL: fox}"),
-)
-
-NODE = (
-    Key("package", "text", "package in the workspace", "package: cpp_pubsub", True),
-    Key("executable", "text", "executable or component of the package", "executable: talker", True),
-    *_HOW,
-    Key("urdf", "path", "parameter `robot_description`: URDF or xacro", "urdf: src/arm/arm.urdf"),
-    Key("group", "text", "Python nodes of a group share an interpreter", "group: robot"),
-    _NEEDS,
-)
-
-COMPILED = (
-    Key(
-        "compiled", "text", "archive: a file or an `https://` address", "compiled: nodes.zip", True
-    ),
-    Key(
-        "sha256",
-        "digest",
-        "SHA-256 of the archive; required for an address",
-        "sha256: 72a66436beb4c95047286bc22bc7295cd1168bc8b3309ef35897a6802a22a2fb",
-    ),
-    Key("package", "text", "package, if the archive has several", "package: cpp_pubsub"),
-    Key("executable", "text", "executable, if the archive has several", "executable: talker"),
-    *_HOW,
-    _NEEDS,
-)
-
-ROS2WASM = (
-    Key(
-        "ros2wasm", "path", "worker script written by Emscripten", "ros2wasm: nodes/talker.js", True
-    ),
-    Key(
-        "types",
-        "mapping of interfaces",
-        "types of its topics and services",
-        "types: {/chatter: std_msgs/msg/String}",
-        True,
-    ),
-    _NEEDS,
 )
 
 PAGE = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from sitegen.model.content import Cell, Layout, Leaf, Markdown, Part, Source, Widget, leaves
 from sitegen.model.launch import Argument, Effect, Event, Handler, Launch
 from sitegen.model.node import Component, Container, Cpp, Kind, Node, Prebuilt, Python, Ros2wasm
-from sitegen.model.package import Fault, Package, Setup
+from sitegen.model.package import BuildSettings, Fault, Package, Setup
 from sitegen.model.program import BROWSERS, Artifact, Build, Program, Programs
 from sitegen.model.site import Connect, Deploy, Look, NavItem, Page, Pyodide, Site
 
@@ -14,6 +14,7 @@ __all__ = [
     "Argument",
     "Artifact",
     "Build",
+    "BuildSettings",
     "Cell",
     "Component",
     "Connect",

@@ -35,6 +35,25 @@ class Setup:
 
 
 @dataclass(frozen=True)
+class BuildSettings:
+    """What CMake gets for one package: definitions (`-DNAME=value`) and environment variables."""
+
+    cmake: tuple[str, ...] = ()
+    environment: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def definitions(self) -> dict[str, str]:
+        """Return the values of the definitions, by name and without types."""
+        pairs = (one.removeprefix("-D").partition("=") for one in self.cmake)
+        return {name.partition(":")[0]: value for name, _, value in pairs}
+
+    @property
+    def lines(self) -> list[str]:
+        """Return all of them in lines, which identify the settings."""
+        return [*self.cmake, *(f"{name}={value}" for name, value in self.environment.items())]
+
+
+@dataclass(frozen=True)
 class Package:
     """A ROS package of the workspace, as described by its `package.xml` and its build files.
 
@@ -43,7 +62,7 @@ class Package:
     package that they are linked to. `share` has the files that it installs to `share/`, by path
     below the prefix. `plugins` names the packages that it provides plugins for, and `linked` the
     packages whose plugins are linked into its programs. A `windowed` package needs Qt, which pages
-    do not have.
+    do not have. `settings` are those of its build.
     """
 
     name: str
@@ -61,3 +80,4 @@ class Package:
     plugins: tuple[str, ...] = ()
     linked: tuple[str, ...] = ()
     windowed: bool = False
+    settings: BuildSettings = BuildSettings()

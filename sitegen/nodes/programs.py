@@ -9,6 +9,7 @@ from sitegen import workspace
 from sitegen.model import Container, Cpp, Node, Prebuilt, Programs, Site
 from sitegen.nodes import share
 from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.jobs import Job
 from sitegen.nodes.cpp.program import CppProgram
 from sitegen.nodes.prebuilt.resolve import Unpacked
 from sitegen.nodes.prebuilt.ros2wasm import ros2wasm_programs
@@ -30,7 +31,8 @@ def programs_of(
 ) -> Programs:
     """Return the programs of all nodes of `site`; `prebuilt` has those from archives.
 
-    A Python program that only launch files start may lack modules; with `keep_going`, any may.
+    A program that only launch files start may lack a module of Python or a library that no page can
+    have; with `keep_going`, any may.
 
     Raises: SiteError if any other program cannot be made.
     """
@@ -50,6 +52,7 @@ def programs_of(
         cache=cache,
         report=report,
         options=options,
+        optional=optional,
     )
     builds = {**own.builds, **prebuilt.builds}
     opening = {name for name, forms in builds.items() if share.opens_files(forms)}
@@ -97,7 +100,7 @@ def engines_of(site: Site, options: Options) -> Sequence[str]:
     return tuple(one for one in engines if not options.engines or one in options.engines)
 
 
-def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[compiler.Job]:
+def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[Job]:
     """Return the jobs of the compiler, one for each package."""
     executables: dict[str, list[str]] = {}
     jobs = []
@@ -106,10 +109,10 @@ def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[compiler.
             made = containers.package(node.executable, node.kind, site.packages, cache)
             needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
             needs = {package.name: package for each in needed for package in each}
-            jobs.append(compiler.Job(made, (node.executable,), tuple(needs.values())))
+            jobs.append(Job(made, (node.executable,), tuple(needs.values())))
         elif isinstance(node.kind, Cpp):
             executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
         *before, package = workspace.with_plugins(site.packages, name)
-        jobs.append(compiler.Job(package, tuple(wanted), tuple(before)))
+        jobs.append(Job(package, tuple(wanted), tuple(before)))
     return jobs

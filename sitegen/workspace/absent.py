@@ -8,9 +8,9 @@ from functools import cache
 from sitegen.model import Package
 from sitegen.shipped import CLIENTS, INTERFACES, PACKAGES, ROS
 from sitegen.workspace import cmakelists, libraries
+from sitegen.workspace.repositories import repository
 
 NO_BUILD = "which has no build for the page"
-CLONE = "which is not in the workspace; clone its sources there"
 
 
 def absent(package: Package, workspace: Collection[str]) -> list[str]:
@@ -23,10 +23,17 @@ def absent(package: Package, workspace: Collection[str]) -> list[str]:
     if not file.is_file():
         return []
     known = {*workspace, *_available(), package.name}
-    required = cmakelists.read(file, package.name).requires
+    required = cmakelists.read(file, package.name, package.settings).requires
     return [
         each for each in dict.fromkeys(required) if each in package.depends and each not in known
     ]
+
+
+def clone(name: str) -> str:
+    """Return the end of a message about a package that is absent."""
+    known = repository(name)
+    how = f": {known.clone}" if known else ""
+    return f"which is not in the workspace; clone its sources there{how}"
 
 
 def without(library: libraries.Library) -> str:

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sitegen.model import Fault
+from sitegen.model import BuildSettings, Fault
 from sitegen.workspace.cmakeabsent import Absent, is_maker
 from sitegen.workspace.cmakeinstalls import (
     KINDS,
@@ -303,9 +303,9 @@ def outside(listing: Listing, root: Path) -> list[Fault]:
     ]
 
 
-def read(file: Path, package: str) -> Listing:
+def read(file: Path, package: str, settings: BuildSettings) -> Listing:
     """Return what the CMakeLists.txt of `package`, and the files that it includes, build."""
-    script = Script.of(file, package)
+    script = Script.of(file, package, settings.definitions)
     listing = Listing(script, script.folder)
     for name, words, _ in script.read(file):
         listing.add(name, words)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
@@ -65,6 +65,8 @@ class Script:
     folder: Path
     location: Location
     installed: bool = True
+    # The cached variables that a package does not set itself.
+    given: Mapping[str, str] = field(default_factory=dict)
     # Variables that the package sets to values that only CMake knows.
     computed: set[str] = field(default_factory=set)
     _functions: dict[str, Function] = field(default_factory=dict)
@@ -82,8 +84,8 @@ class Script:
     _seen: set[Path] = field(default_factory=set)
 
     @classmethod
-    def of(cls, file: Path, package: str) -> Script:
-        """Return the script of the CMakeLists.txt of a package."""
+    def of(cls, file: Path, package: str, given: Mapping[str, str]) -> Script:
+        """Return the script of the CMakeLists.txt of a package, with the variables `given`."""
         folder = file.parent.resolve()
         here = [folder.as_posix()]
         folders = {**FOLDERS, "DOCDIR": f"share/doc/{package}"}
@@ -95,8 +97,14 @@ class Script:
             **dict.fromkeys(("CMAKE_CURRENT_SOURCE_DIR", "CMAKE_CURRENT_LIST_DIR"), here),
             **{f"CMAKE_INSTALL_{name}": [path] for name, path in folders.items()},
             **{f"CMAKE_INSTALL_FULL_{n}": [f"{PREFIX}/{path}"] for n, path in folders.items()},
+            **{name: value.split(";") for name, value in given.items()},
         }
-        return cls(variables, folder, Location(file, 1))
+        script = cls(variables, folder, Location(file, 1), given=given)
+        flags = {name: value.upper() for name, value in given.items()}
+        script._options |= {
+            n: value in TRUE for n, value in flags.items() if value in (*TRUE, *FALSE)
+        }
+        return script
 
     def read(self, file: Path, depth: int = 0) -> Iterator[Command]:
         """Yield the commands of a file, and of the files it includes; each file is read once."""
@@ -229,6 +237,8 @@ class Script:
             here = [self.folder.as_posix()]
             self.variables |= {"PROJECT_SOURCE_DIR": here, f"{words[0]}_SOURCE_DIR": here}
         elif name == "set" and words:
+            if variable in self.given and "CACHE" in words and words[-1] != "FORCE":
+                return
             ends = (n for n, word in enumerate(words) if word in ("CACHE", "PARENT_SCOPE"))
             end = next(ends, len(words))
             values = self.values(words[1:end])

@@ -207,7 +207,7 @@ class Compiled:
     with this name takes precedence. `source` is Debian's name of the source, `parts` are the
     folders and files in it that are needed. `headers` is a regular expression for the first part
     of the paths of its headers. `names` are other ones, by which find_package(), pkg-config or
-    rosdep know it.
+    rosdep know it. `licence` is a part with its licence that is not named so.
     """
 
     package: str
@@ -215,6 +215,7 @@ class Compiled:
     parts: tuple[str, ...]
     headers: str
     names: tuple[str, ...]
+    licence: str = ""
 
 
 COMPILED = (
@@ -245,6 +246,31 @@ COMPILED = (
         ("orocos_kdl/src",),
         "kdl",
         ("orocos_kdl_vendor", "orocos-kdl", "OrocosKDL", "liborocos-kdl-dev"),
+    ),
+    Compiled(
+        "console_bridge",
+        "console-bridge",
+        ("include", "src"),
+        "console_bridge",
+        ("console_bridge_vendor", "libconsole-bridge-dev"),
+    ),
+    Compiled(
+        "tinyxml",
+        "tinyxml",
+        (".",),
+        r"tiny(xml|str)\.h",
+        ("TinyXML", "tinyxml_vendor", "libtinyxml-dev"),
+        "readme.txt",
+    ),
+    Compiled(
+        "urdfdom_headers",
+        "urdfdom-headers",
+        (".",),
+        r"urdf_(exception|model|model_state|sensor|world)",
+        ("liburdfdom-headers-dev",),
+    ),
+    Compiled(
+        "urdfdom", "urdfdom", ("urdf_parser",), "urdf_parser", ("urdf_parser", "liburdfdom-dev")
     ),
 )
 

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from sitegen import shipped
 from sitegen.errors import Location, Problems, nearest, relative
-from sitegen.model import Fault, Package, Setup
+from sitegen.model import BuildSettings, Fault, Package, Setup
 from sitegen.workspace import cmakelists, components, folders, libraries, setupfiles
 from sitegen.workspace.manifest import location_of, read_manifest
 
@@ -21,12 +21,19 @@ PYTHON, CATKIN = "ament_python", "catkin"
 SHEBANG = re.compile(rb"#!.*\bpython")
 
 
-def scan(folder: Path, *, problems: Problems | None = None) -> dict[str, Package]:
-    """Return the packages below `folder` by name, and report (or raise) what is wrong with them."""
+def scan(
+    folder: Path,
+    settings: Mapping[str, BuildSettings] | None = None,
+    problems: Problems | None = None,
+) -> dict[str, Package]:
+    """Return the packages below `folder` by name, and report (or raise) what is wrong with them.
+
+    `settings` are those of their builds, by name.
+    """
     found = Problems(folder) if problems is None else problems
     packages: dict[str, Package] = {}
     for path in folders.packages(folder, found.root):
-        package = _package(path, found)
+        package = _package(path, settings or {}, found)
         if package is None:
             continue
         if package.name in packages:
@@ -75,13 +82,16 @@ def _shipped_names() -> frozenset[str]:
     return frozenset(path.name for path in folders.packages(shipped.PACKAGES, shipped.PACKAGES))
 
 
-def _package(path: Path, problems: Problems) -> Package | None:
+def _package(
+    path: Path, settings: Mapping[str, BuildSettings], problems: Problems
+) -> Package | None:
     manifest = read_manifest(path / "package.xml", problems)
     if manifest is None:
         return None
     name = manifest.name
     cmake = path / "CMakeLists.txt"
-    listing = cmakelists.read(cmake, name)
+    its_own = settings.get(name, BuildSettings())
+    listing = cmakelists.read(cmake, name, its_own)
     depends = [*manifest.depends]
     depends += (each for each in listing.finds if each in _shipped_names())
     depends += libraries.compiled([*listing.finds, *manifest.depends])
@@ -119,6 +129,7 @@ def _package(path: Path, problems: Problems) -> Package | None:
         share={to: file for to, file in installed.items() if to.startswith("share/")},
         plugins=tuple(dict.fromkeys(listing.plugins)),
         windowed=any(each.lower().startswith("qt") for each in listing.finds),
+        settings=its_own,
     )
 
 

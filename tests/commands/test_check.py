@@ -12,6 +12,7 @@ from PIL import Image
 from sitegen.__main__ import main
 from sitegen.commands.check import check
 from sitegen.errors import SiteError
+from sitegen.nodes.cpp import libraries
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
 
@@ -421,7 +422,7 @@ def test_paths_are_read_as_rqt_writes_them(widget: str, count: int, tmp_path: Pa
 
 
 def test_packages_that_are_absent(tmp_path: Path) -> None:
-    names = ("nav2_util", "cv_bridge", "angles", "std_msgs", "tf2_ros", "py")
+    names = ("nav2_util", "cv_bridge", "acme_base", "std_msgs", "tf2_ros", "py")
     depends = "".join(f"<depend>{name}</depend>" for name in names)
     write(tmp_path, cpp=f"#include <cv_bridge/cv_bridge.hpp>\n{CPP}")
     (tmp_path / "src/cpp/package.xml").write_text(f"<package><name>cpp</name>{depends}</package>")
@@ -433,12 +434,24 @@ def test_packages_that_are_absent(tmp_path: Path) -> None:
     )
     assert warnings(tmp_path) == [
         "src/cpp/CMakeLists.txt: 'cpp' needs 'nav2_util', which is not in the workspace; "
-        "clone its sources there",
-        "src/cpp/CMakeLists.txt: 'cpp' needs 'angles', which is not in the workspace; "
+        "clone its sources there: "
+        "git clone -b kilted https://github.com/ros-planning/navigation2.git",
+        "src/cpp/CMakeLists.txt: 'cpp' needs 'acme_base', which is not in the workspace; "
         "clone its sources there",
         # CMake finds this one for the programs that do not include it.
         "src/cpp: 'talker' needs 'cv_bridge', which has no build for the page",
     ]
+
+
+def test_libraries_that_are_not_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, cpp=f"#include <fmt/core.h>\n{CPP}")
+    monkeypatch.setattr(libraries, "ROOTS", [tmp_path])
+    assert warnings(tmp_path) == [
+        "src/cpp: 'talker' needs 'fmt', which is not installed (apt-get install libfmt-dev)"
+    ]
+    (tmp_path / "fmt").mkdir()
+    (tmp_path / "fmt/core.h").touch()
+    assert warnings(tmp_path) == []
 
 
 def test_images_without_a_text(tmp_path: Path) -> None:

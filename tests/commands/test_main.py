@@ -88,7 +88,7 @@ def test_a_bug_keeps_its_traceback(
     assert lines[-2:] == ["KeyError: 'oops'", "this is a bug in sitegen, please report it"]
 
 
-COMMANDS = "build, check, compile, deploy, gateway, init, new, schema, serve, theme, types"
+COMMANDS = "build, check, compile, deploy, gateway, init, missing, new, schema, serve, theme, types"
 
 
 @pytest.mark.parametrize(

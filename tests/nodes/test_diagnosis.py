@@ -29,7 +29,7 @@ def test_packages_of_ros_are_added_to_the_workspace(diagnosis: Diagnosis) -> Non
     said = 'Could not find a package configuration file provided by "nav2_util" with any of'
     assert diagnosis.of_cmake(said) == [
         "src/arm/CMakeLists.txt: 'arm' needs 'nav2_util', which is not in the workspace; "
-        "clone its sources there"
+        "clone its sources there: git clone -b kilted https://github.com/ros-planning/navigation2.git"
     ]
 
 

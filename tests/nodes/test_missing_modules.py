@@ -165,6 +165,14 @@ def test_messages_name_the_release_of_pyodide_that_pages_load() -> None:
     assert DOWNLOADS.replace(VERSION, "${U}") in loader
 
 
+def test_interfaces_that_are_missing_are_cloned() -> None:
+    assert dependencies.unavailable("nav2_msgs") == (
+        "needs package 'nav2_msgs', which is not in the workspace; clone its sources there: "
+        "git clone -b kilted https://github.com/ros-planning/navigation2.git"
+    )
+    assert "requirements.txt" in dependencies.unavailable("acme_msgs")
+
+
 def test_every_package_of_the_distribution_has_a_message() -> None:
     lock = json.loads(dependencies.DISTRIBUTION.read_text())["packages"]
     modules = {module for one in lock.values() for module in one["imports"]}

@@ -9,7 +9,8 @@ import pytest
 
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import CMake
-from sitegen.nodes.cpp.compiler import Compiler, Job
+from sitegen.nodes.cpp.compiler import Compiler
+from sitegen.nodes.cpp.jobs import Job
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.options import PUBLISH
 from sitegen.report import Report

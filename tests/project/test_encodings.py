@@ -22,6 +22,7 @@ OWN = {
     *("site/assets.py", "site/jupyter/lab.py", "site/offline/worker.py", "site/single/page.py"),
     # rosidl refuses the mark, and this module says so.
     "interfaces/definitions.py",
+    "workspace/repositories.py",
 }
 # These run in the page.
 CLIENTS = "clients/"

@@ -9,7 +9,10 @@ from paths import ROOT
 
 from sitegen import workspace
 
-PAGES = ("what-runs.md", "libraries.md", "cpp-packages.md", "launch.md", "nodes.md")
+PAGES = (
+    *("what-runs.md", "libraries.md", "included-packages.md"),
+    *("cpp-packages.md", "launch.md", "nodes.md"),
+)
 PAGE = "\n".join(ROOT.joinpath("docs", name).read_text(encoding="utf-8") for name in PAGES)
 INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from packages import CMAKE
 
 from sitegen.interfaces import generator
+from sitegen.model import BuildSettings
 from sitegen.nodes.cpp import libraries
 from sitegen.nodes.cpp.cmake import CMake
 from sitegen.nodes.cpp.toolchain import Toolchain
@@ -20,6 +21,7 @@ class Configuring:
     def __init__(self, cmake: CMake, folder: Path) -> None:
         self._cmake = cmake
         self.folder = folder
+        self.settings: Mapping[str, BuildSettings] = {}
 
     def write(self, path: str, text: str) -> None:
         file = self.folder / path
@@ -41,13 +43,17 @@ class Configuring:
 
         Each finds those before it, and `needs`, which are not configured.
         """
-        packages = scan(self.folder)
+        packages = scan(self.folder, self.settings)
         for at, name in enumerate(names):
             before = [packages[one] for one in (*needs, *names[:at])]
             done = self._cmake.configure(packages[name], before, name)
             if done.returncode:
                 return " ".join(done.stdout.split())
         return ""
+
+    def output(self, name: str) -> str:
+        """Configure one package, and return what CMake prints."""
+        return self._cmake.configure(scan(self.folder, self.settings)[name], [], name).stdout
 
     def compile(self, name: str, program: str) -> str:
         """Compile src/main.cpp of a `program` and return the errors."""
@@ -56,7 +62,7 @@ class Configuring:
         return done.stdout if done.returncode else ""
 
     def tree(self, name: str) -> Path:
-        return self._cmake.tree(scan(self.folder)[name])
+        return self._cmake.tree(scan(self.folder, self.settings)[name])
 
 
 def cmake_for_tests(work: Path) -> CMake:

@@ -11,16 +11,15 @@ from collections.abc import Mapping, Sequence
 from paths import ROOT
 
 from sitegen.config.displays import Kind, kinds
+from sitegen.config.nodekeys import COMPILED, NODE, ROS2WASM
 from sitegen.config.schema import (
-    COMPILED,
+    BUILD,
     CONNECT,
     DEPLOY,
     FILE,
     NAMES,
-    NODE,
     PAGE,
     PYODIDE,
-    ROS2WASM,
     SITE,
     Key,
 )
@@ -53,6 +52,7 @@ TABLES: Mapping[str, Mapping[str, Sequence[Key]]] = {
         "A node compiled elsewhere": COMPILED,
         "A node of ROS2WASM": ROS2WASM,
     },
+    "cpp-packages.md": {"Settings of a package": BUILD},
     "pages.md": {"A page": PAGE},
     "gateway.md": {"The key connect": CONNECT, "What meets": NAMES},
     "gateway-yaml.md": {

@@ -16,6 +16,7 @@ from sitegen import config
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import SiteError
 from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp.jobs import Job
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.nodes.programs import jobs_of, nodes_of
 from sitegen.options import Options
@@ -47,7 +48,7 @@ def options_of(folder: Path, *, everything: bool) -> Options:
 def compile_all(*, everything: bool) -> None:
     """Compile the programs of all sites, those that are built alike at once."""
     cache = cache_folder()
-    wanted: dict[bool, list[tuple[compiler.Job, str]]] = {}
+    wanted: dict[bool, list[tuple[Job, str]]] = {}
     for folder in EVERY if everything else [one for one in EVERY if one != BENCH]:
         site = config.load(folder / "site.yaml")
         options = options_of(folder, everything=everything)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from sitegen.model import BuildSettings
 from sitegen.workspace import cmakelists
 
 # Made by `cmake --install` in a project with these files; links and empty folders are left out.
@@ -25,7 +26,7 @@ def folder(tmp_path: Path) -> Path:
 def read(folder: Path, text: str) -> cmakelists.Listing:
     file = folder / "CMakeLists.txt"
     file.write_text(f"cmake_minimum_required(VERSION 3.8)\nproject(yard NONE)\n{text}\n")
-    return cmakelists.read(file, "yard")
+    return cmakelists.read(file, "yard", BuildSettings())
 
 
 def messages(listing: cmakelists.Listing) -> list[str]:

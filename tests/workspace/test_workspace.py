@@ -6,7 +6,7 @@ from textwrap import dedent
 import pytest
 
 from sitegen.errors import SiteError
-from sitegen.model import Package
+from sitegen.model import BuildSettings, Package
 from sitegen.workspace import scan, with_dependencies, with_plugins
 
 
@@ -194,6 +194,29 @@ def test_the_build_type(tmp_path: Path, export: str, cmake: bool, build_type: st
 )
 def test_executables(tmp_path: Path, cmake: str, executables: tuple[str, ...] | None) -> None:
     assert listing(tmp_path, cmake).executables == executables
+
+
+def test_settings_of_a_build_decide_what_is_read(tmp_path: Path) -> None:
+    cmake = """\
+option(X "x" OFF)
+option(Y "y" ON)
+set(NAME a CACHE STRING "")
+set(OTHER b CACHE STRING "" FORCE)
+if(X)
+  add_executable(x x.cpp)
+endif()
+if(Y)
+  add_executable(y y.cpp)
+endif()
+add_executable(${NAME} main.cpp)
+add_executable(${OTHER} main.cpp)
+"""
+    folder = write(tmp_path, {"demo/package.xml": xml("demo"), "demo/CMakeLists.txt": cmake})
+    assert scan(folder)["demo"].executables == ("y", "a", "b")
+    given = BuildSettings(("-DX:BOOL=on", "-DY=0", "-DNAME=c", "-DOTHER=d"))
+    found = scan(folder, {"demo": given, "elsewhere": BuildSettings(("-DX=OFF",))})["demo"]
+    assert found.executables == ("x", "c", "b")
+    assert found.settings == given
 
 
 def test_executables_of_included_files(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from sitegen.commands.init.runs import runs
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.model import Package
 from sitegen.report import Report
-from sitegen.workspace.absent import CLONE, absent
+from sitegen.workspace.absent import absent, clone
 
 FILE = "site.yaml"
 
@@ -50,7 +50,7 @@ def _write_site(folder: Path, report: Report) -> None:
     schema.check_free(folder)
     root = folder.resolve()
     problems = Problems(root)
-    packages = workspace.with_replaced(workspace.scan(root, problems=problems))
+    packages = workspace.with_replaced(workspace.scan(root, {}, problems))
     problems.raise_if_any()
     links = Problems(root)
     workspace.report_outside(root, links)
@@ -73,7 +73,7 @@ def _write_site(folder: Path, report: Report) -> None:
         report.say(f"  skipped: {fault}")
     for package in packages.values():
         for name in absent(package, packages):
-            report.say(f"  {package.name}: needs '{name}', {CLONE}", "warning")
+            report.say(f"  {package.name}: needs '{name}', {clone(name)}", "warning")
     report.say(f"wrote {file}")
     report.say(f"wrote {schema.write(folder)}")
 

@@ -16,6 +16,7 @@ from sitegen.launch import LaunchDescription, launched
 from sitegen.model import Argument, Node, Package
 from sitegen.nodes.python import archives, dependencies, missing
 from sitegen.nodes.python.missing import Missing
+from sitegen.workspace.libraries import Library
 from sitegen.workspace.unsupported import unsupported_libraries
 
 # Both naming conventions of ROS: robot.launch.py and robot_launch.py.
@@ -70,7 +71,7 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             Node(title, name, executable, location)
             for title, executable in _names(package.executables or ()).items()
         ]
-        wrong = _faults(root, nodes, packages, unsupported)
+        wrong = _without(root, nodes, packages, unsupported) | _faults(root, nodes, packages)
         found = _lacking(root, [node for node in nodes if node.name not in wrong], packages)
         lacking |= found
         able = [node for node in nodes if node.name not in wrong and _key(node) not in found]
@@ -79,10 +80,12 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         for file in files(package, LAUNCH):
             path = package.path / file
             launch, problems, chosen = _described(path, there, root)
-            wrong = _faults(root, launch.nodes, packages, unsupported)
-            lines = [*problems.lines, *wrong.values()]
+            lines = [*problems.lines, *_faults(root, launch.nodes, packages).values()]
             found = {} if lines else _lacking(root, launch.nodes, packages)
-            able = [node for node in launch.nodes if _key(node) not in found]
+            # A build leaves these out of the pages of launch files, and those that lack modules.
+            wrong = {} if lines else _without(root, launch.nodes, packages, unsupported)
+            faults += dict.fromkeys(wrong.values())
+            able = [n for n in launch.nodes if _key(n) not in found and n.name not in wrong]
             if not able and not lines:
                 what = "opens windows, but starts" if launch.windows else "starts"
                 lines = [f"{what} no node that can run in the browser"]
@@ -122,24 +125,30 @@ def files(package: Package, patterns: Iterable[str]) -> list[str]:
     return sorted(file.relative_to(package.path).as_posix() for file in found)
 
 
-def _faults(
+def _without(
     root: Path,
     nodes: Sequence[Node],
     packages: Mapping[str, Package],
-    unsupported: Mapping[str, Mapping[str, str]],
+    unsupported: Mapping[str, Mapping[str, Library]],
 ) -> dict[str, str]:
+    """Return the libraries that nodes need and no page can have, by the names of such nodes."""
+    faults = {}
+    for node in nodes:
+        library = unsupported.get(node.package, {}).get(node.executable)
+        if library:
+            folder = relative(packages[node.package].path, root)
+            what = f"needs '{library.name}', which is not available in the browser"
+            faults[node.name] = f"{folder}: '{node.executable}' {what}"
+    return faults
+
+
+def _faults(root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]) -> dict[str, str]:
     """Return the reason why a node cannot run on a page, by the names of such nodes."""
     faults = {}
     there = workspace.with_shipped(packages, (node.package for node in nodes))
     for node in nodes:
         problems = Problems(root)
         check_package(Declared(node, None), there, problems)
-        what = unsupported.get(node.package, {}).get(node.executable)
-        if what:
-            folder = relative(packages[node.package].path, root)
-            message = f"'{node.executable}' needs '{what}', which is not available in the browser"
-            faults[node.name] = f"{folder}: {message}"
-            continue
         if problems.lines:
             faults[node.name] = problems.lines[0]
     return faults
@@ -148,10 +157,7 @@ def _faults(
 def _lacking(
     root: Path, nodes: Sequence[Node], packages: Mapping[str, Package]
 ) -> dict[str, Missing]:
-    """Return the modules that nodes import and that pages lack, by the keys of such nodes.
-
-    A build leaves these nodes out of the pages of launch files.
-    """
+    """Return the modules that nodes import and that pages lack, by the keys of such nodes."""
     there = workspace.with_shipped(packages, (node.package for node in nodes))
     problems = Problems(root)
     found: dict[str, Missing] = {}

@@ -5,8 +5,9 @@ from __future__ import annotations
 import hashlib
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from sitegen.model import Package
@@ -78,7 +79,7 @@ class CMake:
 
     def tree(self, package: Package) -> Path:
         """The build folder of `package`, named by its location, so that builds are incremental."""
-        what = "\n".join([str(package.path), *package.linked])
+        what = "\n".join([str(package.path), *package.linked, *package.settings.lines])
         place = hashlib.sha256(what.encode()).hexdigest()[:12]
         kind = f"{self.engine}-debug" if self.debug else self.engine
         return self.work / kind / "packages" / f"{package.name}-{place}"
@@ -109,8 +110,9 @@ class CMake:
         # It has no ament_package(): only its own installation knows what others use. A program or
         # an example of it may fail that is not installed.
         tree = self.tree(package)
-        made = self.tools.run(self.tools.ninja, "-C", tree, "-k", "0")
-        done = self.tools.run(self.tools.cmake, "--install", tree)
+        variables = package.settings.environment
+        made = self.tools.run(self.tools.ninja, "-C", tree, "-k", "0", variables=variables)
+        done = self.tools.run(self.tools.cmake, "--install", tree, variables=variables)
         return made if done.returncode and made.returncode else done
 
     def make_library(self) -> Done:
@@ -126,7 +128,9 @@ class CMake:
         """
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
-        return self._configure(package.path, tree, prefixes, shown, package.linked)
+        settings = package.settings
+        more = [*settings.cmake, f"-DSITEGEN_LINKED={';'.join(package.linked)}"]
+        return self._configure(package.path, tree, prefixes, shown, more, settings.environment)
 
     def make_programs(self, package: Package, *executables: str) -> Done:
         """Build programs of a configured package; of several, a failure stops only its own one."""
@@ -138,10 +142,11 @@ class CMake:
         command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
         if len(targets) > 1:
             command += ["-k", "0"]
-        done = self.tools.run(*command)
+        run = partial(self.tools.run, *command, variables=package.settings.environment)
+        done = run()
         if UNDEFINED in done.stdout:
             # The linker can find out who needs the symbol, but doing so takes time at every link.
-            done = self.tools.run(*command, flags="-s LLD_REPORT_UNDEFINED=1")
+            done = run(flags="-s LLD_REPORT_UNDEFINED=1")
         return done
 
     def _configure(
@@ -150,7 +155,8 @@ class CMake:
         tree: Path,
         prefixes: Sequence[Path],
         shown: str,
-        linked: Sequence[str] = (),
+        more: Sequence[str] = (),
+        variables: Mapping[str, str] | None = None,
     ) -> Done:
         optimize = OPTIMIZE_DEBUG if self.debug else OPTIMIZE
         defines = {
@@ -167,7 +173,6 @@ class CMake:
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
             "SITEGEN_HEADERS": self.headers,
-            "SITEGEN_LINKED": ";".join(linked),
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PROGRAMS": tree / PROGRAMS,
             "SITEGEN_PYTHON": sys.executable,
@@ -177,6 +182,7 @@ class CMake:
         }
         if self.tools.eigen:
             defines["Eigen3_DIR"] = self.tools.eigen
-        words = [f"-D{name}={value}" for name, value in defines.items()]
+        words = [*more, *(f"-D{name}={value}" for name, value in defines.items())]
         command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
-        return self.tools.run(*command, *SETTINGS, *words, variables=ENVIRONMENT)
+        variables = {**ENVIRONMENT, **(variables or {})}
+        return self.tools.run(*command, *SETTINGS, *words, variables=variables)

@@ -6,7 +6,7 @@ import os
 import shutil
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -15,11 +15,12 @@ from sitegen.cache.durations import Durations
 from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator
-from sitegen.model import BROWSERS, Artifact, Build, Package
+from sitegen.model import BROWSERS, Build, Package
 from sitegen.nodes.cpp import drafts, libraries
 from sitegen.nodes.cpp.cmake import CLIENT, CMake
-from sitegen.nodes.cpp.diagnosis import Diagnosis, brief
+from sitegen.nodes.cpp.diagnosis import Diagnosis, brief, lacks_library
 from sitegen.nodes.cpp.digests import Digests
+from sitegen.nodes.cpp.jobs import Compiled, Job
 from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.progress import Progress, counted, plan
 from sitegen.nodes.cpp.sources import LibrarySources
@@ -48,31 +49,6 @@ GENERATOR = (
 )
 
 
-@dataclass(frozen=True)
-class Job:
-    """What to compile: executables of one package, after the packages that it needs."""
-
-    package: Package
-    executables: tuple[str, ...]
-    needs: tuple[Package, ...]
-
-
-# By package and executable.
-Builds = Mapping[tuple[str, str], Sequence[Build]]
-
-
-@dataclass(frozen=True)
-class Compiled:
-    """The builds of the programs that compiled, and why the others did not, in one line each.
-
-    `licences` are those of the libraries that the programs are linked with.
-    """
-
-    builds: Builds
-    faults: Mapping[tuple[str, str], str]
-    licences: Sequence[Artifact] = ()
-
-
 def compile_nodes(
     jobs: Sequence[Job],
     engines: Sequence[str],
@@ -82,13 +58,15 @@ def compile_nodes(
     cache: Path,
     report: Report,
     options: Options = PUBLISH,
+    optional: Collection[tuple[str, str]] = (),
 ) -> Compiled:
     """Compile each executable for each engine, or take it from the cache.
 
-    `root` is the folder of the site, `workspace` that of the workspace. With `keep_going`, errors
-    are reported, and everything else is returned.
+    `root` is the folder of the site, `workspace` that of the workspace. `optional` programs, by
+    package and executable, may need libraries that no page can have. With `keep_going`, errors are
+    reported, and everything else is returned.
 
-    Raises: SiteError with the output of the compiler if a program does not compile.
+    Raises: SiteError with the output of the compiler if another program does not compile.
     """
     if not jobs:
         return Compiled({}, {})
@@ -109,14 +87,21 @@ def compile_nodes(
         if line := drafts.reason([compiler.builds(job, [engine]) for job, engine in missing]):
             report.say_once(line)
         told = compiler.compile(missing)
-        problems = list(dict.fromkeys(line for lines in told for line in lines))
+        problems, left_out = dict[str, None](), dict[str, None]()
+        for (job, engine), lines in zip(missing, told, strict=True):
+            failed = compiler.failed(job, engine) if lines else []
+            faults |= dict.fromkeys(failed, brief(lines[0])) if lines else {}
+            if all(map(lacks_library, lines)) and {*failed} <= {*optional}:
+                names = ", ".join(map("/".join, failed))
+                left_out |= dict.fromkeys(f"{line} (left out: {names})" for line in lines)
+            else:
+                problems |= dict.fromkeys(lines)
         if problems and not options.keep_going:
-            raise SiteError(problems)
+            raise SiteError([*problems])
         for line in problems:
             report.say(line, "bad")
-        for (job, _), lines in zip(missing, told, strict=True):
-            for executable in job.executables if lines else ():
-                faults[job.package.name, executable] = brief(lines[0])
+        for line in left_out:
+            report.say(line, "warning")
         forget_old(cache)
     builds = {
         (job.package.name, executable): [compiler.build(job, executable, e) for e in engines]
@@ -194,6 +179,13 @@ class Compiler:
         stem = f"{executable}.{engine}"
         suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
         return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
+
+    def failed(self, job: Job, engine: str) -> list[tuple[str, str]]:
+        """Return the programs of `job` that do not exist, by package and executable."""
+        names = (
+            name for name in job.executables if not self.build(job, name, engine).wasm.exists()
+        )
+        return [(job.package.name, name) for name in names]
 
     def _folder(self, job: Job, engine: str) -> Path:
         # A program that already exists in its final form needs no draft. Asked once, because the

@@ -12,8 +12,9 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
-from sitegen.workspace.absent import CLONE, NO_BUILD, without
+from sitegen.workspace.absent import NO_BUILD, clone, without
 from sitegen.workspace.libraries import HEADER_ONLY, compiled_for, of_header
+from sitegen.workspace.repositories import repository
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # The command lines of a build, and lines that Ninja and em++ add.
@@ -26,6 +27,7 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Header-only packages that authors can install, and how.
 INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
+NOWHERE = "which is not available in the browser"
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
@@ -58,7 +60,7 @@ class Diagnosis:
         missing = self.missing(output)
         if missing:
             if missing in self.package.depends:
-                return [self._needs(missing, CLONE)]
+                return [self._needs(missing, clone(missing))]
             how = INSTALLED.get(missing)
             return [self._needs(missing, f"which is not installed ({how})" if how else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
@@ -98,6 +100,8 @@ class Diagnosis:
         if folder in failed:
             return [f"{problem}, because package '{folder}' failed{others}", *failed[folder]]
         hint = f"; is package '{folder}' in the workspace?" if rest else ""
+        if rest and (known := repository(folder)):
+            hint = f"; clone the sources of '{folder}' into the workspace: {known.clone}"
         if library_package:
             hint = f"; add find_package({folder} REQUIRED) to CMakeLists.txt"
         if any(need.name == folder for need in self.needs):
@@ -109,7 +113,7 @@ class Diagnosis:
         if f"unknown target '{PROGRAMS}/{executable}.js'" in output:
             what = f"has no executable '{executable}'"
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
-                what += f" without {names}, which is not available in the browser"
+                what += f" without {names}, {NOWHERE}"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
         source = FAILED_SOURCE.search(output)
         if source:
@@ -150,6 +154,11 @@ class Diagnosis:
         shown = [line for line in shown if not line.startswith("-- ")]
         text = re.sub(r"\n{3,}", "\n\n", "\n".join(shown)).strip()
         return text.replace(f"{self.root}/", "")
+
+
+def lacks_library(problem: str) -> bool:
+    """Return whether a program does not compile because it needs what no page can have."""
+    return problem.endswith((NO_BUILD, NOWHERE))
 
 
 def brief(problem: str) -> str:

@@ -39,7 +39,8 @@ class Digests:
     def _of_one(self, package: Package) -> str:
         if package.path not in self._found:
             folders = [package.path, *self._sources.of(package)]
-            self._found[package.path] = digest_of(folders, roots=self._roots)
+            settings = package.settings.lines
+            self._found[package.path] = digest_of(folders, *settings, roots=self._roots)
         return self._found[package.path]
 
     def shown(self, package: Package) -> str:

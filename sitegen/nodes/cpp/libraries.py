@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
-from sitegen.workspace.libraries import COMPILED, HEADER_ONLY, LIBRARIES
+from sitegen.workspace.libraries import COMPILED, HEADER_ONLY, LIBRARIES, Library
 
 # Where Debian, `make install` and Homebrew put headers.
 ROOTS = [Path(root, "include") for root in ("/usr", "/usr/local", "/opt/homebrew")]
@@ -55,8 +56,17 @@ def identity() -> str:
     return digest_of(mark for _, mark in _installed())
 
 
+def not_installed() -> list[Library]:
+    """Return the libraries of which this computer lacks the headers."""
+    return [one for one in HEADER_ONLY if not any(_marks(one))]
+
+
 def _installed() -> Iterator[tuple[Path, Path]]:
     """Yield a header with the version of each library that is installed, after its root."""
     for library in HEADER_ONLY:
-        marks = [(root, root / mark) for root in ROOTS for mark in library.marks]
-        yield from [each for each in marks if each[1].is_file()][:1]
+        yield from islice(_marks(library), 1)
+
+
+def _marks(library: Library) -> Iterator[tuple[Path, Path]]:
+    marks = ((root, root / mark) for root in ROOTS for mark in library.marks)
+    return (each for each in marks if each[1].is_file())

@@ -64,12 +64,13 @@ class LibrarySources:
 
     def licences(self, packages: Iterable[Package]) -> list[Artifact]:
         """Return the licences of the libraries among `packages`, for the site."""
+        named = {one.package: one.licence for one in COMPILED}
         return [
             Artifact(f"nodes/licenses/{package.name}/{file.name}", file)
             for package in packages
             for folder in self.of(package)
             for file in sorted(folder.rglob("*"))
-            if LICENCE.fullmatch(file.name)
+            if LICENCE.fullmatch(file.name) or file == folder / named[package.name]
         ]
 
     def check(self, package: Package) -> None:

@@ -23,6 +23,8 @@ from sitegen.nodes.python.pyodide import DOWNLOADS
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.report import Report
 from sitegen.shipped import VENDOR
+from sitegen.workspace.absent import clone
+from sitegen.workspace.repositories import repository
 
 # The index of the Pyodide distribution: its packages and their hashes.
 DISTRIBUTION = VENDOR / "pyodide-packages.json"
@@ -32,6 +34,8 @@ LARGEST = 100_000_000
 THERE = {"pyyaml", "typing-extensions"}
 # The prefix of ROS packages on PyPI; pages have these with rclpy and the messages.
 OF_ROS = "ros-"
+# The names of ROS packages whose Python modules are made from interfaces.
+OF_INTERFACES = re.compile(r"_(msgs|interfaces|srvs)$")
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
 
 
@@ -140,6 +144,8 @@ def unavailable(module: str) -> str:
 def _unavailable(
     module: str, origins: Mapping[str, str], lock: Mapping[str, Any], origin: str | Path
 ) -> str:
+    if OF_INTERFACES.search(module) and repository(module):
+        return f"needs package '{module}', {clone(module)}"
     if module not in origins or (not origin and lock[origins[module]]["file_name"].endswith(PURE)):
         return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"
     return _advice(origins[module], lock, origin)

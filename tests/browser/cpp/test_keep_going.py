@@ -1,4 +1,4 @@
-"""Sites built with --keep-going: pages with nodes that did not compile."""
+"""Pages with nodes that did not compile."""
 
 from __future__ import annotations
 
@@ -71,3 +71,27 @@ def test_what_did_not_build_says_so_on_its_page(
 
     # What failed is tried again by the next build, with the option or without.
     assert main(["build", str(folder)]) == 1
+
+
+def test_nodes_of_launch_files_may_need_what_no_page_has(
+    folder: Path, browser: Browser, serve: Serve, capsys: pytest.CaptureFixture[str]
+) -> None:
+    launch = folder / "all.launch.xml"
+    nodes = ("mixed", "good"), ("lost", "lost")
+    tags = "".join(f'<node pkg="{package}" exec="{name}"/>' for package, name in nodes)
+    launch.write_text(f"<launch>{tags}</launch>")
+    page = "pages: [{path: /, title: Test, launch: all.launch.xml}]"
+    (folder / "site.yaml").write_text(f"site: {{title: Test, asyncify: false}}\n{page}\n")
+    assert main(["build", str(folder)]) == 0
+    said = capsys.readouterr().out.splitlines()
+    needs = "src/lost/CMakeLists.txt: 'lost' needs 'PCL', which has no build for the page"
+    assert f"{needs} (left out: lost/lost)" in said
+    tab = browser.new_page()
+    tab.goto(serve(folder / "dist"))
+    Panel(tab, "good").wait_for("works")
+    expect(Panel(tab, "lost").console).to_contain_text(LOST)
+
+    # What can be mended is an error.
+    launch.write_text(f"<launch>{tags}<node pkg='mixed' exec='bad'/></launch>")
+    assert main(["build", str(folder)]) == 1
+    assert "'absent/part.hpp', which was not found" in capsys.readouterr().err

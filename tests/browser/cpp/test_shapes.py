@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from browser import Built, Serve
 from panel import Panel
 from paths import SITES
@@ -49,3 +51,23 @@ def test_packages_of_many_shapes_run(built: Built, serve: Serve, tab: Page) -> N
         panel.expect_state("stopped")
         logs = name not in ("plain", "libraries")
         assert lines == (panel.messages() if logs else panel.lines())
+
+
+def test_robot_descriptions_are_read(built: Built, serve: Serve, tab: Page) -> None:
+    """By a program that settings in site.yaml add to its package."""
+    tab.goto(serve(built(SITES / "shapes")))
+    panel = Panel(tab, "models")
+    panel.start()
+    panel.wait_for("the other way around")
+    lines = panel.lines()
+    assert [line for line in lines if not re.match(r"Error|Warning| ", line)] == [
+        "a joint without a parent: 0",
+        "Could not open file [/ros/share/robot_libraries/gone.urdf] for parsing.",
+        "no such file: 0",
+        "arm has 2 links, root base",
+        "shoulder turns to 90 degrees",
+        "upper weighs 2.5 kg",
+        "the other way around: 1, -5.2832",
+    ]
+    # console_bridge tells what urdfdom finds.
+    assert "loose" in " ".join(line for line in lines if line.startswith("Error"))

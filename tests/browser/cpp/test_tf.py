@@ -49,6 +49,7 @@ Frame laser exists with parent base.
 pose world 2.000 1.000 yaw 1.571
 converted 2.000 1.000
 of Eigen 2.000 1.000 in world, back 1.000 0.000
+cloud in world: -1.000 1.000 3.000 of 64 bytes
 world <- late is there
 """.strip("\n").split("\n")
 # The form is that of the tutorials of tf2.

@@ -6,6 +6,8 @@
 #include "geometry_msgs/msg/point_stamped.hpp"
 #include "geometry_msgs/msg/pose_stamped.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
+#include "sensor_msgs/msg/point_cloud2.hpp"
+#include "sensor_msgs/point_cloud2_iterator.hpp"
 #include "tf2/LinearMath/Matrix3x3.h"
 #include "tf2/LinearMath/Quaternion.h"
 #include "tf2/buffer_core.h"
@@ -13,6 +15,7 @@
 #include "tf2/utils.h"
 #include "tf2_eigen/tf2_eigen.hpp"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
+#include "tf2_sensor_msgs/tf2_sensor_msgs.hpp"
 
 namespace
 {
@@ -118,6 +121,24 @@ int main()
   std::printf(
     "of Eigen %.3f %.3f in %s, back %.3f %.3f\n", there.x(), there.y(), there.frame_id_.c_str(),
     as_message.x, as_message.y);
+
+  sensor_msgs::msg::PointCloud2 cloud, around;
+  cloud.header.frame_id = "base";
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
+  modifier.resize(2);
+  sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
+  x[0] = x[1] = x[2] = 0;
+  ++x;
+  x[0] = 1;
+  x[1] = x[2] = 3;
+  tf2::doTransform(cloud, around, turned);
+  sensor_msgs::PointCloud2ConstIterator<float> last(around, "x");
+  ++last;
+  std::printf(
+    "cloud in %s: %.3f %.3f %.3f of %zu bytes\n", around.header.frame_id.c_str(), last[0], last[1],
+    last[2], around.data.size());
+
   buffer.addTransformableRequest(
     [](auto, const auto & to, const auto & from, auto, auto result) {
       std::printf(

@@ -1,0 +1,1 @@
+sitegen_named(console_bridge console_bridge::console_bridge)

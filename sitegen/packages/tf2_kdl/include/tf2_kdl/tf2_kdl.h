@@ -1,0 +1,3 @@
+#pragma once
+
+#include "tf2_kdl/tf2_kdl.hpp"

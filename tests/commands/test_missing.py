@@ -1,0 +1,97 @@
+"""The packages that a workspace lacks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+
+from sitegen.__main__ import main
+from sitegen.workspace.repositories import TABLE, repository
+
+FOUND = "".join(f"find_package({name} REQUIRED)\n" for name in ("rclcpp", "filters", "acme_base"))
+
+
+def package(folder: Path, name: str, cmake: str, *depends: str) -> None:
+    tags = "".join(f"<depend>{each}</depend>" for each in depends)
+    place = folder / "src" / name
+    place.mkdir(parents=True)
+    (place / "package.xml").write_text(f"<package format='3'><name>{name}</name>{tags}</package>")
+    (place / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.8)\nproject({name})\n{cmake}"
+    )
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    package(tmp_path, "laser", FOUND, "rclcpp", "filters", "acme_base")
+    package(tmp_path, "lidar", "find_package(filters REQUIRED)\n", "filters")
+    return tmp_path
+
+
+def test_packages_are_listed_with_what_to_do(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["missing", str(folder)]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        "'filters', needed by 'laser', 'lidar': "
+        "git clone -b ros2 https://github.com/ros/filters.git",
+        "'acme_base', needed by 'laser': sitegen does not know where its sources are",
+        "2 packages missing",
+        "clone their sources with:  sitegen missing --vcs | vcs import src",
+    ]
+
+
+def test_a_file_for_vcs_has_each_repository_once(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package(
+        folder,
+        "bonds",
+        "find_package(bond REQUIRED)\nfind_package(smclib REQUIRED)\n",
+        "bond",
+        "smclib",
+    )
+    assert main(["missing", "--vcs", str(folder)]) == 0
+    out = capsys.readouterr().out
+    assert yaml.safe_load(out) == {
+        "repositories": {
+            name: {"type": "git", "url": f"https://github.com/ros/{name}.git", "version": "ros2"}
+            for name in ("bond_core", "filters")
+        }
+    }
+    assert "# 'acme_base', needed by 'laser': sitegen does not know" in out
+
+
+def test_nothing_is_missing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["missing", str(tmp_path)]) == 1
+    assert "no ROS package found; give the folder of a workspace" in capsys.readouterr().err
+    package(tmp_path, "base", "find_package(urdf REQUIRED)\n", "urdf")
+    assert main(["missing", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == "no package is missing\n"
+    assert main(["missing", "--vcs", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == "repositories: {}\n"
+
+
+def test_settings_of_builds_decide_what_is_needed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cmake = 'option(LASER "" OFF)\nif(LASER)\n  find_package(filters REQUIRED)\nendif()\n'
+    package(tmp_path, "laser", cmake, "filters")
+    assert main(["missing", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == "no package is missing\n"
+    (tmp_path / "site.yaml").write_text("build: {laser: {cmake: [-DLASER=ON]}}\n")
+    assert main(["missing", str(tmp_path)]) == 0
+    assert capsys.readouterr().out.startswith("'filters', needed by 'laser': ")
+
+
+def test_each_line_of_the_table_is_a_repository() -> None:
+    lines = [each for each in TABLE.read_text().splitlines() if not each.startswith("#")]
+    assert lines == sorted(lines)
+    names = [name for line in lines for name in line.split(" ")[2:]]
+    assert len(names) == len(set(names)) > 2000
+    assert all(line.startswith("https://") for line in lines)
+    found = repository("nav2_msgs")
+    assert found
+    assert found.name == "navigation2"
