@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sitegen import workspace
 from sitegen.cache.folder import cache_folder
-from sitegen.config.builds import builds_of
+from sitegen.config.builds import packages_of
 from sitegen.errors import Problems, SiteError, nearest
 from sitegen.model import Package
 from sitegen.nodes import share
@@ -25,9 +25,7 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
     """
     root = folder.resolve()
     problems = Problems(root)
-    built = builds_of(root, problems)
-    packages = workspace.scan(root, built.settings, problems)
-    built.check(packages, problems)
+    packages: Mapping[str, Package] = packages_of(root, problems)
     problems.raise_if_any()
     packages = workspace.with_shipped(packages, (name.partition("/")[0] for name in names))
     wanted = _wanted(names, packages)

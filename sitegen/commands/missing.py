@@ -5,28 +5,26 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from sitegen import workspace
-from sitegen.config.builds import builds_of
+from sitegen.config.builds import packages_of
 from sitegen.errors import Problems, SiteError
 from sitegen.report import Report, count
 from sitegen.workspace.absent import absent
-from sitegen.workspace.repositories import repository
+from sitegen.workspace.repositories import Repository, repository
 
 UNKNOWN = "sitegen does not know where its sources are"
 
-# The packages that need a missing one, by its name.
-Missing = Mapping[str, Sequence[str]]
+# The packages that need an absent one, by its name.
+Absent = Mapping[str, Sequence[str]]
 
 
-def missing(folder: Path) -> Missing:
+def missing(folder: Path) -> Absent:
     """Return what the packages of the workspace need, and neither it nor sitegen has.
 
     Raises: SiteError if there is no package, or with the problems of their files.
     """
     root = folder.resolve()
     problems = Problems(root)
-    settings = builds_of(root, problems).settings
-    packages = workspace.scan(root, settings, problems)
+    packages = packages_of(root, problems)
     problems.raise_if_any()
     if not packages:
         raise SiteError([f"{folder}: no ROS package found; give the folder of a workspace"])
@@ -37,11 +35,11 @@ def missing(folder: Path) -> Missing:
     return found
 
 
-def tell(found: Missing, report: Report) -> None:
+def tell(found: Absent, report: Report) -> None:
     """Report each missing package with the command that clones its sources."""
     for name, users in found.items():
         known = repository(name)
-        what = known.clone if known else UNKNOWN
+        what = known.command if known else UNKNOWN
         report.say(f"'{name}', needed by {_quoted(users)}: {what}", "warning")
     if not found:
         report.say("no package is missing", "good")
@@ -51,15 +49,17 @@ def tell(found: Missing, report: Report) -> None:
         report.say("clone their sources with:  sitegen missing --vcs | vcs import src")
 
 
-def vcs(found: Missing) -> str:
+def vcs(found: Absent) -> str:
     """Return a file for `vcs import` with the repositories of all missing packages."""
-    lines = ["repositories:"]
-    repositories = dict.fromkeys(filter(None, map(repository, found)))
-    for each in repositories:
+    repositories: dict[str, Repository] = {}
+    for each in dict.fromkeys(filter(None, map(repository, found))):
+        # Packages may be on several branches of a repository.
+        place = f"{each.name}-{each.branch}" if each.name in repositories else each.name
+        repositories[place] = each
+    lines = ["repositories:" if repositories else "repositories: {}"]
+    for place, each in repositories.items():
         url, version = f"    url: {each.url}.git", f"    version: {each.branch}"
-        lines += [f"  {each.name}:", "    type: git", url, version]
-    if not repositories:
-        lines = ["repositories: {}"]
+        lines += [f"  {place}:", "    type: git", url, version]
     for name, users in found.items():
         if not repository(name):
             lines.append(f"# '{name}', needed by {_quoted(users)}: {UNKNOWN}")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 
+from sitegen import workspace
 from sitegen.config.document import Value, parse, read
-from sitegen.config.schema import BUILD
-from sitegen.config.section import check
+from sitegen.config.schema import BUILD, FILE
+from sitegen.config.section import check, conforms
 from sitegen.errors import Location, Problems, nearest
 from sitegen.model import BuildSettings, Package
 
@@ -24,39 +24,38 @@ RESERVED = re.compile(
 )
 
 
-@dataclass(frozen=True)
-class Builds:
-    """The settings of packages by name, and where they were given."""
-
-    settings: Mapping[str, BuildSettings] = field(default_factory=dict)
-    _given: Mapping[str, Value] = field(default_factory=dict)
-
-    def check(self, packages: Mapping[str, Package], problems: Problems) -> None:
-        """Report settings of packages that the workspace has not, or that CMake does not build."""
-        for name, value in self._given.items():
-            package = packages.get(name)
-            if package is None:
-                message = f"no package '{name}' in the workspace; {nearest(name, packages)}"
-                problems.add(value.location, value.key, message)
-            elif not (package.path / "CMakeLists.txt").is_file():
-                message = f"'{name}' has no CMakeLists.txt, so CMake does not build it"
-                problems.add(value.location, value.key, message)
-
-
-def builds(given: Value | None, problems: Problems) -> Builds:
-    """Return the settings of packages, and report those that CMake would not take."""
-    if given and given.kind != "mapping":  # else the schema has checked it
-        problems.add(given.location, given.label, f"expected packages, found {given.found}")
+def build_settings(given: Value | None, problems: Problems) -> dict[str, BuildSettings]:
+    """Return the settings of packages by name, and report those that CMake would not take."""
     values = given.entries(problems) if given else {}
-    return Builds({name: _settings(value, problems) for name, value in values.items()}, values)
+    return {name: _settings(value, problems) for name, value in values.items()}
 
 
-def builds_of(folder: Path, problems: Problems) -> Builds:
-    """Return the settings in the site.yaml of `folder`, if it has one."""
+def check_settings(
+    settings: Mapping[str, BuildSettings], packages: Mapping[str, Package], problems: Problems
+) -> None:
+    """Report settings of packages that the workspace has not, or that CMake does not build."""
+    for name, each in settings.items():
+        message = ""
+        if name not in packages:
+            message = f"no package '{name}' in the workspace; {nearest(name, packages)}"
+        elif not (packages[name].path / "CMakeLists.txt").is_file():
+            message = f"'{name}' has no CMakeLists.txt, so CMake does not build it"
+        if message and each.location:
+            problems.add(each.location, f"build.{name}", message)
+
+
+def packages_of(folder: Path, problems: Problems) -> dict[str, Package]:
+    """Return the packages of a workspace, with the settings in its site.yaml, if it has one."""
     file = folder / "site.yaml"
     text = read(file, problems) if file.is_file() else None
     top = parse(text, Location(file, 1), problems) if text else None
-    return builds(top.entries(problems).get("build") if top else None, problems)
+    given = top.entries(problems).get("build") if top else None
+    key = next(key for key in FILE if key.name == "build")
+    sound = given if given and conforms(given, key, problems) else None
+    settings = build_settings(sound, problems)
+    packages = workspace.scan(folder, settings, problems)
+    check_settings(settings, packages, problems)
+    return packages
 
 
 def _settings(value: Value, problems: Problems) -> BuildSettings:
@@ -71,12 +70,13 @@ def _settings(value: Value, problems: Problems) -> BuildSettings:
         elif RESERVED.fullmatch(found[1]):
             message = f"sitegen sets '{found[1]}' itself, for builds for the browser; remove it"
             problems.add(item.location, item.key, message)
-    for name, each in environment.entries(problems).items() if environment else ():
+    variables = environment.entries(problems) if environment else {}
+    for name, each in variables.items():
         if not VARIABLE.fullmatch(name):
             message = f"'{name}' is not a valid name of an environment variable"
             problems.add(each.location, each.key, message)
-    texts = environment.texts(problems) if environment else {}
-    return BuildSettings(tuple(item.text for item in items), texts)
+    texts = {name: each.text for name, each in variables.items()}
+    return BuildSettings(tuple(item.text for item in items), texts, value.location)
 
 
 def _definition(text: str) -> str:

@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 
 from sitegen import workspace
 from sitegen.config.beside import with_pages_beside
-from sitegen.config.builds import builds
+from sitegen.config.builds import build_settings, check_settings
 from sitegen.config.connect import connect
 from sitegen.config.deploy import deploy
 from sitegen.config.document import Value, parse, read
@@ -76,15 +76,15 @@ def _site(file: Section, problems: Problems) -> Site:
     languages = _languages(site, problems)
     declared = declare(nodes, {}, problems) if nodes else {}
     folder = _workspace(file, problems)
-    built = builds(file.get("build"), problems)
-    scanned = cache(lambda: workspace.scan(folder, built.settings, problems) if folder else {})
+    settings = build_settings(file.get("build"), problems)
+    scanned = cache(lambda: workspace.scan(folder, settings, problems) if folder else {})
     joined = connect(file.get("connect"), problems)
     reader = PageReader(problems, declared, themes, languages, scanned, joined)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
     pages = with_pages_beside(pages, problems)
     packages = _packages(scanned, reader.declared, problems) if folder else {}
-    if file.get("build"):
-        built.check(scanned(), problems)
+    if settings:
+        check_settings(settings, scanned(), problems)
     if folder and reader.declared:
         # A package that is not found may be behind such a link.
         workspace.report_outside(folder, problems if problems.found else reader.notes)

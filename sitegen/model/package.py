@@ -36,10 +36,14 @@ class Setup:
 
 @dataclass(frozen=True)
 class BuildSettings:
-    """What CMake gets for one package: definitions (`-DNAME=value`) and environment variables."""
+    """What CMake gets for one package: definitions (`-DNAME=value`) and environment variables.
+
+    `location` is where site.yaml says so.
+    """
 
     cmake: tuple[str, ...] = ()
     environment: Mapping[str, str] = field(default_factory=dict)
+    location: Location | None = field(default=None, compare=False)
 
     @property
     def definitions(self) -> dict[str, str]:

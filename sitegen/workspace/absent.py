@@ -32,7 +32,7 @@ def absent(package: Package, workspace: Collection[str]) -> list[str]:
 def clone(name: str) -> str:
     """Return the end of a message about a package that is absent."""
     known = repository(name)
-    how = f": {known.clone}" if known else ""
+    how = f": {known.command}" if known else ""
     return f"which is not in the workspace; clone its sources there{how}"
 
 

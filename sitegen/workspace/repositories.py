@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from urllib.parse import urlsplit
 
 TABLE = Path(__file__).with_name("repositories.txt")
 
@@ -18,11 +19,11 @@ class Repository:
 
     @property
     def name(self) -> str:
-        """Return the name of its clone."""
-        return self.url.rpartition("/")[2]
+        """Return its owner and its name, such as ros/filters."""
+        return urlsplit(self.url).path.strip("/")
 
     @property
-    def clone(self) -> str:
+    def command(self) -> str:
         """Return the command that clones it."""
         return f"git clone -b {self.branch} {self.url}.git"
 

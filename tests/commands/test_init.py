@@ -171,8 +171,8 @@ rclcpp_components_register_node(parts PLUGIN "eyes::Camera" EXECUTABLE camera)
     said = capsys.readouterr().out
     assert "  /eyes/  blind\n" in said
     for fault in (
-        "src/eyes: 'seer' needs 'OpenCV', which is not available in the browser",
-        "src/eyes: 'camera' needs 'cv_bridge', which is not available in the browser",
+        "src/eyes: 'seer' needs 'OpenCV', which has no build for the page",
+        "src/eyes: 'camera' needs 'cv_bridge', which has no build for the page",
         "src/eyes/launch/see.launch.xml: starts no node that can run in the browser",
     ):
         assert f"  skipped: {fault}\n" in said

@@ -8,6 +8,7 @@ import pytest
 import yaml
 
 from sitegen.__main__ import main
+from sitegen.commands.missing import vcs
 from sitegen.workspace.repositories import TABLE, repository
 
 FOUND = "".join(f"find_package({name} REQUIRED)\n" for name in ("rclcpp", "filters", "acme_base"))
@@ -57,7 +58,11 @@ def test_a_file_for_vcs_has_each_repository_once(
     out = capsys.readouterr().out
     assert yaml.safe_load(out) == {
         "repositories": {
-            name: {"type": "git", "url": f"https://github.com/ros/{name}.git", "version": "ros2"}
+            f"ros/{name}": {
+                "type": "git",
+                "url": f"https://github.com/ros/{name}.git",
+                "version": "ros2",
+            }
             for name in ("bond_core", "filters")
         }
     }
@@ -86,6 +91,24 @@ def test_settings_of_builds_decide_what_is_needed(
     assert capsys.readouterr().out.startswith("'filters', needed by 'laser': ")
 
 
+@pytest.mark.parametrize("command", [["missing"], ["compile", "laser/laser", "--workspace"]])
+@pytest.mark.parametrize(
+    ("build", "said"),
+    [
+        ("{lasr: {}}", "build.lasr: no package 'lasr' in the workspace; did you mean 'laser'?"),
+        ("{laser: {cmake: [LASER]}}", "'LASER' is not a definition; write it like '-DLASER=ON'"),
+        ("[laser]", "build: expected packages with keys and values each, found a list"),
+    ],
+)
+def test_settings_are_checked_by_commands_that_read_nothing_else_of_site_yaml(
+    tmp_path: Path, command: list[str], build: str, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package(tmp_path, "laser", "add_executable(laser laser.cpp)\n")
+    (tmp_path / "site.yaml").write_text(f"build: {build}\n")
+    assert main([*command, str(tmp_path)]) == 1
+    assert said in capsys.readouterr().err
+
+
 def test_each_line_of_the_table_is_a_repository() -> None:
     lines = [each for each in TABLE.read_text().splitlines() if not each.startswith("#")]
     assert lines == sorted(lines)
@@ -94,4 +117,14 @@ def test_each_line_of_the_table_is_a_repository() -> None:
     assert all(line.startswith("https://") for line in lines)
     found = repository("nav2_msgs")
     assert found
-    assert found.name == "navigation2"
+    assert found.name == "ros-planning/navigation2"
+
+
+def test_two_branches_of_a_repository_are_cloned_side_by_side() -> None:
+    # The older branch has a package that the newer one lacks.
+    names = ("velodyne_description", "velodyne_gazebo_plugins")
+    one, other = map(repository, names)
+    assert one and other and one.name == other.name and one.branch != other.branch
+    cloned = yaml.safe_load(vcs({name: ["arm"] for name in names}))["repositories"]
+    assert list(cloned) == [one.name, f"{other.name}-{other.branch}"]
+    assert {each["version"] for each in cloned.values()} == {one.branch, other.branch}

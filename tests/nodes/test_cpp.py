@@ -238,7 +238,7 @@ def test_all_problems_are_told_at_once_and_the_old_site_stays(workspace: Workspa
     ]
     assert name == (
         "src/wrong_name/CMakeLists.txt: package 'wrong_name' has no executable 'wrong' "
-        "without 'rmw_other_cpp', which is not available in the browser"
+        "without 'rmw_other_cpp', which has no build for the page"
     )
     assert {file: file.read_bytes() for file in dist.rglob("*") if file.is_file()} == before
 

@@ -12,10 +12,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from configuring import header_folders
 
-from sitegen.interfaces import generator
 from sitegen.nodes.cpp.toolchain import Toolchain
-from sitegen.shipped import CLIENTS, PACKAGES, ROS
 
 TABLES = sorted((Path(__file__).parent / "public_names").glob("*.txt"))
 LINE = re.compile(r"(yes|no|different) (header|name|member|macro) (\S+)(?:: (\S.*))?")
@@ -51,15 +50,7 @@ def read(table: Path) -> list[Name]:
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """The folders with the headers of the page."""
-    prefix = tmp_path_factory.mktemp("prefix")
-    generator.write_ros(prefix)
-    generator.write_shipped(prefix)
-    return [
-        CLIENTS / "cpp" / "include",
-        *sorted(PACKAGES.glob("*/include")),
-        *sorted((prefix / "include").iterdir()),
-        *sorted((ROS / "include").iterdir()),
-    ]
+    return header_folders(tmp_path_factory.mktemp("prefix"))
 
 
 def missing(names: list[Name], folders: list[Path], source: Path) -> tuple[set[int], str]:

@@ -12,6 +12,7 @@ from sitegen.model import BuildSettings
 from sitegen.nodes.cpp import libraries
 from sitegen.nodes.cpp.cmake import CMake
 from sitegen.nodes.cpp.toolchain import Toolchain
+from sitegen.shipped import CLIENTS, PACKAGES, ROS
 from sitegen.workspace import scan
 
 
@@ -63,6 +64,18 @@ class Configuring:
 
     def tree(self, name: str) -> Path:
         return self._cmake.tree(scan(self.folder, self.settings)[name])
+
+
+def header_folders(prefix: Path) -> list[Path]:
+    """Return the folders of the headers of the page; those that are generated go to `prefix`."""
+    generator.write_ros(prefix)
+    generator.write_shipped(prefix)
+    return [
+        CLIENTS / "cpp" / "include",
+        *sorted(PACKAGES.glob("*/include")),
+        *sorted((prefix / "include").iterdir()),
+        *sorted((ROS / "include").iterdir()),
+    ]
 
 
 def cmake_for_tests(work: Path) -> CMake:

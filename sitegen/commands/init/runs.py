@@ -16,6 +16,7 @@ from sitegen.launch import LaunchDescription, launched
 from sitegen.model import Argument, Node, Package
 from sitegen.nodes.python import archives, dependencies, missing
 from sitegen.nodes.python.missing import Missing
+from sitegen.workspace.absent import without
 from sitegen.workspace.libraries import Library
 from sitegen.workspace.unsupported import unsupported_libraries
 
@@ -137,7 +138,7 @@ def _without(
         library = unsupported.get(node.package, {}).get(node.executable)
         if library:
             folder = relative(packages[node.package].path, root)
-            what = f"needs '{library.name}', which is not available in the browser"
+            what = f"needs '{library.name}', {without(library)}"
             faults[node.name] = f"{folder}: '{node.executable}' {what}"
     return faults
 

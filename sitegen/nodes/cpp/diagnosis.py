@@ -27,7 +27,6 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 # Header-only packages that authors can install, and how.
 INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
-NOWHERE = "which is not available in the browser"
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
@@ -101,7 +100,7 @@ class Diagnosis:
             return [f"{problem}, because package '{folder}' failed{others}", *failed[folder]]
         hint = f"; is package '{folder}' in the workspace?" if rest else ""
         if rest and (known := repository(folder)):
-            hint = f"; clone the sources of '{folder}' into the workspace: {known.clone}"
+            hint = f"; clone the sources of '{folder}' into the workspace: {known.command}"
         if library_package:
             hint = f"; add find_package({folder} REQUIRED) to CMakeLists.txt"
         if any(need.name == folder for need in self.needs):
@@ -113,7 +112,7 @@ class Diagnosis:
         if f"unknown target '{PROGRAMS}/{executable}.js'" in output:
             what = f"has no executable '{executable}'"
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
-                what += f" without {names}, {NOWHERE}"
+                what += f" without {names}, {NO_BUILD}"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
         source = FAILED_SOURCE.search(output)
         if source:
@@ -158,7 +157,7 @@ class Diagnosis:
 
 def lacks_library(problem: str) -> bool:
     """Return whether a program does not compile because it needs what no page can have."""
-    return problem.endswith((NO_BUILD, NOWHERE))
+    return problem.endswith(NO_BUILD)
 
 
 def brief(problem: str) -> str:

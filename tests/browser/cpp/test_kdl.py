@@ -8,16 +8,16 @@ from pathlib import Path
 
 import pytest
 from browser import Serve
+from configuring import header_folders
 from packages import Workspace
 from panel import Panel
 from playwright.sync_api import Page
 
 from sitegen.cache.folder import cache_folder
-from sitegen.interfaces import generator
 from sitegen.nodes.cpp.sources import LibrarySources
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
-from sitegen.shipped import CLIENTS, PACKAGES, ROS
+from sitegen.shipped import PACKAGES
 from sitegen.workspace import shipped_packages
 
 SOURCES = cache_folder() / "sources"
@@ -93,9 +93,6 @@ def test_their_sources_are_valid(tmp_path: Path) -> None:
     sources = LibrarySources(SOURCES, Report(io.StringIO()))
     for name in ("orocos_kdl", "urdfdom_headers"):
         assert sources.of(shipped_packages()[name])
-    prefix = tmp_path / "prefix"
-    generator.write_ros(prefix)
-    generator.write_shipped(prefix)
     # The package orocos_kdl gives its headers this name.
     (tmp_path / "kdl").symlink_to(SOURCES / "orocos_kdl/orocos_kdl/src")
     (tmp_path / "config.h").touch()
@@ -103,10 +100,9 @@ def test_their_sources_are_valid(tmp_path: Path) -> None:
     tools = Toolchain.find()
     assert tools.eigen
     folders = [
-        *(tmp_path, SOURCES / "urdfdom_headers/include", CLIENTS / "cpp/include"),
-        *(*SOURCES.glob("urdfdom_headers/*/include"), *PACKAGES.glob("*/include")),
-        *(*(prefix / "include").iterdir(), *(ROS / "include").iterdir()),
-        tools.eigen.parents[2] / "include/eigen3",
+        *(tmp_path, tools.eigen.parents[2] / "include/eigen3"),
+        *(SOURCES / "urdfdom_headers/include", *SOURCES.glob("urdfdom_headers/*/include")),
+        *header_folders(tmp_path / "prefix"),
     ]
     done = subprocess.run(
         [
