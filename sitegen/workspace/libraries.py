@@ -147,8 +147,17 @@ UNAVAILABLE = (
     Library("libusb", r"libusb.*", _each("libusb LIBUSB", "")),
 )
 
+# Its own CMake package, `Eigen3`, adds the folder of its headers, which are in `eigen3/`.
+EIGEN = Library(
+    "Eigen",
+    "Eigen|eigen3|unsupported",
+    {},
+    install="pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev",
+)
+
 # Programs need only the headers of these, which are taken from the computer of the author.
 HEADER_ONLY = (
+    EIGEN,
     Library(
         "Boost",
         "boost",
@@ -187,6 +196,14 @@ HEADER_ONLY = (
         "3.11.2",
         "apt-get install nlohmann-json3-dev",
         ("nlohmann/json.hpp",),
+    ),
+    Library(
+        "tl-expected",
+        "tl",
+        _each("tl-expected", "tl::expected"),
+        "1.0.0",
+        "apt-get install libexpected-dev",
+        ("tl/expected.hpp",),
     ),
     Library(
         "magic_enum",

@@ -454,6 +454,16 @@ def test_libraries_that_are_not_installed(tmp_path: Path, monkeypatch: pytest.Mo
     assert warnings(tmp_path) == []
 
 
+def test_eigen_that_is_not_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write(tmp_path, cpp=f"#include <Eigen/Dense>\n{CPP}")
+    assert warnings(tmp_path) == []
+    monkeypatch.setattr(libraries, "find_eigen", lambda: None)
+    assert warnings(tmp_path) == [
+        "src/cpp: 'talker' needs 'Eigen', which is not installed "
+        "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
+    ]
+
+
 def test_images_without_a_text(tmp_path: Path) -> None:
     folder = write(tmp_path, site="site: {title: A}\npages: [{path: /, file: index.md}]\n")
     (folder / "index.md").write_text(

@@ -59,6 +59,18 @@ def test_a_missing_header_is_told_once(diagnosis: Diagnosis) -> None:
     ]
 
 
+def test_headers_of_eigen_are_in_a_folder_that_cmake_adds(diagnosis: Diagnosis) -> None:
+    said = f"{diagnosis.root}/src/arm/src/arm.cpp:3:10: fatal error: '{{}}' file not found"
+    assert diagnosis.of_builds({"arm": said.format("Eigen/Core")}, diagnosis.root, {}) == [
+        "src/arm/src/arm.cpp:3: 'arm' includes 'Eigen/Core', which was not found; "
+        "add find_package(Eigen3 REQUIRED) to CMakeLists.txt"
+    ]
+    assert diagnosis.of_builds({"arm": said.format("eigen3/Eigen/Core")}, diagnosis.root, {}) == [
+        "src/arm/CMakeLists.txt: 'arm' needs 'Eigen', which is not installed "
+        "(pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev)"
+    ]
+
+
 def test_what_libraries_lack_is_told_with_how_to_get_it(diagnosis: Diagnosis) -> None:
     said = "{}/src/arm/src/{}.cpp:3:10: fatal error: '{}' file not found"
     headers = ("boost/asio.hpp", "boost/bind.hpp", "zmq.hpp", "QApplication", "qapplication.h")

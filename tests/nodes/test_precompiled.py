@@ -144,6 +144,23 @@ int first(std::vector<int> values) {{
     assert "standard.h" not in said
 
 
+def test_what_headers_of_upstream_include_is_known(compiler: Compiler) -> None:
+    logs = """\
+#include "rclcpp/qos.hpp"
+void log(rclcpp::Rate & rate) {{
+  RCLCPP_INFO(rclcpp::get_logger("a"), "b");
+  {};
+}}
+"""
+    plain = compiler.write("logs.cpp", logs.format("rate.sleep()"))
+    assert "RCLCPP_INFO" in compiler.plain(plain).stdout
+    assert (compiler.run(plain).returncode, compiler.run(plain).stdout) == (0, "")
+    wrong = compiler.write("wrong_logs.cpp", logs.format("rate.jump()"))
+    said = compiler.run(wrong).stdout
+    assert said == compiler.plain(wrong).stdout
+    assert "upstream.h" not in said
+
+
 def test_a_header_of_the_author_that_stands_in_the_way(compiler: Compiler) -> None:
     source = compiler.write("way/node.cpp", NODE.format(""))
     compiler.write("way/include/rmw/rmw.h", "#error of the author\n")

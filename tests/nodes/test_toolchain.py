@@ -16,7 +16,7 @@ def test_eigen_installed_again_is_the_same(tmp_path: Path, monkeypatch: pytest.M
     assert before.eigen
     again = tmp_path / "eigen"
     shutil.copytree(before.eigen, again, copy_function=shutil.copy)
-    monkeypatch.setattr(toolchain, "_eigen", lambda: again)
+    monkeypatch.setattr(toolchain, "find_eigen", lambda: again)
     assert Toolchain.find().identity == before.identity
     version = again / "Eigen3ConfigVersion.cmake"
     version.write_text(version.read_text().replace("3.4.1", "3.4.2"))

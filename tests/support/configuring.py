@@ -11,6 +11,7 @@ from sitegen.interfaces import generator
 from sitegen.model import BuildSettings
 from sitegen.nodes.cpp import libraries
 from sitegen.nodes.cpp.cmake import CMake
+from sitegen.nodes.cpp.diagnosis import Diagnosis
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.shipped import CLIENTS, PACKAGES, ROS
 from sitegen.workspace import scan
@@ -61,6 +62,12 @@ class Configuring:
         made = f"CMakeFiles/{program}.dir/src/main.cpp.o"
         done = self._cmake.make(scan(self.folder)[name], made)
         return done.stdout if done.returncode else ""
+
+    def explain(self, name: str, program: str) -> list[str]:
+        """Compile like compile(), and return what the build says of the errors."""
+        package = scan(self.folder)[name]
+        diagnosis = Diagnosis(self.folder, package)
+        return diagnosis.of_build(program, self.compile(name, program), self._cmake.tree(package))
 
     def tree(self, name: str) -> Path:
         return self._cmake.tree(scan(self.folder, self.settings)[name])

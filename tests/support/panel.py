@@ -16,7 +16,7 @@ LINE = re.compile(r"^\[(INFO|WARN|ERROR)\] \[\d{10}\.\d{9}\] \[(\w+)\]: (.*)$")
 # A console draws with the next frame, of which a page that nobody sees has none.
 DRAWN = """() => new Promise((done) => {
   requestAnimationFrame(() => requestAnimationFrame(done));
-  setTimeout(done, 200);
+  setTimeout(done, document.hidden ? 200 : 5000);
 })"""
 
 

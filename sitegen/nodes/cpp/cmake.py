@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from sitegen.model import Package
+from sitegen.nodes.cpp import buildtools
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.shipped import CLIENTS
 from sitegen.workspace.libraries import COMPILED_BY
@@ -126,6 +127,7 @@ class CMake:
 
         Its programs show the path of its folder as `shown`.
         """
+        buildtools.write(needs, self.prefix)
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
         settings = package.settings

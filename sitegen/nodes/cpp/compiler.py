@@ -21,6 +21,7 @@ from sitegen.nodes.cpp.cmake import CLIENT, CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief, lacks_library
 from sitegen.nodes.cpp.digests import Digests
 from sitegen.nodes.cpp.jobs import Compiled, Job
+from sitegen.nodes.cpp.licences import licences_of
 from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.progress import Progress, counted, plan
 from sitegen.nodes.cpp.sources import LibrarySources
@@ -112,11 +113,11 @@ def compile_nodes(
     built = {key: each for key, each in builds.items() if all(one.wasm.exists() for one in each)}
     for folder in {build.wasm.parent for each in built.values() for build in each}:
         use(folder)
-    needs = {need.name: need for job in jobs for need in job.needs}
+    packages = {each.name: each for job in jobs for each in (*job.needs, job.package)}
     return Compiled(
         built,
         {key: fault for key, fault in faults.items() if key not in built},
-        compiler.library_sources.licences(needs.values()),
+        licences_of([*packages.values()], compiler.library_sources, report),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +14,7 @@ from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
 from sitegen.workspace.absent import NO_BUILD, clone, without
-from sitegen.workspace.libraries import HEADER_ONLY, compiled_for, of_header
+from sitegen.workspace.libraries import EIGEN, HEADER_ONLY, compiled_for, of_header
 from sitegen.workspace.repositories import repository
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
@@ -25,9 +26,8 @@ COMMANDS = re.compile(
 )
 # An entry of CMake's cache for a package that was not found.
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
-# Header-only packages that authors can install, and how.
-INSTALLED = {"Eigen3": "pip install 'ros-sitegen[eigen]', or apt-get install libeigen3-dev"}
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
+MISSING_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(\w+)", re.M)
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
 # The outermost one of an undefined symbol; libraries name their folders of headers so, too.
@@ -60,8 +60,7 @@ class Diagnosis:
         if missing:
             if missing in self.package.depends:
                 return [self._needs(missing, clone(missing))]
-            how = INSTALLED.get(missing)
-            return [self._needs(missing, f"which is not installed ({how})" if how else NO_BUILD)]
+            return [self._needs(missing, without(EIGEN) if missing == "Eigen3" else NO_BUILD)]
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_builds(
@@ -92,7 +91,9 @@ class Diagnosis:
         folder = library_package or folder
         # A package of the workspace takes precedence over a library with the same headers.
         theirs = folder in failed or any(need.name == folder for need in self.needs)
-        if not theirs and (library := of_header(header)):
+        # Only the CMake package of Eigen adds this folder, which is in that of all headers.
+        unfound = header.startswith(("Eigen/", "unsupported/Eigen/"))
+        if not theirs and not unfound and (library := of_header(header)):
             return [self._needs(library.name, without(library))]
         others = f" (and {count(len(places) - 1, 'other file')})" if len(places) > 1 else ""
         problem = f"{places[0]}: '{self.package.name}' includes '{header}', which was not found"
@@ -101,8 +102,9 @@ class Diagnosis:
         hint = f"; is package '{folder}' in the workspace?" if rest else ""
         if rest and (known := repository(folder)):
             hint = f"; clone the sources of '{folder}' into the workspace: {known.command}"
-        if library_package:
-            hint = f"; add find_package({folder} REQUIRED) to CMakeLists.txt"
+        if library_package or unfound:
+            finds = "Eigen3" if unfound else folder
+            hint = f"; add find_package({finds} REQUIRED) to CMakeLists.txt"
         if any(need.name == folder for need in self.needs):
             hint = f"; package '{folder}' has no such header"
         return [f"{problem}{others}{hint}"]
@@ -114,6 +116,11 @@ class Diagnosis:
             if names := " and ".join(f"'{name}'" for name in _not_found(tree)):
                 what += f" without {names}, {NO_BUILD}"
             return [f"{self._cmake}: package '{self.package.name}' {what}"]
+        if module := MISSING_MODULE.search(output):
+            what = f"a program that the build of '{self.package.name}' runs needs the Python module"
+            return [
+                f"{self._cmake}: {what} '{module[1]}': {sys.executable} -m pip install {module[1]}"
+            ]
         source = FAILED_SOURCE.search(output)
         if source:
             file = self.package.path / (source[1] or "") / source[2]

@@ -25,7 +25,7 @@ Builds = Mapping[tuple[str, str], Sequence[Build]]
 class Compiled:
     """The builds of the programs that compiled, and why the others did not, in one line each.
 
-    `licences` are those of the libraries that the programs are linked with.
+    `licences` are those of the libraries that the programs may contain.
     """
 
     builds: Builds

@@ -7,12 +7,13 @@ from itertools import islice
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
-from sitegen.workspace.libraries import COMPILED, HEADER_ONLY, LIBRARIES, Library
+from sitegen.nodes.cpp.toolchain import find_eigen
+from sitegen.workspace.libraries import COMPILED, EIGEN, HEADER_ONLY, LIBRARIES, Library
 
 # Where Debian, `make install` and Homebrew put headers.
 ROOTS = [Path(root, "include") for root in ("/usr", "/usr/local", "/opt/homebrew")]
-# Programs may include Eigen's headers with the name of their folder.
-EIGEN = "eigen3"
+# The folder of Eigen's headers, with whose name programs may include them.
+EIGEN_FOLDER = "eigen3"
 
 
 def write(prefix: Path) -> None:
@@ -43,7 +44,7 @@ def link(folder: Path, eigen: Path | None) -> None:
     found = {mark.relative_to(root).parts[0]: root for root, mark in _installed()}
     headers = {name: root / name for name, root in found.items()}
     if eigen:
-        headers[EIGEN] = eigen.parents[2] / "include" / EIGEN
+        headers[EIGEN_FOLDER] = eigen.parents[2] / "include" / EIGEN_FOLDER
     for name, target in headers.items():
         place = folder / name
         if not place.is_symlink() or place.readlink() != target:
@@ -56,9 +57,17 @@ def identity() -> str:
     return digest_of(mark for _, mark in _installed())
 
 
+def header_of(library: Library) -> Path | None:
+    """Return a file that only this library has; None if its headers are not installed here."""
+    if library is EIGEN:
+        found = find_eigen()
+        return found / "Eigen3Config.cmake" if found else None
+    return next((mark for _, mark in _marks(library)), None)
+
+
 def not_installed() -> list[Library]:
     """Return the libraries of which this computer lacks the headers."""
-    return [one for one in HEADER_ONLY if not any(_marks(one))]
+    return [one for one in HEADER_ONLY if not header_of(one)]
 
 
 def _installed() -> Iterator[tuple[Path, Path]]:

@@ -8,8 +8,9 @@ anything, it runs again without the precompiled header, so that messages are alw
 author's files.
 
 A program that g++ compiles may name what other headers of its standard library include. Those of
-libc++ include less. If the compiler does not know a name, it runs once more with all of them; if
-that fails, too, the messages are those of the source as it is.
+libc++ include less, and those of the page less of rclcpp than upstream's. If the compiler does not
+know such a name, it runs once more with all of them; if that fails, too, the messages are those of
+the source as it is.
 """
 
 from __future__ import annotations
@@ -27,14 +28,22 @@ from pathlib import Path
 PACKAGE = Path(__file__).absolute().parents[2]
 LIBRARY = PACKAGE / "clients" / "cpp" / "include"
 HEADER = LIBRARY / "rclcpp" / "rclcpp.hpp"
-# What programs need that include too few headers of the standard library.
+# What programs need that include too few headers of the standard library, or of rclcpp.
 STANDARD = LIBRARY.parent / "src" / "platform" / "standard.h"
+UPSTREAM = STANDARD.with_name("upstream.h")
 # What the compiler says about them.
 UNKNOWN = re.compile(
     rb"error: (no (member|type|template) named '\w+' in namespace 'std'|"
     rb"implicit instantiation of undefined template 'std::|.*incomplete type 'std::|"
     rb"(use of undeclared identifier|unknown type name) '(u?int\w+_t|mem\w+|str\w+|pthread_\w+|"
     rb"\w*printf|u?sleep|getpid|isatty|read|write|close|errno|exit|abort|assert|time)')"
+)
+UNKNOWN_TO_ROS = re.compile(
+    rb"error: (no (member|type|template) named '\w+' in "
+    rb"namespace '(rclcpp|rcpputils|rcutils)[\w:]*'|"
+    rb"(use of undeclared identifier|unknown type name) "
+    rb"'((RCLCPP|RCPPUTILS|RCUTILS|RCL|RMW)_\w+|(rclcpp|rcpputils|rcutils|rcl|rmw)\w*)'|"
+    rb".*(undefined template|incomplete type) '(const )?rclcpp::)"
 )
 # The interface packages that come with sitegen. The headers generated from them are in ROS.
 INTERFACES = PACKAGE / "ros" / "include"
@@ -243,9 +252,11 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
         if not done.returncode and not done.stdout:
             return 0
     again = _run([compiler, *words])
-    if again.returncode and UNKNOWN.search(again.stdout):
-        complete = _run([compiler, *words, "-include", str(STANDARD)])
-        again = again if complete.returncode else complete
+    forced = [(STANDARD, UNKNOWN), (UPSTREAM, UNKNOWN_TO_ROS)]
+    for header in [header for header, unknown in forced if unknown.search(again.stdout)]:
+        if again.returncode:
+            complete = _run([compiler, *words, "-include", str(header)])
+            again = again if complete.returncode else complete
     sys.stdout.buffer.write(again.stdout)
     if made and not again.returncode and not again.stdout:
         # The compiler's own headers were installed again, which makes precompiled headers invalid.

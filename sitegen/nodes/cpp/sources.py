@@ -11,13 +11,13 @@ import shutil
 import subprocess
 import tarfile
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path, PurePosixPath
 
 from filelock import FileLock
 
 from sitegen.errors import SiteError
-from sitegen.model import Artifact, Package
+from sitegen.model import Package
 from sitegen.report import Report
 from sitegen.shipped import PACKAGES
 from sitegen.workspace.libraries import COMPILED, Compiled
@@ -61,17 +61,6 @@ class LibrarySources:
                     what = f"the source of '{library.package}' is missing: {error}"
                     self._faults[library.package] = f"{what}; unpack it to {place}"
         return [place] if place.exists() else []
-
-    def licences(self, packages: Iterable[Package]) -> list[Artifact]:
-        """Return the licences of the libraries among `packages`, for the site."""
-        named = {one.package: one.licence for one in COMPILED}
-        return [
-            Artifact(f"nodes/licenses/{package.name}/{file.name}", file)
-            for package in packages
-            for folder in self.of(package)
-            for file in sorted(folder.rglob("*"))
-            if LICENCE.fullmatch(file.name) or file == folder / named[package.name]
-        ]
 
     def check(self, package: Package) -> None:
         """Raise SiteError if the source of `package` could not be downloaded."""

@@ -48,7 +48,7 @@ class Toolchain:
         compiler = _find("em++", "apt-get install emscripten, or see emscripten.org")
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
-        eigen = _eigen()
+        eigen = find_eigen()
         # Programs depend on the versions of headers, not on when these were installed.
         identity = f"{_identity(compiler)} {libraries.identity()}"
         identity += f" {digest_of([eigen])}" if eigen else ""
@@ -111,7 +111,7 @@ def _find(name: str, how: str) -> Path:
     return Path(found)
 
 
-def _eigen() -> Path | None:
+def find_eigen() -> Path | None:
     """Return the folder of the CMake package of Eigen, from PyPI or from the system."""
     folders = [*EIGEN]
     with contextlib.suppress(metadata.PackageNotFoundError):

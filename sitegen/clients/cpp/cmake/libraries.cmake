@@ -62,6 +62,9 @@ function(sitegen_library package marks targets definitions)
   endif()
 endfunction()
 
+# include/sys/capability.h is all of it.
+add_library(cap INTERFACE IMPORTED)
+
 # The version file of a package: it has whatever version is asked for, and else this one.
 macro(sitegen_any_version version)
   set(PACKAGE_VERSION "${PACKAGE_FIND_VERSION}")

@@ -62,6 +62,15 @@ public:
 
   const char * get_service_name() const {return name().c_str();}
   bool service_is_ready() const {return matched() > 0;}
+  QoS get_request_publisher_actual_qos() const {return qos();}
+  QoS get_response_subscription_actual_qos() const {return qos();}
+  virtual std::shared_ptr<void> create_response() const = 0;
+  std::shared_ptr<rmw_request_id_t> create_request_header() const
+  {
+    return std::make_shared<rmw_request_id_t>();
+  }
+  /// Take the oldest response into a message of its type; false if there is none.
+  bool take_type_erased_response(void * response, rmw_request_id_t & request_header);
   /// Wait until a server is available; false on timeout or shutdown.
   template<class Rep = std::int64_t, class Period = std::milli>
   bool wait_for_service(
@@ -71,6 +80,7 @@ public:
   }
 
 protected:
+  virtual const detail::MessageMembers & response_type() const = 0;
   std::int64_t send(const detail::MessageMembers & type, const void * request);
   /// The node of the client; throws RCLError if it has been destroyed.
   std::shared_ptr<const node_interfaces::NodeBaseInterface> node() const;
@@ -112,6 +122,13 @@ public:
   Client(
     const node_interfaces::NodeBaseInterface & node, const std::string & name, const QoS & qos)
   : ClientBase(node, name, rosidl_typesupport_sitegen_cpp::members_of<Request>(), qos) {}
+
+  std::shared_ptr<void> create_response() const override {return std::make_shared<Response>();}
+  /// Take the oldest response; false if there is none.
+  bool take_response(Response & response, rmw_request_id_t & request_header)
+  {
+    return take_type_erased_response(&response, request_header);
+  }
 
   FutureAndRequestId async_send_request(SharedRequest request)
   {
@@ -187,12 +204,16 @@ protected:
   {
     const auto id = static_cast<std::int64_t>(info.publication_sequence_number);
     if (!pending_.has(id)) {return;}  // removed, or answered by another server
-    const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Response>();
     auto response = std::make_shared<Response>();
-    if (!decode(type, bytes, response.get())) {return;}
+    if (!decode(response_type(), bytes, response.get())) {return;}
     introspection_.publish(
       detail::ServiceEvent::kResponseReceived, gid().data, id, nullptr, response.get());
     pending_.take(id)(std::move(response));
+  }
+
+  const detail::MessageMembers & response_type() const override
+  {
+    return rosidl_typesupport_sitegen_cpp::members_of<Response>();
   }
 
 private:

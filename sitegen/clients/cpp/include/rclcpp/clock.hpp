@@ -73,26 +73,29 @@ public:
   rcl_jump_threshold_t notice_threshold;
 };
 
-/// A clock of system time, steady time or ROS time, which a TimeSource may set.
+/// A clock of system time, steady time or ROS time, which a TimeSource may set. Copies are the same
+/// clock.
 class Clock
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Clock)
 
   explicit Clock(rcl_clock_type_t clock = RCL_SYSTEM_TIME)
-  : clock_(clock) {}
+  : state_(std::make_shared<State>()) {state_->type = clock;}
 
   Time now() const;
-  rcl_clock_type_t get_clock_type() const {return clock_;}
-  std::mutex & get_clock_mutex() noexcept {return mutex_;}
+  rcl_clock_type_t get_clock_type() const {return state_->type;}
+  std::mutex & get_clock_mutex() noexcept {return state_->mutex;}
   /// Whether ROS time comes from /clock. Throws RCLError for other clocks.
   bool ros_time_is_active() const;
-  /// These return false on shutdown or if the source of the clock changes.
+  /// These return false on shutdown, when canceled, or if the source of the clock changes.
   bool sleep_for(
     Duration duration,
     Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_until(
     Time until, Context::SharedPtr context = contexts::get_global_default_context());
+  /// End the sleeps and waits of other threads with this clock, which return false.
+  void cancel_sleep_or_wait();
   bool started() const {return now().nanoseconds() != 0;}
   bool wait_until_started(
     Context::SharedPtr context = contexts::get_global_default_context());
@@ -112,12 +115,18 @@ private:
   void jump(
     const rcl_time_jump_t & jump, detail::SimulatedTime * source, std::int64_t nanoseconds);
 
-  rcl_clock_type_t clock_;
-  detail::SimulatedTime * source_ = nullptr;
-  std::int64_t ros_time_ = 0;
-  TimerBase * timers_ = nullptr;  // the first of those on this clock
-  std::vector<JumpHandler::WeakPtr> handlers_;
-  std::mutex mutex_;
+  struct State
+  {
+    rcl_clock_type_t type;
+    detail::SimulatedTime * source = nullptr;
+    std::int64_t ros_time = 0;
+    unsigned cancels = 0;
+    TimerBase * timers = nullptr;  // the first of those on this clock
+    std::vector<JumpHandler::WeakPtr> handlers;
+    std::mutex mutex;
+  };
+
+  std::shared_ptr<State> state_;
 };
 
 }  // namespace rclcpp

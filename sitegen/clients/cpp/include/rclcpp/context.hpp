@@ -5,6 +5,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <typeindex>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "rclcpp/detail/arguments.hpp"
@@ -56,6 +59,16 @@ public:
   virtual bool remove_on_shutdown_callback(const OnShutdownCallbackHandle & handle);
   virtual PreShutdownCallbackHandle add_pre_shutdown_callback(PreShutdownCallback callback);
   virtual bool remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle);
+  std::vector<OnShutdownCallback> get_on_shutdown_callbacks() const;
+  std::vector<PreShutdownCallback> get_pre_shutdown_callbacks() const;
+  /// The one object of a class that belongs to this context, made with `args` by the first call.
+  template<class SubContext, class ... Args>
+  std::shared_ptr<SubContext> get_sub_context(Args && ... args)
+  {
+    auto & found = sub_contexts_[std::type_index(typeid(SubContext))];
+    if (!found) {found = std::make_shared<SubContext>(std::forward<Args>(args) ...);}
+    return std::static_pointer_cast<SubContext>(found);
+  }
   /// Sleep; false on shutdown.
   bool sleep_for(const std::chrono::nanoseconds & nanoseconds);
   void interrupt_all_sleep_for();
@@ -72,6 +85,7 @@ private:
   detail::Arguments arguments_;
   Callbacks on_shutdown_;
   Callbacks pre_shutdown_;
+  std::unordered_map<std::type_index, std::shared_ptr<void>> sub_contexts_;
 };
 
 }  // namespace rclcpp

@@ -151,6 +151,27 @@ public:
   : std::runtime_error("parameter '" + name + "' requires an user provided parameter override") {}
 };
 
+class UninitializedStaticallyTypedParameterException : public std::runtime_error
+{
+public:
+  explicit UninitializedStaticallyTypedParameterException(const std::string & name)
+  : std::runtime_error("parameter '" + name + "' has a fixed type and no value") {}
+};
+
+class UnknownTypeError : public std::runtime_error
+{
+public:
+  explicit UnknownTypeError(const std::string & type)
+  : std::runtime_error("unknown type: " + type) {}
+};
+
+class EventNotRegisteredError : public std::runtime_error
+{
+public:
+  EventNotRegisteredError()
+  : std::runtime_error("event is not registered") {}
+};
+
 class InvalidServiceTypeError : public std::runtime_error
 {
 public:

@@ -35,6 +35,12 @@ struct function_traits<ResultT (ClassT::*)(Args...)> : function_traits<ResultT(A
 template<class ClassT, class ResultT, class ... Args>
 struct function_traits<ResultT (ClassT::*)(Args...) const> : function_traits<ResultT(Args...)> {};
 
+/// A tuple without its first element.
+template<class TupleT>
+struct tuple_tail;
+template<class FirstT, class ... RestT>
+struct tuple_tail<std::tuple<FirstT, RestT...>> {using type = std::tuple<RestT...>;};
+
 template<std::size_t Arity, class FunctionT>
 struct arity_comparator : std::bool_constant<Arity == function_traits<FunctionT>::arity> {};
 

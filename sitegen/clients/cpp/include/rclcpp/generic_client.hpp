@@ -56,7 +56,12 @@ public:
     return begin(request, CallbackType(std::forward<CallbackT>(callback)));
   }
 
-  SharedResponse create_response() const;
+  SharedResponse create_response() const override;
+  /// Take the oldest response into a message of its type; false if there is none.
+  bool take_response(Response response, rmw_request_id_t & request_header)
+  {
+    return take_type_erased_response(response, request_header);
+  }
   bool remove_pending_request(std::int64_t request_id) {return pending_.remove(request_id);}
   template<class FutureT>
   bool remove_pending_request(const detail::FutureAndRequestId<FutureT> & future)
@@ -74,6 +79,7 @@ public:
 
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double) override;
+  const detail::MessageMembers & response_type() const override {return *type_.response;}
 
 private:
   SharedFutureAndRequestId begin(const void * request, CallbackType callback);

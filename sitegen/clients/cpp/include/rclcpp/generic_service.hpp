@@ -37,7 +37,12 @@ public:
       detail::service_handler<GenericService, SharedRequest>(
         std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
 
-  SharedRequest create_request() const {return detail::make_message(*type_.request);}
+  SharedRequest create_request() const override {return detail::make_message(*type_.request);}
+  /// Take the oldest request into a message of its type; false if there is none.
+  bool take_request(Request request, rmw_request_id_t & request_id)
+  {
+    return take_type_erased_request(request, request_id);
+  }
   SharedResponse create_response() const {return detail::make_message(*type_.response);}
   void send_response(rmw_request_id_t & to, SharedResponse & response)
   {
@@ -46,6 +51,7 @@ public:
 
 protected:
   void handle(const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override;
+  const detail::MessageMembers & request_type() const override {return *type_.request;}
 
 private:
   const detail::NamedService & type_;

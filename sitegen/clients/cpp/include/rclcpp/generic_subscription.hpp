@@ -28,6 +28,7 @@ public:
   : NamedType(type), SubscriptionBase(node, topic, members, qos, options),
     callback_(std::forward<CallbackT>(callback)) {}
 
+  bool is_serialized() const override {return true;}
   std::shared_ptr<void> create_message() override {return std::make_shared<SerializedMessage>();}
   bool take_type_erased(void * message, MessageInfo & info) override
   {

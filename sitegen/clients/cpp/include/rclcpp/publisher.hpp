@@ -75,6 +75,10 @@ public:
     return shares_ ? detail::intra_process::subscriptions(endpoint_.name()) : 0;
   }
   QoS get_actual_qos() const {return endpoint_.qos();}
+  bool is_durability_transient_local() const
+  {
+    return endpoint_.qos().durability() == DurabilityPolicy::TransientLocal;
+  }
   rmw_gid_t get_gid() const {return endpoint_.gid();}
   bool can_loan_messages() const {return false;}
   /// There is no network, so the list is empty.

@@ -45,6 +45,25 @@ private:
   Time last_;
 };
 
+/// The rate of Humble, whose clock is one of std::chrono.
+template<class ClockT = std::chrono::high_resolution_clock>
+class GenericRate : public Rate
+{
+public:
+  RCLCPP_SMART_PTR_DEFINITIONS(GenericRate)
+
+  explicit GenericRate(double hertz)
+  : Rate(hertz, clock()) {}
+  explicit GenericRate(std::chrono::nanoseconds period)
+  : Rate(Duration(period), clock()) {}
+
+private:
+  static Clock::SharedPtr clock()
+  {
+    return std::make_shared<Clock>(ClockT::is_steady ? RCL_STEADY_TIME : RCL_SYSTEM_TIME);
+  }
+};
+
 class WallRate : public Rate
 {
 public:

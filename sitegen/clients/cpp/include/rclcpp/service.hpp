@@ -12,12 +12,6 @@
 #include "rclcpp/detail/receiver.hpp"
 #include "rclcpp/macros.hpp"
 
-struct rmw_request_id_t
-{
-  std::int8_t writer_guid[16];
-  std::int64_t sequence_number;
-};
-
 namespace rclcpp
 {
 
@@ -31,8 +25,18 @@ public:
     const detail::MessageMembers & request, const QoS & qos);
 
   const char * get_service_name() const {return name().c_str();}
+  QoS get_request_subscription_actual_qos() const {return qos();}
+  QoS get_response_publisher_actual_qos() const {return qos();}
+  virtual std::shared_ptr<void> create_request() const = 0;
+  std::shared_ptr<rmw_request_id_t> create_request_header() const
+  {
+    return std::make_shared<rmw_request_id_t>();
+  }
+  /// Take the oldest request into a message of its type; false if there is none.
+  bool take_type_erased_request(void * request, rmw_request_id_t & request_id);
 
 protected:
+  virtual const detail::MessageMembers & request_type() const = 0;
   void respond(
     const rmw_request_id_t & to, const detail::MessageMembers & type, const void * response);
   static std::shared_ptr<rmw_request_id_t> request_id(
@@ -117,6 +121,12 @@ public:
       detail::service_handler<Service, std::shared_ptr<Request>>(
         std::decay_t<CallbackT>(std::forward<CallbackT>(callback)))) {}
 
+  std::shared_ptr<void> create_request() const override {return std::make_shared<Request>();}
+  /// Take the oldest request; false if there is none.
+  bool take_request(Request & request, rmw_request_id_t & request_id)
+  {
+    return take_type_erased_request(&request, request_id);
+  }
   std::shared_ptr<Response> create_response() const {return std::make_shared<Response>();}
   void send_response(rmw_request_id_t & to, Response & response)
   {
@@ -135,11 +145,15 @@ protected:
     const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) override
   {
     auto request = std::make_shared<Request>();
-    const auto & type = rosidl_typesupport_sitegen_cpp::members_of<Request>();
-    if (!decode(type, bytes, request.get())) {return;}
+    if (!decode(request_type(), bytes, request.get())) {return;}
     auto id = request_id(info, writer_gid);
     introspect(detail::ServiceEvent::kRequestReceived, *id, request.get(), nullptr);
     callback_(*this, std::move(id), std::move(request));
+  }
+
+  const detail::MessageMembers & request_type() const override
+  {
+    return rosidl_typesupport_sitegen_cpp::members_of<Request>();
   }
 
 private:

@@ -54,6 +54,15 @@ struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
 
 using SubscriptionOptions = SubscriptionOptionsWithAllocator<std::allocator<void>>;
 
+/// What a subscription passes to its callback.
+enum class DeliveredMessageKind : std::uint8_t
+{
+  INVALID = 0,
+  ROS_MESSAGE = 1,
+  SERIALIZED_MESSAGE = 2,
+  DYNAMIC_MESSAGE = 3,
+};
+
 class SubscriptionBase : public detail::Receiver
 {
 public:
@@ -77,7 +86,12 @@ public:
   ContentFilterOptions get_content_filter() const;
   std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   bool can_loan_messages() const {return false;}
-  bool is_serialized() const {return false;}
+  virtual bool is_serialized() const = 0;
+  DeliveredMessageKind get_delivered_message_kind() const
+  {
+    return is_serialized() ? DeliveredMessageKind::SERIALIZED_MESSAGE :
+           DeliveredMessageKind::ROS_MESSAGE;
+  }
   bool take_serialized(SerializedMessage & bytes, MessageInfo & info)
   {
     double writer_gid;
@@ -88,6 +102,11 @@ public:
   virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
   void return_message(std::shared_ptr<void> & message) {message.reset();}
+  std::shared_ptr<SerializedMessage> create_serialized_message()
+  {
+    return std::make_shared<SerializedMessage>();
+  }
+  void return_serialized_message(std::shared_ptr<SerializedMessage> & message) {message.reset();}
 
   /// The waitable that runs the event callbacks.
   std::shared_ptr<Waitable> events() const {return events_;}
@@ -139,6 +158,7 @@ public:
       node, topic, rosidl_typesupport_sitegen_cpp::members_of<ROSMessageType>(), qos, options),
     callback_(std::forward<CallbackT>(callback)) {}
 
+  bool is_serialized() const override {return callback_.wants_bytes();}
   /// Take the oldest message; false if there is none.
   bool take(ROSMessageType & message, MessageInfo & info)
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "builtin_interfaces/msg/time.hpp"
 #include "rclcpp/duration.hpp"
@@ -65,5 +66,27 @@ private:
 };
 
 inline Time operator+(const Duration & duration, const Time & time) {return time + duration;}
+
+/// Whether the sum or the difference of two integers is above or below the limits of their type.
+template<typename T>
+bool add_will_overflow(const T x, const T y)
+{
+  return y > 0 && x > std::numeric_limits<T>::max() - y;
+}
+template<typename T>
+bool add_will_underflow(const T x, const T y)
+{
+  return y < 0 && x < std::numeric_limits<T>::min() - y;
+}
+template<typename T>
+bool sub_will_overflow(const T x, const T y)
+{
+  return y < 0 && x > std::numeric_limits<T>::max() + y;
+}
+template<typename T>
+bool sub_will_underflow(const T x, const T y)
+{
+  return y > 0 && x < std::numeric_limits<T>::min() + y;
+}
 
 }  // namespace rclcpp

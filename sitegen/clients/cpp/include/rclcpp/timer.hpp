@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -36,6 +37,9 @@ public:
   void cancel() {canceled_ = true;}
   bool is_canceled() const {return canceled_;}
   void reset();
+  /// Run the callback at each reset with their number: of those before it was set, or 1.
+  void set_on_reset_callback(std::function<void (std::size_t)> callback);
+  void clear_on_reset_callback() {on_reset_ = nullptr;}
   bool is_ready() const;
   /// Time until the next call, negative if late; max() if canceled.
   std::chrono::nanoseconds time_until_trigger() const;
@@ -57,6 +61,7 @@ private:
   /// Keep what is left of the period before the source of the clock changes.
   void save_left();
   void follow_jump(bool source_changed);
+  void tell_of_resets();
 
   Clock::SharedPtr clock_;
   TimerBase * next_on_clock_ = nullptr;
@@ -68,6 +73,8 @@ private:
   bool in_use_by_wait_set_ = false;
   std::shared_ptr<TimerInfo> info_ = std::make_shared<TimerInfo>();
   Callback callback_;
+  std::function<void (std::size_t)> on_reset_;
+  std::size_t resets_ = 0;  // that no callback was told of
 };
 
 namespace detail
@@ -109,6 +116,7 @@ class Context;
 
 using VoidCallbackType = std::function<void ()>;
 using TimerCallbackType = std::function<void (TimerBase &)>;
+using TimerInfoCallbackType = std::function<void (const TimerInfo &)>;
 
 template<class FunctorT, class = void>
 class GenericTimer : public TimerBase

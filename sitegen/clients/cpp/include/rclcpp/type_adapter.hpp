@@ -15,6 +15,12 @@ struct TypeAdapter
   using ros_message_type = CustomType;
 };
 
+/// Whether a type is a TypeAdapter.
+template<typename T>
+struct is_type_adapter : std::false_type {};
+template<typename CustomType, typename ROSMessageType>
+struct is_type_adapter<TypeAdapter<CustomType, ROSMessageType>> : std::true_type {};
+
 /// The adapter for a type that is used without one.
 template<typename CustomType>
 struct ImplicitTypeAdapter

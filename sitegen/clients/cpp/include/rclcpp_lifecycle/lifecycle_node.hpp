@@ -15,6 +15,20 @@
 namespace rclcpp_lifecycle
 {
 
+using rclcpp::PublisherOptionsWithAllocator;
+using rclcpp::SubscriptionOptionsWithAllocator;
+
+template<typename AllocatorT>
+PublisherOptionsWithAllocator<AllocatorT> create_default_publisher_options()
+{
+  return {};
+}
+template<typename AllocatorT>
+SubscriptionOptionsWithAllocator<AllocatorT> create_default_subscription_options()
+{
+  return {};
+}
+
 /// A node with a state that other nodes can change.
 class LifecycleNode : public rclcpp::detail::AnyNode,
   public node_interfaces::LifecycleNodeInterface,

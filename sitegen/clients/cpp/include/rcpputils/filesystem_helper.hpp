@@ -103,6 +103,15 @@ inline path create_temp_directory(
   return path(name);
 }
 
+/// The same with the paths of C++17.
+inline std::filesystem::path create_temporary_directory(
+  const std::string & base_name,
+  const std::filesystem::path & parent_path = std::filesystem::temp_directory_path(),
+  std::size_t = 1000)
+{
+  return create_temp_directory(base_name, path(parent_path.string())).string();
+}
+
 /// Remove a file or an empty folder; false if it does not exist.
 inline bool remove(const path & p)
 {

@@ -10,6 +10,13 @@
 extern "C" {
 #endif
 
+/* The client of a request, and its number there. */
+typedef struct rmw_request_id_s
+{
+  int8_t writer_guid[16];
+  int64_t sequence_number;
+} rmw_request_id_t;
+
 typedef struct rmw_time_s
 {
   uint64_t sec;

@@ -24,6 +24,14 @@ bool remove(
   return true;
 }
 
+std::vector<std::function<void()>> copies(
+  const std::vector<std::shared_ptr<std::function<void()>>> & callbacks)
+{
+  std::vector<std::function<void()>> found;
+  for (const auto & callback : callbacks) {found.push_back(*callback);}
+  return found;
+}
+
 }  // namespace
 
 void Context::init(int argc, char const * const * argv, const InitOptions & init_options)
@@ -72,6 +80,16 @@ PreShutdownCallbackHandle Context::add_pre_shutdown_callback(PreShutdownCallback
 bool Context::remove_pre_shutdown_callback(const PreShutdownCallbackHandle & handle)
 {
   return remove(pre_shutdown_, handle);
+}
+
+std::vector<Context::OnShutdownCallback> Context::get_on_shutdown_callbacks() const
+{
+  return copies(on_shutdown_);
+}
+
+std::vector<Context::PreShutdownCallback> Context::get_pre_shutdown_callbacks() const
+{
+  return copies(pre_shutdown_);
 }
 
 bool Context::sleep_for(const std::chrono::nanoseconds & nanoseconds)

@@ -59,6 +59,14 @@ constexpr double kProcess = 4294967296.0;
 // Larger buffers (bytes) are released after use.
 constexpr std::size_t kLarge = 1024 * 1024;
 
+rmw_request_id_t id_of(const rmw_message_info_t & info, double writer_gid)
+{
+  rmw_request_id_t id{};
+  std::memcpy(id.writer_guid, &writer_gid, sizeof(writer_gid));
+  id.sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
+  return id;
+}
+
 rmw_gid_t rmw_gid(double number)
 {
   rmw_gid_t gid{rosidl_typesupport_sitegen_cpp::typesupport_identifier, {}};
@@ -124,6 +132,17 @@ bool Receiver::take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, 
   info.publisher_gid = rmw_gid(from.writer_gid);
   writer_gid = from.writer_gid;
   return true;
+}
+
+bool Receiver::take_message(
+  const MessageMembers & type, void * message, rmw_request_id_t & request_id)
+{
+  SerializedMessage bytes;
+  rmw_message_info_t info;
+  double writer_gid;
+  if (!take_bytes(bytes, info, writer_gid)) {return false;}
+  request_id = id_of(info, writer_gid);
+  return decode(type, bytes, message);
 }
 
 bool Receiver::decode(
@@ -314,10 +333,12 @@ std::shared_ptr<const node_interfaces::NodeBaseInterface> ServiceBase::node() co
 std::shared_ptr<rmw_request_id_t> ServiceBase::request_id(
   const rmw_message_info_t & info, double writer_gid)
 {
-  auto id = std::make_shared<rmw_request_id_t>();
-  std::memcpy(id->writer_guid, &writer_gid, sizeof(writer_gid));
-  id->sequence_number = static_cast<std::int64_t>(info.publication_sequence_number);
-  return id;
+  return std::make_shared<rmw_request_id_t>(detail::id_of(info, writer_gid));
+}
+
+bool ServiceBase::take_type_erased_request(void * request, rmw_request_id_t & request_id)
+{
+  return take_message(request_type(), request, request_id);
 }
 
 void ServiceBase::respond(
@@ -342,6 +363,14 @@ ClientBase::ClientBase(
 std::shared_ptr<const node_interfaces::NodeBaseInterface> ClientBase::node() const
 {
   return living(node_);
+}
+
+bool ClientBase::take_type_erased_response(void * response, rmw_request_id_t & request_header)
+{
+  const bool taken = take_message(response_type(), response, request_header);
+  // The header of a response names the client.
+  std::memcpy(request_header.writer_guid, gid().data, sizeof(request_header.writer_guid));
+  return taken;
 }
 
 std::int64_t ClientBase::send(const detail::MessageMembers & type, const void * request)

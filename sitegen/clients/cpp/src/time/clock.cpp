@@ -13,21 +13,21 @@ namespace rclcpp
 
 Time Clock::now() const
 {
-  if (source_) {source_->take();}
-  return Time(time(), clock_);
+  if (state_->source) {state_->source->take();}
+  return Time(time(), state_->type);
 }
 
 std::int64_t Clock::time() const
 {
-  return source_ ? ros_time_ : detail::nanoseconds(detail::now());
+  return state_->source ? state_->ros_time : detail::nanoseconds(detail::now());
 }
 
 bool Clock::ros_time_is_active() const
 {
-  if (clock_ != RCL_ROS_TIME) {
+  if (state_->type != RCL_ROS_TIME) {
     throw exceptions::RCLError("failed to check ros_time_override_status: clock is not of ROS time");
   }
-  return source_;
+  return state_->source;
 }
 
 bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
@@ -40,21 +40,32 @@ bool Clock::sleep_until(Time until, Context::SharedPtr context)
   if (!context || !context->is_valid()) {
     throw std::runtime_error("context cannot be slept with because it's invalid");
   }
-  if (until.get_clock_type() != clock_) {
+  if (until.get_clock_type() != state_->type) {
     throw std::runtime_error("until's clock type does not match this clock's type");
   }
-  const auto source = source_;
+  const auto source = state_->source;
+  const auto cancels = state_->cancels;
+  const auto goes_on = [&] {
+      return context->is_valid() && source == state_->source && cancels == state_->cancels;
+    };
   do {
     const double left = static_cast<double>((until - now()).nanoseconds()) / 1e6;
     // Simulated time advances by messages, which end all waits.
     detail::wait(source && left > 0 ? -1 : std::max(0.0, left));
-  } while (context->is_valid() && source == source_ && now() < until);
-  return context->is_valid() && source == source_;
+  } while (goes_on() && now() < until);
+  return goes_on();
+}
+
+void Clock::cancel_sleep_or_wait()
+{
+  ++state_->cancels;
+  detail::wake();
 }
 
 bool Clock::wait_until_started(Context::SharedPtr context)
 {
-  while (context->is_valid() && !started()) {detail::wait(-1);}
+  const auto cancels = state_->cancels;
+  while (context->is_valid() && cancels == state_->cancels && !started()) {detail::wait(-1);}
   return started();
 }
 
@@ -64,7 +75,7 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
 {
   auto handler = std::make_shared<JumpHandler>(
     std::move(pre_callback), std::move(post_callback), threshold);
-  handlers_.push_back(handler);
+  state_->handlers.push_back(handler);
   return handler;
 }
 
@@ -74,7 +85,7 @@ void Clock::jump(
   const std::int64_t delta = jump.delta.nanoseconds;
   const bool changed = jump.clock_change != RCL_ROS_TIME_NO_CHANGE;
   std::vector<JumpHandler::SharedPtr> told;
-  for (const auto & handler : handlers_) {
+  for (const auto & handler : state_->handlers) {
     auto living = handler.lock();
     if (!living) {continue;}
     const auto & threshold = living->notice_threshold;
@@ -86,10 +97,14 @@ void Clock::jump(
   for (const auto & handler : told) {
     if (handler->pre_callback) {handler->pre_callback();}
   }
-  for (auto timer = timers_; changed && timer; timer = timer->next_on_clock_) {timer->save_left();}
-  source_ = source;
-  ros_time_ = nanoseconds;
-  for (auto timer = timers_; timer; timer = timer->next_on_clock_) {timer->follow_jump(changed);}
+  for (auto timer = state_->timers; changed && timer; timer = timer->next_on_clock_) {
+    timer->save_left();
+  }
+  state_->source = source;
+  state_->ros_time = nanoseconds;
+  for (auto timer = state_->timers; timer; timer = timer->next_on_clock_) {
+    timer->follow_jump(changed);
+  }
   for (const auto & handler : told) {
     if (handler->post_callback) {handler->post_callback(jump);}
   }
@@ -98,15 +113,15 @@ void Clock::jump(
 
 void Clock::set_source(detail::SimulatedTime * source, std::int64_t nanoseconds)
 {
-  if (!source == !source_) {return;}
+  if (!source == !state_->source) {return;}
   jump({source ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, {0}}, source, 0);
   set_ros_time(nanoseconds);
 }
 
 void Clock::set_ros_time(std::int64_t nanoseconds)
 {
-  if (!source_ || nanoseconds == ros_time_) {return;}
-  jump({RCL_ROS_TIME_NO_CHANGE, {nanoseconds - ros_time_}}, source_, nanoseconds);
+  if (!state_->source || nanoseconds == state_->ros_time) {return;}
+  jump({RCL_ROS_TIME_NO_CHANGE, {nanoseconds - state_->ros_time}}, state_->source, nanoseconds);
 }
 
 }  // namespace rclcpp

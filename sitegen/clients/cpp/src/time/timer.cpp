@@ -15,13 +15,13 @@ TimerBase::TimerBase(
   callback_(std::move(callback))
 {
   if (period_ < 0) {throw std::invalid_argument("timer period cannot be negative");}
-  next_on_clock_ = std::exchange(clock_->timers_, this);
+  next_on_clock_ = std::exchange(clock_->state_->timers, this);
   detail::wake();  // an executor in another thread may be waiting without this timer
 }
 
 TimerBase::~TimerBase()
 {
-  TimerBase ** place = &clock_->timers_;
+  TimerBase ** place = &clock_->state_->timers;
   while (*place != this) {place = &(*place)->next_on_clock_;}
   *place = next_on_clock_;
 }
@@ -30,7 +30,25 @@ void TimerBase::reset()
 {
   canceled_ = false;
   next_ = clock_->now().nanoseconds() + period_;
+  ++resets_;
+  tell_of_resets();
   detail::wake();
+}
+
+void TimerBase::set_on_reset_callback(std::function<void(std::size_t)> callback)
+{
+  if (!callback) {
+    throw std::invalid_argument("the callback passed to set_on_reset_callback is not callable");
+  }
+  on_reset_ = std::move(callback);
+  tell_of_resets();
+}
+
+void TimerBase::tell_of_resets()
+{
+  // The callback may remove itself.
+  const auto callback = on_reset_;
+  if (callback && resets_) {callback(std::exchange(resets_, 0));}
 }
 
 bool TimerBase::is_ready() const
@@ -47,7 +65,7 @@ std::chrono::nanoseconds TimerBase::time_until_trigger() const
 std::int64_t TimerBase::time_left() const
 {
   const std::int64_t left = time_until_trigger().count();
-  return left > 0 && clock_->source_ ? INT64_MAX : left;
+  return left > 0 && clock_->state_->source ? INT64_MAX : left;
 }
 
 bool TimerBase::exchange_in_use_by_wait_set_state(bool in_use)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -9,6 +11,15 @@
 
 namespace message_filters
 {
+
+using M_string = std::map<std::string, std::string>;
+using M_stringPtr = std::shared_ptr<M_string>;
+
+template<typename M>
+struct DefaultMessageCreator
+{
+  std::shared_ptr<M> operator()() {return std::make_shared<M>();}
+};
 
 /// A message and its time of arrival.
 template<typename M>

@@ -44,6 +44,7 @@ class BufferCore : public BufferCoreInterface
 {
 public:
   static const std::uint32_t MAX_GRAPH_DEPTH = 1000;
+  using TransformableCallback = tf2::TransformableCallback;
 
   explicit BufferCore(Duration cache_time = BUFFER_CORE_DEFAULT_CACHE_TIME)
   : cache_time_(cache_time) {}

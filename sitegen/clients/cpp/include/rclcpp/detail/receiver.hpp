@@ -62,6 +62,10 @@ public:
   bool take_bytes(SerializedMessage & bytes, rmw_message_info_t & info, double & writer_gid);
 
 protected:
+  /// Remove the oldest request or response and read it into `message`; false if there is none.
+  bool take_message(
+    const MessageMembers & type, void * message, rmw_request_id_t & request_id);
+
   /// Handle a message; `writer_gid` identifies its sender.
   virtual void handle(
     const SerializedMessage & bytes, rmw_message_info_t & info, double writer_gid) = 0;

@@ -88,6 +88,23 @@ public:
     const tf2Scalar s = 1 / determinant();
     return of_rows(a[0] * s, a[1] * s, a[2] * s);
   }
+  /// The cofactor of the two rows and columns.
+  tf2Scalar cofac(int r1, int c1, int r2, int c2) const
+  {
+    return rows_[r1][c1] * rows_[r2][c2] - rows_[r1][c2] * rows_[r2][c1];
+  }
+  /// From and to the columns of a 4x4 matrix of OpenGL.
+  void setFromOpenGLSubMatrix(const tf2Scalar * m)
+  {
+    setValue(m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]);
+  }
+  void getOpenGLSubMatrix(tf2Scalar * m) const
+  {
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) {m[4 * column + row] = rows_[row][column];}
+      m[4 * column + 3] = 0;
+    }
+  }
   Matrix3x3 transposeTimes(const Matrix3x3 & m) const;
   Matrix3x3 timesTranspose(const Matrix3x3 & m) const;
   tf2Scalar tdotx(const Vector3 & v) const {return getColumn(0).dot(v);}

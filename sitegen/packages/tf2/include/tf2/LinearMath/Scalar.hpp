@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cfloat>
 #include <cmath>
 
@@ -13,6 +14,11 @@ typedef double tf2Scalar;
 #define TF2SIMD_HALF_PI (TF2SIMD_PI * tf2Scalar(0.5))
 #define TF2SIMD_RADS_PER_DEG (TF2SIMD_2_PI / tf2Scalar(360.0))
 #define TF2SIMD_DEGS_PER_RAD (tf2Scalar(360.0) / TF2SIMD_2_PI)
+#define tf2RecipSqrt(x) (tf2Scalar(1.0) / tf2Sqrt(tf2Scalar(x)))
+#define tf2Assert(x) assert(x)
+#define tf2FullAssert(x) assert(x)
+#define tf2Likely(x) (x)
+#define tf2Unlikely(x) (x)
 #define TF2SIMDSQRT12 tf2Scalar(0.7071067811865475244008443621048490)
 #define TF2SIMD_EPSILON DBL_EPSILON
 #define TF2SIMD_INFINITY DBL_MAX
@@ -44,6 +50,19 @@ inline tf2Scalar tf2NormalizeAngle(tf2Scalar angle)
   angle = tf2Fmod(angle, TF2SIMD_2_PI);
   if (angle < -TF2SIMD_PI) {return angle + TF2SIMD_2_PI;}
   return angle > TF2SIMD_PI ? angle - TF2SIMD_2_PI : angle;
+}
+
+inline unsigned tf2Select(unsigned condition, unsigned if_set, unsigned if_zero)
+{
+  return condition ? if_set : if_zero;
+}
+inline int tf2Select(unsigned condition, int if_set, int if_zero)
+{
+  return condition ? if_set : if_zero;
+}
+inline float tf2Select(unsigned condition, float if_set, float if_zero)
+{
+  return condition ? if_set : if_zero;
 }
 
 template<typename T>

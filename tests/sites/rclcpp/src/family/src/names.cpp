@@ -1,6 +1,7 @@
 // Names of the API that published packages use and tutorials do not.
 #include <dlfcn.h>
 #include <sched.h>
+#include <sys/capability.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -10,14 +11,22 @@
 #include <thread>
 
 #include "class_loader/multi_library_class_loader.hpp"
+#include "example_interfaces/srv/set_bool.hpp"
 #include "message_filters/subscriber.h"
 #include "rclcpp/copy_all_parameter_values.hpp"
 #include "rclcpp/parameter_service.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rcpputils/shared_library.hpp"
+#include "rclcpp/subscription_traits.hpp"
 #include "std_msgs/msg/string.hpp"
 
 using std_msgs::msg::String;
+using example_interfaces::srv::SetBool;
+
+namespace traits = rclcpp::subscription_traits;
+using OfBytes = void (std::shared_ptr<const rclcpp::SerializedMessage>);
+static_assert(traits::is_serialized_callback<OfBytes>::value);
+static_assert(!traits::is_serialized_callback<void (const String &)>::value);
 
 void set_and_get(rclcpp::Node::SharedPtr node)
 {
@@ -74,6 +83,56 @@ void filter(rclcpp::Node::SharedPtr node)
   std::printf("heard %d\n", heard);
 }
 
+/// A request and its response, without an executor.
+void take_by_hand(rclcpp::Node::SharedPtr node)
+{
+  auto service = node->create_service<SetBool>(
+    "by_hand", [](SetBool::Request::SharedPtr, SetBool::Response::SharedPtr) {});
+  auto client = node->create_client<SetBool>("by_hand");
+  client->wait_for_service();
+  auto wanted = std::make_shared<SetBool::Request>();
+  wanted->data = true;
+  const auto sent = client->async_send_request(wanted);
+  SetBool::Request request;
+  SetBool::Response response;
+  rmw_request_id_t asked, answered;
+  while (!service->take_request(request, asked)) {rclcpp::sleep_for(std::chrono::milliseconds(1));}
+  response.message = "by hand";
+  service->send_response(asked, response);
+  response.message.clear();
+  while (!client->take_response(response, answered)) {
+    rclcpp::sleep_for(std::chrono::milliseconds(1));
+  }
+  std::printf(
+    "took %d, %s, the same %d\n", request.data, response.message.c_str(),
+    answered.sequence_number == sent.request_id);
+}
+
+void time(rclcpp::Node::SharedPtr node)
+{
+  rclcpp::Clock steady(RCL_STEADY_TIME), copy;
+  copy = steady;
+  const rclcpp::Time long_after = copy.now() + rclcpp::Duration(std::chrono::hours(1));
+  bool awake = false;
+  std::thread other([&] {
+      for (; !awake; rclcpp::sleep_for(std::chrono::milliseconds(1))) {copy.cancel_sleep_or_wait();}
+    });
+  std::printf("slept %d\n", steady.sleep_until(long_after));
+  awake = true;
+  other.join();
+  auto timer = node->create_wall_timer(std::chrono::hours(1), [] {});
+  timer->reset();
+  timer->reset();
+  timer->set_on_reset_callback([](std::size_t number) {std::printf("reset %zu\n", number);});
+  timer->reset();
+  rclcpp::GenericRate<std::chrono::steady_clock> rate(1000.0);
+  std::printf("steady %d, on time %d\n", rate.is_steady(), rate.sleep());
+  std::printf("overflows %d\n", rclcpp::add_will_overflow<std::int64_t>(INT64_MAX, 1));
+  auto context = node->get_node_base_interface()->get_context();
+  ++*context->get_sub_context<int>(2);
+  std::printf("in the context %d\n", *context->get_sub_context<int>(2));
+}
+
 template<class CallT>
 void refused(const char * name, CallT call)
 {
@@ -88,11 +147,15 @@ int main(int argc, char ** argv)
   auto node = std::make_shared<rclcpp::Node>("names");
   set_and_get(node);
   filter(node);
+  take_by_hand(node);
+  time(node);
   sched_param parameters{};
   parameters.sched_priority = 80;
   refused("sched_setscheduler", [&] {return sched_setscheduler(0, SCHED_FIFO, &parameters);});
   refused("mlockall", [] {return mlockall(MCL_CURRENT);});
   refused("setpriority", [] {return setpriority(PRIO_PROCESS, 0, -5);});
+  const cap_t capabilities = cap_get_proc();
+  refused("cap_set_proc", [=] {return cap_set_proc(capabilities);});
   std::printf(
     "thread %d\n", pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == EPERM);
   std::printf("opened %d: %s\n", dlopen("libother.so", RTLD_NOW) != nullptr, dlerror());
