@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from configuring import Configuring
 from packages import Workspace
 
 COMPONENT = """\
@@ -21,6 +22,26 @@ BASE = """\
       Base(const std::string & name, const rclcpp::NodeOptions & options);
     };
     """
+
+
+def test_libraries_that_link_nothing_have_some_too(packages: Configuring) -> None:
+    packages.package(
+        "plain",
+        """\
+add_library(one SHARED src/one.cpp src/both.cpp)
+add_library(two SHARED src/two.cpp src/both.cpp)
+sitegen_keep(one)
+sitegen_keep(two)
+add_executable(main src/main.cpp)
+target_link_libraries(main one two)
+""",
+    )
+    for name in ("one", "two", "both"):
+        packages.write(f"plain/src/{name}.cpp", f"int {name}() {{return 0;}}\n")
+    assert packages.configure("plain") == ""
+    built = (packages.tree("plain") / "build.ninja").read_text()
+    assert "libsitegen_shared_" in built
+    assert "NOTFOUND" not in built
 
 
 def test_they_are_compiled_once(workspace: Workspace) -> None:

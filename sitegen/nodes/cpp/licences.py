@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from pathlib import Path
 
 from sitegen.model import Artifact, Package
@@ -83,6 +84,7 @@ def _header_licences(library: Library) -> list[Artifact]:
     return [_artifact(library.name, file) for file in files]
 
 
+@cache  # dpkg reads its lists of all files
 def _installed_with(header: Path) -> list[Path]:
     """Return the files with the licence of the library of an installed header."""
     for folder in header.parents:

@@ -252,9 +252,9 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
         if not done.returncode and not done.stdout:
             return 0
     again = _run([compiler, *words])
-    forced = [(STANDARD, UNKNOWN), (UPSTREAM, UNKNOWN_TO_ROS)]
-    for header in [header for header, unknown in forced if unknown.search(again.stdout)]:
-        if again.returncode:
+    said = again.stdout
+    for header, unknown in ((STANDARD, UNKNOWN), (UPSTREAM, UNKNOWN_TO_ROS)):
+        if again.returncode and unknown.search(said):
             complete = _run([compiler, *words, "-include", str(header)])
             again = again if complete.returncode else complete
     sys.stdout.buffer.write(again.stdout)

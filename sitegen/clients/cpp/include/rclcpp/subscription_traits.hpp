@@ -10,8 +10,6 @@
 namespace rclcpp
 {
 
-class QoS;
-
 namespace serialization_traits
 {
 

@@ -367,10 +367,10 @@ std::shared_ptr<const node_interfaces::NodeBaseInterface> ClientBase::node() con
 
 bool ClientBase::take_type_erased_response(void * response, rmw_request_id_t & request_header)
 {
-  const bool taken = take_message(response_type(), response, request_header);
+  if (!take_message(response_type(), response, request_header)) {return false;}
   // The header of a response names the client.
   std::memcpy(request_header.writer_guid, gid().data, sizeof(request_header.writer_guid));
-  return taken;
+  return true;
 }
 
 std::int64_t ClientBase::send(const detail::MessageMembers & type, const void * request)

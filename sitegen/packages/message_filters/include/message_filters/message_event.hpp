@@ -33,7 +33,7 @@ public:
 
   MessageEvent() = default;
   MessageEvent(ConstMessagePtr message)  // NOLINT: implicit upstream
-  : MessageEvent(std::move(message), rclcpp::Clock().now()) {}
+  : MessageEvent(std::move(message), now()) {}
   MessageEvent(ConstMessagePtr message, rclcpp::Time receipt_time)
   : message_(std::move(message)), receipt_time_(receipt_time) {}
   template<
@@ -60,6 +60,11 @@ public:
   bool operator!=(const MessageEvent & other) const {return !(*this == other);}
 
 private:
+  static rclcpp::Time now()
+  {
+    static const rclcpp::Clock clock;
+    return clock.now();
+  }
   std::pair<const void *, std::int64_t> key() const
   {
     return {message_.get(), receipt_time_.nanoseconds()};
