@@ -21,3 +21,21 @@ export function interrupt(byte) {
 export function heard(byte) {
   if (byte) Atomics.store(byte, 0, 0);
 }
+
+/**
+ * Return the byte in the form that Pyodide reads and clears it. Pyodide reads a number and then writes 0, so with the
+ * byte itself, what the page writes between the two would be lost. Here, only what was read is cleared.
+ * @param {Uint8Array} byte
+ */
+export function interruptBuffer(byte) {
+  let read = 0;
+  return {
+    get 0() {
+      read = Atomics.load(byte, 0);
+      return read;
+    },
+    set 0(value) {
+      if (read) Atomics.compareExchange(byte, 0, read, value);
+    },
+  };
+}

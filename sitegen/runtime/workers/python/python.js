@@ -1,6 +1,7 @@
 // @ts-check
 // The Python interpreter of a worker. It is loaded once, and the files of all programs are unpacked in it.
 
+import { interruptBuffer } from "../../interrupt.js";
 import { place } from "../../place.js";
 import { Download } from "./download.js";
 import { loadPython, PREFIX, unpack } from "./loading.js";
@@ -45,7 +46,7 @@ export class Python {
     for (const set of [python.setStdout, python.setStderr]) {
       set.call(python, { batched: (/** @type {string} */ line) => printer.print("stderr", line) });
     }
-    if (byte) python.setInterruptBuffer(byte);
+    if (byte) python.setInterruptBuffer(interruptBuffer(byte));
     post({ op: "memory", bytes: python._module.HEAPU8.length });
     post({ op: "running" });
   }
