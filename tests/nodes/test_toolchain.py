@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sitegen.nodes.cpp import toolchain
+from sitegen.nodes.cpp import libraries
 from sitegen.nodes.cpp.toolchain import Toolchain
 
 
@@ -16,7 +16,7 @@ def test_eigen_installed_again_is_the_same(tmp_path: Path, monkeypatch: pytest.M
     assert before.eigen
     again = tmp_path / "eigen"
     shutil.copytree(before.eigen, again, copy_function=shutil.copy)
-    monkeypatch.setattr(toolchain, "find_eigen", lambda: again)
+    monkeypatch.setattr(libraries, "find_eigen", lambda: again)
     assert Toolchain.find().identity == before.identity
     version = again / "Eigen3ConfigVersion.cmake"
     version.write_text(version.read_text().replace("3.4.1", "3.4.2"))

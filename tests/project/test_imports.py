@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import subprocess
 from collections.abc import Mapping
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
-from imports import imported_names
+from imports import imported_first, imported_names
 from paths import ROOT
 
 from sitegen.report import Report
@@ -83,6 +84,25 @@ def test_rooms_import_only_those_before_them(name: str) -> None:
 
 def test_every_module_is_in_a_room() -> None:
     assert {room(file) for file in generator_modules()} == {*ROOMS}
+
+
+def test_no_modules_import_each_other() -> None:
+    modules = {
+        ".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in generator_modules()
+    }
+    imports = {
+        name: {
+            module
+            for one in imported_first(file)
+            # A name may be one of a module, or the module itself.
+            for module in (one, one.rpartition(".")[0])
+            if module in modules
+        }
+        for name, file in modules.items()
+    }
+    assert "sitegen.nodes.cpp.libraries" in imports["sitegen.nodes.cpp.toolchain"]
+    order = [*TopologicalSorter(imports).static_order()]  # an error tells a circle
+    assert {*order} == {*modules}
 
 
 def runtime_room(file: Path) -> str:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator
+from importlib import metadata
 from itertools import islice
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
-from sitegen.nodes.cpp.toolchain import find_eigen
 from sitegen.workspace.libraries import COMPILED, EIGEN, HEADER_ONLY, LIBRARIES, Library
 
 # Where Debian, `make install` and Homebrew put headers.
@@ -55,6 +56,15 @@ def link(folder: Path, eigen: Path | None) -> None:
 def identity() -> str:
     """Return a value that changes with the versions of the headers that are installed."""
     return digest_of(mark for _, mark in _installed())
+
+
+def find_eigen() -> Path | None:
+    """Return the folder of the CMake package of Eigen, from PyPI or from the system."""
+    folders = [root.parent / "share/eigen3/cmake" for root in ROOTS]
+    with contextlib.suppress(metadata.PackageNotFoundError):
+        place = metadata.distribution("cmeel-eigen").locate_file("cmeel.prefix/share/eigen3/cmake")
+        folders.insert(0, Path(str(place)))
+    return next((folder for folder in folders if (folder / "Eigen3Config.cmake").is_file()), None)
 
 
 def header_of(library: Library) -> Path | None:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
 import shutil
 import subprocess
 import sysconfig
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 
 from sitegen.cache.digest import digest_of
@@ -17,8 +15,6 @@ from sitegen.nodes.cpp import libraries
 
 # Emscripten of Debian uses acorn, which its Node finds only in this folder.
 DEBIAN_NODE_PATH = Path("/usr/share/nodejs")
-# The folders of Eigen in Debian, after `make install`, and in Homebrew.
-EIGEN = [Path(root, "share/eigen3/cmake") for root in ("/usr", "/usr/local", "/opt/homebrew")]
 # The interval at which a tool that runs is watched (s).
 TICK = 1
 
@@ -48,7 +44,7 @@ class Toolchain:
         compiler = _find("em++", "apt-get install emscripten, or see emscripten.org")
         cmake = _find("cmake", "pip install cmake")
         ninja = _find("ninja", "pip install ninja")
-        eigen = find_eigen()
+        eigen = libraries.find_eigen()
         # Programs depend on the versions of headers, not on when these were installed.
         identity = f"{_identity(compiler)} {libraries.identity()}"
         identity += f" {digest_of([eigen])}" if eigen else ""
@@ -109,15 +105,6 @@ def _find(name: str, how: str) -> Path:
     if not found:
         raise ToolMissingError(f"{name} not found ({how})")
     return Path(found)
-
-
-def find_eigen() -> Path | None:
-    """Return the folder of the CMake package of Eigen, from PyPI or from the system."""
-    folders = [*EIGEN]
-    with contextlib.suppress(metadata.PackageNotFoundError):
-        place = metadata.distribution("cmeel-eigen").locate_file("cmeel.prefix/share/eigen3/cmake")
-        folders.insert(0, Path(str(place)))
-    return next((folder for folder in folders if (folder / "Eigen3Config.cmake").is_file()), None)
 
 
 def _identity(compiler: Path) -> str:
