@@ -151,7 +151,21 @@ def test_what_a_page_has_none_of_is_refused(page: Page) -> None:
             f"OSError {sockets}",
             f"URLError <urlopen error {sockets}>",
             *["ImportError processes are not available in the browser; use threads"] * 2,
+            *("None", "None", "None", "3", "1", "None"),
+            "None",
+            _refused("sys.setprofile"),
+            "None",
+            *map(_refused, ("sys.monitoring.set_events", "sys._current_frames")),
+            _refused("faulthandler.dump_traceback"),
+            "7",
         ],
+    )
+
+
+def _refused(name: str) -> str:
+    return (
+        f"RuntimeError {name}() is not available in the browser while other threads or nodes share "
+        "this interpreter; debuggers and profilers need one that runs a single thread"
     )
 
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 import pytest
 from browser import Built, Serve
 from panel import Panel
 from paths import SITES
 from playwright.sync_api import Browser, Page, expect
+
+from tests.site.test_offline import until
 
 pytestmark = pytest.mark.own_server
 SITE = SITES / "group"
@@ -63,3 +68,26 @@ def test_one_that_cannot_be_ended_takes_the_others_with_it(page: Page) -> None:
     left.start()
     expect(left.console.get_by_text("main True")).to_have_count(2)
     left.expect_state("running")
+
+
+@pytest.mark.firefox
+def test_one_that_computes_is_interrupted_when_another_has_ended(
+    browser: Browser, serve: Serve, built: Built, tmp_path: Path
+) -> None:
+    folder = shutil.copytree(SITE, tmp_path / "site")
+    config = folder / "site.yaml"
+    config.write_text(config.read_text().replace("Group}", "Group, isolate: true}"))
+    tab = browser.new_page()
+    tab.goto(serve(built(folder)))
+    until(tab, "() => crossOriginIsolated && document.readyState === 'complete'")
+    elder, heir, right = (Panel(tab, name) for name in ("elder", "heir", "right"))
+    for node, line in ((elder, "waiting"), (right, "main True"), (heir, "waiting")):
+        node.start()
+        node.wait_for(line)
+    elder.stop()
+    heir.wait_for("computing")
+    # While it handles the interrupt, another one can end.
+    right.button("Stop").click()
+    right.wait_for("RuntimeError: over")
+    heir.stop()
+    assert heir.lines() == ["waiting", "computing", "interrupted"]

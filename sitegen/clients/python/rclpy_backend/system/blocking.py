@@ -47,6 +47,7 @@ def wait(seconds: float | None) -> None:
         raise SystemExit
     if program.signals:
         if number := program.host.signal():
+            program.signals_received += 1
             program.signals.arrive(number)
         program.signals.handle(main=me == program.ident)
 

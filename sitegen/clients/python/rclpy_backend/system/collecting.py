@@ -36,6 +36,11 @@ def end() -> None:
     _stacks -= 1
 
 
+def stacks() -> int:
+    """Return the number of stacks."""
+    return _stacks
+
+
 def look() -> None:
     """Collect garbage if there are enough new objects; call this from a stack that resumes."""
     global _ours, _old, _stayed

@@ -10,6 +10,7 @@ from typing import Any
 from rclpy_backend.system import (
     collecting,
     exits,
+    frames,
     interrupts,
     keyboard,
     loops,
@@ -42,6 +43,7 @@ def run(
         keyboard.install()
         exits.install()
         outside.install()
+        frames.install()
         # Each program imports its own copy of these.
         for name in [n for n in sys.modules if n.partition(".")[0] == "rclpy_backend"]:
             if not turns.SHARED.fullmatch(name):

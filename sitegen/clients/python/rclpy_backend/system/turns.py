@@ -74,7 +74,7 @@ class Program:
         self.stacks = bool(host.stacks)
         self.ident = next(_idents)
         self.threads = {self.ident}
-        self.waiting = 0
+        self.signals_received = 0
         self.over = False
         self.signals: Signals | None = None
         self.keyboard: Any = None

@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """Asks for what a page does not have."""
 
+import cProfile
+import faulthandler
 import multiprocessing
 import socket
 import subprocess
+import sys
+import threading
 import urllib.request
 
 
@@ -23,3 +27,18 @@ attempt(lambda: socket.socket(type=socket.SOCK_DGRAM).sendto(b"x", ("127.0.0.1",
 attempt(lambda: urllib.request.urlopen("http://127.0.0.1:9/"))
 attempt(multiprocessing.Process(target=print).start)
 attempt(lambda: multiprocessing.Pool(2))
+
+# With one thread, each of these works; with a second one that waits, none does.
+end = threading.Event()
+other = threading.Thread(target=end.wait)
+for begin in (lambda: None, other.start):
+    begin()
+    attempt(lambda: sys.settrace(None))
+    attempt(lambda: sys.setprofile(lambda *_: None))
+    attempt(lambda: sys.setprofile(None))
+    attempt(lambda: cProfile.Profile().runcall(sum, [1, 2]))
+    attempt(lambda: len(sys._current_frames()))
+    attempt(lambda: faulthandler.dump_traceback())
+end.set()
+other.join()
+attempt(lambda: cProfile.Profile().runcall(sum, [3, 4]))
