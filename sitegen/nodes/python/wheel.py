@@ -15,6 +15,9 @@ from packaging.utils import canonicalize_name
 
 from sitegen.nodes.python import pyodide
 
+# Of compression. The highest, 9, would take four times as long for another 0.7 %.
+LEVEL = 7
+
 
 @dataclass(frozen=True)
 class Wheel:
@@ -71,9 +74,8 @@ def _needs(metadata: str) -> Iterator[str]:
 def archived(files: Mapping[str, bytes]) -> bytes:
     """Return a ZIP file, the same bytes for the same files."""
     buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(buffer, "w") as archive:
         for name in sorted(files):
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, files[name])
+            archive.writestr(entry, files[name], zipfile.ZIP_DEFLATED, LEVEL)
     return buffer.getvalue()
