@@ -16,6 +16,12 @@ PHONE: ViewportSize = {"width": 390, "height": 844}
 TO_THE_TOP = "(element) => element.scrollIntoView()"
 PANEL = "(element) => element.closest('.stage') ?? element.closest('.ros-panel')"
 TOP = "(element) => Math.round(element.getBoundingClientRect().top)"
+# Where a panel is when it is touched: what drives the browser may scroll before it touches.
+NOTE_PLACE = f"""(element) => addEventListener(
+  "pointerdown",
+  () => {{ element.place = ({TOP})(element); }},
+  {{ capture: true, once: true }},
+)"""
 
 
 class Visitor:
@@ -28,14 +34,14 @@ class Visitor:
         """Press a button and see, without scrolling, that `effect` is there and has the text."""
         panel = button.evaluate_handle(PANEL)
         panel.evaluate(TO_THE_TOP)
-        place = panel.evaluate(TOP)
+        panel.evaluate(NOTE_PLACE)
         button.tap()
         if text:
             expect(effect).to_contain_text(text)
         expect(effect).to_be_in_viewport(ratio=0.9)
         if button.count():
             expect(button).to_be_in_viewport(ratio=0.9)
-        assert panel.evaluate(TOP) == place
+        assert panel.evaluate(TOP) == panel.evaluate("(element) => element.place")
 
     def start(self, node: str, effect: Locator | None = None, text: str = "") -> None:
         """Start a node, and see the newest line of its console unless there is another effect."""
