@@ -36,7 +36,10 @@ class Components:
     def load(self, action: Action, scope: Scope) -> None:
         """Load the components inside `action` into the container that it names."""
         target = self._texts.needed(action, "target", scope)
-        full = target if target.startswith("/") else f"{scope.namespace}/{target}"
+        full = f"/{target.lstrip('/')}"
+        # launch_ros calls the service of the container from outside of all namespaces.
+        if full not in self._loaded and not target.startswith("/"):
+            full = f"{scope.namespace}/{target}"
         if full not in self._loaded:
             known = nearest(full, self._loaded)
             raise ValueError(f"no component container '{full}' in this launch file; {known}")

@@ -11,9 +11,10 @@ import json
 import os
 import runpy
 import sys
+import tempfile
 import traceback
 import types
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from sitegen.launch import (
 from sitegen.launch.describe_actions import (
     RUN,
     Condition,
+    Context,
     Described,
     Folder,
     PackageNotFoundError,
@@ -159,8 +161,28 @@ def _told(error: BaseException, frames: Sequence[traceback.FrameSummary]) -> str
     return f"{type(error).__name__}: {error}"
 
 
+def _answer(calls: Sequence[Sequence[Any]], performed: Sequence[Any] | None) -> Mapping[str, Any]:
+    """Return what the launch file, or the last of `calls`, describes, or a substitution's value."""
+    members = runpy.run_path(RUN.file)
+    if GENERATE not in members:
+        raise LookupError(f"no function {GENERATE}() found")
+    found = members[GENERATE]()
+    for call in calls:
+        reading, *of = call
+        RUN.reading, RUN.made = reading, 0
+        found = describe_functions.called(*of)
+    described: Mapping[str, Any] = found.plain()
+    if performed is None:
+        return described
+    number, variables, environment = performed
+    try:
+        return {"text": Context(variables, environment).performed(number)}
+    except SubstitutionError as error:
+        return {"substitution": str(error)}
+
+
 def main() -> None:
-    """Write what the launch file describes, or what the last of its functions to call returns."""
+    """Write what the launch file describes, or the value of one of its own substitutions."""
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
@@ -180,21 +202,17 @@ def main() -> None:
 
         xacro.process_file = described
     output, sys.stdout = sys.stdout, sys.stderr
+    # In a page, this runs in the interpreter of what asks for it.
+    outer, tempfile.tempdir = tempfile.tempdir, given["made"]
     try:
-        members = runpy.run_path(RUN.file)
-        if GENERATE not in members:
-            raise LookupError(f"no function {GENERATE}() found")
-        found = members[GENERATE]()
-        for call in given["calls"]:
-            reading, *of = call
-            RUN.reading, RUN.made = reading, 0
-            found = describe_functions.called(*of)
-        answer = found.plain()
+        answer = _answer(given["calls"], given["performed"])
     except BaseException as error:
         frames = traceback.extract_tb(error.__traceback__)
         lines = [frame.lineno for frame in frames if frame.filename == RUN.file]
         line = getattr(error, "lineno", None) or (lines[-1] if lines else RUN.line)
         answer = {"error": _told(error, frames), "line": line}
+    finally:
+        tempfile.tempdir = outer
     json.dump(answer, output)
 
 

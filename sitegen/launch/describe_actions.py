@@ -15,8 +15,9 @@ from sitegen.launch.tree import REFERENCE
 from sitegen.launch.xacro import printed
 
 # The launch file that runs, the line of the action whose function runs, the folders of the
-# packages, the folders that may be read, and the number of this reading with that of its actions.
-RUN = SimpleNamespace(file="", line=1, folders={}, roots=[], reading=0, made=0)
+# packages, the folders that may be read, the number of this reading with that of its actions, and
+# the substitutions that it defines itself.
+RUN = SimpleNamespace(file="", line=1, folders={}, roots=[], reading=0, made=0, substitutions=[])
 
 
 # The names of types in launch files, by those of Python.
@@ -45,7 +46,11 @@ class Text:
         self.text = text
 
     def __truediv__(self, part: Any) -> Text:
-        return Text(f"{self.text}/{text(part)}")
+        return Text(f"{self.written()}/{text(part)}")
+
+    def written(self) -> str:
+        """Return the substitution as a text that is expanded later."""
+        return self.text
 
     def perform(self, context: Context) -> str:
         """Return the value of the substitution."""
@@ -150,7 +155,25 @@ class Context:
 
         environment = Environment({**self._given, **self.environment})
         known = Known(Path(RUN.file), self.launch_configurations, environment)
-        return expand(text(given), known, folder, output)
+        return expand(text(given), known, folder, output, self.performed)
+
+    def performed(self, number: int) -> str:
+        """Return the value of a substitution that the file defines itself.
+
+        Raises: SubstitutionError if that fails.
+        """
+        made = RUN.substitutions[number]
+        try:
+            value = made.perform(self)
+        except SubstitutionError as error:
+            raise SubstitutionError(f"{type(made).__name__}: {error}") from None
+        except Exception as error:
+            name = type(error).__name__
+            raise SubstitutionError(f"{type(made).__name__}: {name}: {error}") from error
+        if not isinstance(value, str):
+            kind = type(value).__name__
+            raise SubstitutionError(f"{type(made).__name__}: perform() returned {kind}, not str")
+        return value
 
 
 def unknown(action: Any) -> Described:
@@ -161,7 +184,7 @@ def unknown(action: Any) -> Described:
 def text(value: Any) -> str:
     """Return the text of a string, a substitution, or a list of both."""
     if isinstance(value, Text):
-        return value.text
+        return value.written()
     if isinstance(value, (list, tuple)):
         return "".join(text(part) for part in value)
     if isinstance(value, bool):

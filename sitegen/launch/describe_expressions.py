@@ -40,10 +40,10 @@ def _words(parts: Any) -> list[str]:
     """Return parts as words: "=" marks literal text, "+" a nested substitution."""
     if isinstance(parts, (list, tuple)):
         return [word for part in parts for word in _words(part)]
-    other = getattr(parts, "text", None)
-    if other is not None and "$(" in other:
-        return [f"+{other}"]
-    return [f"={quote(str(parts) if other is None else other, safe='')}"]
+    words = parts.written() if isinstance(parts, Text) else str(parts)
+    if isinstance(parts, Text) and "$(" in words:
+        return [f"+{words}"]
+    return [f"={quote(words, safe='')}"]
 
 
 def looped(name: Any, *, default_value: Any = None) -> Text:

@@ -1,7 +1,8 @@
 """The functions in Python launch files that are called with the launch arguments.
 
 The arguments are known only when the description is evaluated. So the file is run anew for each
-call, with all calls that led to it.
+call, with all calls that led to it. The same holds for substitutions that a file, or a module of
+the workspace, defines itself.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sitegen.launch.describe_actions import RUN, Context, Described, inside_of, pairs
+from sitegen.launch.describe_actions import RUN, Context, Described, Text, inside_of, pairs
 
 # The functions, each called with the context and keyword arguments, and the lines of their actions,
 # in the order in which the file creates them, which is the same in every run.
@@ -74,6 +75,32 @@ def called(
     return Described("launch", [*sets, *listed])
 
 
+class Substitution(Text):
+    """The base class of substitutions that are defined outside of launch: they perform themselves.
+
+    Each has a number, by the order in which the file uses them, which is the same in every run.
+    """
+
+    def __init__(self) -> None:
+        """Leave everything to the derived class."""
+
+    def written(self) -> str:
+        """Return the substitution as a text that is expanded later."""
+        # Their classes may compare them in other ways.
+        known = [id(each) for each in RUN.substitutions]
+        if id(self) not in known:
+            RUN.substitutions.append(self)
+        return f"$(perform {known.index(id(self)) if id(self) in known else len(known)})"
+
+    def describe(self) -> str:
+        """Return a description for log messages."""
+        return type(self).__name__
+
+    def perform(self, context: Context) -> str:
+        """Fail: the derived class has a method of its own."""
+        raise NotImplementedError("it has no method perform()")
+
+
 def perform_substitutions(context: Context, given: Any) -> str:
     """Stand in for the function of that name."""
     return context.perform_substitution(given)
@@ -83,6 +110,7 @@ MEMBERS: dict[str, Any] = {
     "ForEach": each,
     "ForLoop": loop,
     "OpaqueFunction": function,
+    "Substitution": Substitution,
     "LaunchContext": Context,
     "perform_substitutions": perform_substitutions,
     "normalize_to_list_of_substitutions": inside_of,

@@ -83,7 +83,7 @@ def configuration(variable_name: Any, default: Any = None, **_: Any) -> Text:
 def setting(name: Any, *, default: Any = None) -> Text:
     """Stand in for the substitution Parameter, a parameter that was set for all nodes."""
     parts = default if isinstance(default, (list, tuple)) else [default]
-    whole = "".join(part.text if isinstance(part, Text) else str(part) for part in parts)
+    whole = "".join(part.written() if isinstance(part, Text) else str(part) for part in parts)
     return Text(f"$(param {text(name)}{'' if default is None else f' {shlex.quote(whole)}'})")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -25,7 +26,7 @@ from sitegen.launch.events import Events
 from sitegen.launch.names import free, joined
 from sitegen.launch.scope import Scope
 from sitegen.launch.settings import SETTINGS, let
-from sitegen.launch.shares import by_package, shares
+from sitegen.launch.shares import MADE, by_package, shares
 from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.texts import Texts
 from sitegen.launch.tree import Action, UnreadableError
@@ -69,8 +70,9 @@ def launched(
     It can read the variables in `environment`, and its nodes have them. Programs that open a window
     without a counterpart are skipped, with a note in `notes`.
     """
-    with shares(packages) as folders:
-        launch = _Launch(packages, folders, problems, notes or Problems(problems.root))
+    with shares(packages) as folders, tempfile.TemporaryDirectory(prefix=MADE) as made:
+        reader = python.Reader(folders, [problems.root, *_folders(packages)], Path(made).resolve())
+        launch = _Launch(packages, reader, problems, notes or Problems(problems.root))
         scope = Scope(file, dict(arguments), environment=Environment(environment))
         launch.run(scope, Location(file, 1))
         handlers = launch.events.handlers.finished()
@@ -78,20 +80,23 @@ def launched(
         return LaunchDescription(nodes, launch.windows, handlers, launch.declared)
 
 
+def _folders(packages: Mapping[str, Package]) -> list[Path]:
+    return [package.path for package in packages.values()]
+
+
 class _Launch:
     def __init__(
         self,
         packages: Mapping[str, Package],
-        folders: Mapping[str, Path],
+        reader: python.Reader,
         problems: Problems,
         notes: Problems,
     ) -> None:
         self._packages = packages
-        self._folders = folders
+        self._reader = reader
         self._problems = problems
         self._notes = notes
-        self._roots = (problems.root, *(each.path for each in packages.values()))
-        self._texts = Texts(folders, problems.root, self._roots)
+        self._texts = Texts(reader, problems.root)
         self._read = self._readings = 0
         self.nodes: list[Node] = []
         self.windows: list[Window] = []
@@ -126,7 +131,7 @@ class _Launch:
         if scope.is_python:
             read = partial(self._read_python, scope)
         self._read += 1
-        if not any(scope.file.resolve().is_relative_to(folder) for folder in self._roots):
+        if not any(scope.file.resolve().is_relative_to(root) for root in self._reader.roots):
             self._note(location, "include", f"'{scope.file}' is outside the folder of site.yaml")
         elif read is None:
             kinds = ", ".join([*READERS, ".py"])
@@ -148,7 +153,7 @@ class _Launch:
 
     def _read_python(self, scope: Scope, file: Path) -> list[Action]:
         variables = scope.environment.changes
-        return python.read(file, self._folders, self._roots, scope.calls, scope.reading, variables)
+        return self._reader.read(file, scope.calls, scope.reading, variables)
 
     def _reading(self) -> int:
         """Return a number for the next reading of a file, or call of a function."""
@@ -268,7 +273,7 @@ class _Launch:
     def _process(self, action: Action, scope: Scope) -> None:
         """Start a program of the workspace that is given as a command line."""
         try:
-            found = processes.program(self._texts.words(action, "cmd", scope), self._folders)
+            found = processes.program(self._texts.words(action, "cmd", scope), self._reader.folders)
         except (SubstitutionError, ValueError):
             found = None
         if found is None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from sitegen.errors import Location
 from sitegen.launch import apart
+from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.tree import Action, Exact, UnreadableError
 
 DESCRIBE = Path(__file__).with_name("describe.py")
@@ -31,48 +33,84 @@ class Call(NamedTuple):
     given: Mapping[str, object]
 
 
-def read(
-    file: Path,
-    folders: Mapping[str, Path],
-    roots: Collection[Path],
-    calls: Sequence[Call] = (),
-    reading: int = 0,
-    environment: Mapping[str, str | None] = MappingProxyType({}),
-) -> list[Action]:
-    """Return the actions of a launch file, or those of the last function of `calls`.
+@dataclass(frozen=True)
+class Reader:
+    """Reads Python launch files.
 
-    Their ids begin with the number `reading`, or that of the call. Each of `calls` is a function
-    that the previous one created. `folders` are those of the packages of the workspace; its
-    commands read files in `roots`, and it sees the changes in `environment`.
-
-    Raises: UnreadableError if the file fails.
+    `folders` are those of the packages of the workspace; the commands of a file read files in
+    `roots`. Temporary files that it leaves for the nodes are in `made`.
     """
-    paths = {name: str(path) for name, path in folders.items()}
-    given = json.dumps(
-        {
-            "folders": paths,
-            "roots": [*map(str, roots)],
+
+    folders: Mapping[str, Path]
+    roots: Collection[Path]
+    made: Path
+
+    def read(
+        self,
+        file: Path,
+        calls: Sequence[Call] = (),
+        reading: int = 0,
+        environment: Mapping[str, str | None] = MappingProxyType({}),
+    ) -> list[Action]:
+        """Return the actions of a launch file, or those of the last function of `calls`.
+
+        Their ids begin with the number `reading`, or that of the call. Each of `calls` is a
+        function that the previous one created. The file sees the changes in `environment`.
+
+        Raises: UnreadableError if the file fails.
+        """
+        return _action(file, self._run(file, calls, reading, environment)).inside
+
+    def performed(
+        self,
+        file: Path,
+        calls: Sequence[Call],
+        number: int,
+        variables: Mapping[str, str],
+        environment: Mapping[str, str | None],
+    ) -> str:
+        """Return the value of a substitution that the file defines itself, by its number.
+
+        Raises: UnreadableError if the file fails, SubstitutionError if the substitution does.
+        """
+        answer = self._run(file, calls, 0, environment, (number, variables, environment))
+        if "substitution" in answer:
+            raise SubstitutionError(answer["substitution"].replace("\n", " "))
+        return str(answer["text"])
+
+    def _run(
+        self,
+        file: Path,
+        calls: Sequence[Call],
+        reading: int,
+        environment: Mapping[str, str | None],
+        performed: Sequence[object] | None = None,
+    ) -> dict[str, Any]:
+        given = {
+            "folders": {name: str(path) for name, path in self.folders.items()},
+            "roots": [*map(str, self.roots)],
+            "made": str(self.made),
             "calls": calls,
             "reading": reading,
             "environment": dict(environment),
-        },
-        default=str,
-    )
-    try:
-        done = apart.run(DESCRIBE, [str(file)], given, LIMIT)
-    except TimeoutError:
-        raise UnreadableError(
-            Location(file, 1), f"the launch file took longer than {LIMIT} s"
-        ) from None
-    try:
-        answer = json.loads(done.stdout)
-    except ValueError:
-        raise UnreadableError(
-            Location(file, 1), "the launch file exited before it described anything"
-        ) from None
-    if "error" in answer:
-        raise UnreadableError(Location(file, answer["line"]), answer["error"].replace("\n", " "))
-    return _action(file, answer).inside
+            "performed": performed,
+        }
+        try:
+            done = apart.run(DESCRIBE, [str(file)], json.dumps(given, default=str), LIMIT)
+        except TimeoutError:
+            raise UnreadableError(
+                Location(file, 1), f"the launch file took longer than {LIMIT} s"
+            ) from None
+        try:
+            answer: dict[str, Any] = json.loads(done.stdout)
+        except ValueError:
+            raise UnreadableError(
+                Location(file, 1), "the launch file exited before it described anything"
+            ) from None
+        if "error" in answer:
+            said = answer["error"].replace("\n", " ")
+            raise UnreadableError(Location(file, answer["line"]), said)
+        return answer
 
 
 def _action(file: Path, given: Mapping[str, Any]) -> Action:

@@ -16,7 +16,7 @@ from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
 
 # The substitutions that only describe_expressions.py writes.
-OF_PYTHON = ("expression", "apply")
+OF_PYTHON = ("expression", "apply", "perform")
 # Longer expressions are cut in messages.
 LONGEST_SHOWN = 200
 # Where launch would write its logs. A page has none, but the name may be a part of a value.
@@ -48,12 +48,14 @@ def expand(
     given: Known,
     share: Callable[[str], Path],
     output: Callable[[str], str],
+    performed: Callable[[int], str] | None = None,
     *,
     escapes: bool = False,
 ) -> str:
     """Return `text` with all substitutions expanded.
 
-    `share` returns the folder of a package and `output` the output of a command; both may raise a
+    `share` returns the folder of a package, `output` the output of a command, and `performed` the
+    value of a substitution that a Python file defines itself, by its number; all may raise a
     SubstitutionError. With `escapes`, as in XML and YAML files, a backslash takes the next
     character literally.
 
@@ -84,6 +86,7 @@ def expand(
         "command": lambda line, *_: output(line),
         "eval": lambda *words: _evaluated(" ".join(words)),
         "expression": lambda *words: _evaluated("".join(map(_part, words))),
+        **({"perform": lambda number: performed(int(number))} if performed else {}),
         "file_content": lambda path: output(shlex.join(["cat", path])),
         "string_join": lambda delimiter, first, *others: delimiter.join([first, *others]),
         **conditions.SUBSTITUTIONS,

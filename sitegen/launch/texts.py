@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 from sitegen.errors import nearest
 from sitegen.launch import commandline, xacro
 from sitegen.launch.parameters import Parameters
+from sitegen.launch.python import Reader
 from sitegen.launch.scope import Scope
 from sitegen.launch.shares import on_page
 from sitegen.launch.substitutions import Known, SubstitutionError, expand
-from sitegen.launch.tree import Action
+from sitegen.launch.tree import Action, UnreadableError
 from sitegen.launch.types import typed
 from sitegen.model import Argument
 from sitegen.rclyaml import Overrides, written
@@ -25,14 +26,16 @@ DESCRIPTION = "robot_description"
 class Texts:
     """Reads the attributes and parts of actions.
 
-    `folders` are those of the packages, by name; files below `roots` may be read, parameter files
-    below `root`.
+    `reader` knows the folders of the packages and those that may be read; parameter files are below
+    `root`, or made by the launch file.
     """
 
-    def __init__(self, folders: Mapping[str, Path], root: Path, roots: Collection[Path]) -> None:
-        self._folders = folders
+    def __init__(self, reader: Reader, root: Path) -> None:
+        self._reader = reader
+        self._folders, self._roots = reader.folders, reader.roots
         self._root = root
-        self._roots = roots
+        # The values of substitutions that a file defines itself, by what they depend on.
+        self._performed: dict[str, str] = {}
         # The arguments that were declared, by name.
         self.declared: dict[str, Argument] = {}
 
@@ -106,7 +109,8 @@ class Texts:
     def file(self, name: str) -> Path:
         """Return a parameter file."""
         file = Path(name)
-        if not file.resolve().is_relative_to(self._root) or not file.is_file():
+        folders = (self._root, self._reader.made)
+        if not any(map(file.resolve().is_relative_to, folders)) or not file.is_file():
             raise ValueError(f"no file '{file}' below the folder of site.yaml")
         return file
 
@@ -140,7 +144,20 @@ class Texts:
             parameters=scope.parameters,
         )
         run = partial(xacro.printed, folders=self._folders, roots=self._roots)
-        return expand(text, known, self._share, run, escapes=escapes)
+        performed = partial(self._perform, scope) if scope.is_python else None
+        return expand(text, known, self._share, run, performed, escapes=escapes)
+
+    def _perform(self, scope: Scope, number: int) -> str:
+        """Return the value of a substitution that a Python file defines itself."""
+        changes = dict(scope.environment.changes)
+        given = (scope.file, scope.calls, number, dict(scope.variables), changes)
+        key = repr(given)
+        if key not in self._performed:
+            try:
+                self._performed[key] = self._reader.performed(*given)
+            except UnreadableError as error:
+                raise SubstitutionError(str(error)) from None
+        return self._performed[key]
 
     def _share(self, package: str) -> Path:
         found = self._folders.get(package)

@@ -99,6 +99,21 @@ def test_a_container_is_one_node_with_its_components(root: Path, kind: str) -> N
     )
 
 
+@pytest.mark.parametrize("target", ["/robot/box", "robot/box", "box"])
+def test_components_find_their_container_by_its_name(root: Path, target: str) -> None:
+    (root / "x.launch.xml").write_text(f"""<launch>
+      <push_ros_namespace namespace="robot"/>
+      <node_container pkg="rclcpp_components" exec="component_container" name="box" namespace=""/>
+      <load_composable_node target="{target}">
+        <composable_node pkg="parts" plugin="parts::Ear"/>
+      </load_composable_node>
+    </launch>""")
+    [box], wrong = nodes(root, "x.launch.xml")
+    assert wrong == []
+    assert isinstance(box.kind, Container)
+    assert [component.plugin for component in box.kind.components] == ["parts::Ear"]
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
