@@ -11,6 +11,7 @@ from sitegen.workspace import cmakelists, libraries
 from sitegen.workspace.repositories import repository
 
 NO_BUILD = "which has no build for the page"
+NOT_HERE = "which is not in the workspace"
 
 
 def absent(package: Package, workspace: Collection[str]) -> list[str]:
@@ -33,7 +34,7 @@ def clone(name: str) -> str:
     """Return the end of a message about a package that is absent."""
     known = repository(name)
     how = f": {known.command}" if known else ""
-    return f"which is not in the workspace; clone its sources there{how}"
+    return f"{NOT_HERE}; clone its sources there{how}"
 
 
 def without(library: libraries.Library) -> str:

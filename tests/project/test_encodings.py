@@ -18,7 +18,13 @@ OWN = {
     ),
     *("config/displays.py", "gateway/native/descriptions.py", "gateway/native/types.py"),
     *("interfaces/declarations.py", "nodes/cpp/cmake.py", "nodes/cpp/diagnosis.py"),
-    *("nodes/cpp/sourcemap.py", "nodes/python/archives.py", "site/bundles.py", "site/engine.py"),
+    *(
+        "nodes/cpp/plugins.py",
+        "nodes/cpp/sourcemap.py",
+        "nodes/python/archives.py",
+        "site/bundles.py",
+        "site/engine.py",
+    ),
     *("site/assets.py", "site/jupyter/lab.py", "site/offline/worker.py", "site/single/page.py"),
     # rosidl refuses the mark, and this module says so.
     "interfaces/definitions.py",

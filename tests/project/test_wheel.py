@@ -23,7 +23,7 @@ from sitegen.__main__ import main
 from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import cache_folder
 from sitegen.commands import installed
-from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp import compiler, digests
 from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.toolchain import Toolchain
 from sitegen.report import Report
@@ -34,10 +34,10 @@ ASK = """
 import json
 from sitegen.cache.digest import digest_of
 from sitegen.cache.folder import cache_folder
-from sitegen.nodes.cpp import compiler
+from sitegen.nodes.cpp import compiler, digests
 from sitegen.nodes.cpp.toolchain import Toolchain
 work = compiler.work_folder(Toolchain.find(), cache_folder())
-print(json.dumps([digest_of(compiler.sources()), str(work)]))
+print(json.dumps([digest_of(digests.sources()), str(work)]))
 """
 
 
@@ -83,7 +83,7 @@ class Computer:
         """Take the compiled library over, which is the same where all that it is made of is."""
         assert step["with"]["path"] == "~/.cache/sitegen"
         sources, work = json.loads(self.call("python", "-I", "-c", ASK))
-        assert sources == digest_of(compiler.sources()), "the wheel has other sources"
+        assert sources == digest_of(digests.sources()), "the wheel has other sources"
         assert Path(work).is_relative_to(self.folder / "home" / ".cache" / "sitegen")
         own = compiler.work_folder(Toolchain.find(), cache_folder())
         for library in own.glob("*/rclcpp/librclcpp.a"):

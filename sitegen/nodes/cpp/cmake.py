@@ -5,10 +5,11 @@ from __future__ import annotations
 import hashlib
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 
 from sitegen.model import Package
 from sitegen.nodes.cpp import buildtools
@@ -42,6 +43,11 @@ PLAIN = "cmake"
 UNDEFINED = "error: undefined symbol: "
 
 Done = subprocess.CompletedProcess[str]
+
+
+def _variables(package: Package) -> dict[str, str]:
+    """Return the environment of each command for a package: Ninja may configure it again."""
+    return {**ENVIRONMENT, **package.settings.environment}
 
 
 @dataclass(frozen=True)
@@ -111,7 +117,7 @@ class CMake:
         # It has no ament_package(): only its own installation knows what others use. A program or
         # an example of it may fail that is not installed.
         tree = self.tree(package)
-        variables = package.settings.environment
+        variables = _variables(package)
         made = self.tools.run(self.tools.ninja, "-C", tree, "-k", "0", variables=variables)
         done = self.tools.run(self.tools.cmake, "--install", tree, variables=variables)
         return made if done.returncode and made.returncode else done
@@ -122,17 +128,24 @@ class CMake:
         done = replace(self, debug=False)._configure(CLIENT, tree, [], "rclcpp")
         return done if done.returncode else self.tools.run(self.tools.ninja, "-C", tree)
 
-    def configure(self, package: Package, needs: Sequence[Package], shown: str) -> Done:
+    def configure(
+        self,
+        package: Package,
+        needs: Sequence[Package],
+        shown: str,
+        lost: Collection[str] = (),
+    ) -> Done:
         """Configure `package`, with the prefixes of the packages `needs`.
 
-        Its programs show the path of its folder as `shown`.
+        Its programs show the path of its folder as `shown`. They lack the plugins of the packages
+        `lost`.
         """
         buildtools.write(needs, self.prefix)
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
-        settings = package.settings
-        more = [*settings.cmake, f"-DSITEGEN_LINKED={';'.join(package.linked)}"]
-        return self._configure(package.path, tree, prefixes, shown, more, settings.environment)
+        linked = ";".join(name for name in package.linked if name not in lost)
+        more = [*package.settings.cmake, f"-DSITEGEN_LINKED={linked}"]
+        return self._configure(package.path, tree, prefixes, shown, more, _variables(package))
 
     def make_programs(self, package: Package, *executables: str) -> Done:
         """Build programs of a configured package; of several, a failure stops only its own one."""
@@ -144,7 +157,7 @@ class CMake:
         command: list[str | Path] = [self.tools.ninja, "-C", self.tree(package), *targets]
         if len(targets) > 1:
             command += ["-k", "0"]
-        run = partial(self.tools.run, *command, variables=package.settings.environment)
+        run = partial(self.tools.run, *command, variables=_variables(package))
         done = run()
         if UNDEFINED in done.stdout:
             # The linker can find out who needs the symbol, but doing so takes time at every link.
@@ -158,7 +171,7 @@ class CMake:
         prefixes: Sequence[Path],
         shown: str,
         more: Sequence[str] = (),
-        variables: Mapping[str, str] | None = None,
+        variables: Mapping[str, str] = MappingProxyType(ENVIRONMENT),
     ) -> Done:
         optimize = OPTIMIZE_DEBUG if self.debug else OPTIMIZE
         defines = {
@@ -186,5 +199,4 @@ class CMake:
             defines["Eigen3_DIR"] = self.tools.eigen
         words = [*more, *(f"-D{name}={value}" for name, value in defines.items())]
         command: list[str | Path] = [self.tools.cmake, "-S", source, "-B", tree, "-G", "Ninja"]
-        variables = {**ENVIRONMENT, **(variables or {})}
         return self.tools.run(*command, *SETTINGS, *words, variables=variables)

@@ -16,10 +16,10 @@ from sitegen.cache.folder import forget_old, use
 from sitegen.errors import SiteError
 from sitegen.interfaces import generator
 from sitegen.model import BROWSERS, Build, Package
-from sitegen.nodes.cpp import drafts, libraries
-from sitegen.nodes.cpp.cmake import CLIENT, CMake
+from sitegen.nodes.cpp import drafts, libraries, plugins
+from sitegen.nodes.cpp.cmake import CMake
 from sitegen.nodes.cpp.diagnosis import Diagnosis, brief, lacks_library
-from sitegen.nodes.cpp.digests import Digests
+from sitegen.nodes.cpp.digests import Digests, sources
 from sitegen.nodes.cpp.jobs import Compiled, Job
 from sitegen.nodes.cpp.licences import licences_of
 from sitegen.nodes.cpp.locks import locked
@@ -29,25 +29,8 @@ from sitegen.nodes.cpp.store import keep
 from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
 from sitegen.options import PUBLISH, Options
 from sitegen.report import Report
-from sitegen.shipped import INTERFACES, PACKAGE, ROS
+from sitegen.shipped import PACKAGE
 from sitegen.workspace.dependencies import closure
-
-# What a program depends on besides its sources, the library and the compiler.
-GENERATOR = (
-    "interfaces/cheaders.py",
-    "interfaces/definitions.py",
-    "interfaces/generator.py",
-    "interfaces/messages.py",
-    "interfaces/rosidl.py",
-    "interfaces/typesupport.py",
-    "interfaces/values.py",
-    "nodes/cpp/cmake.py",
-    "nodes/cpp/libraries.py",
-    "nodes/cpp/precompiled.py",
-    "nodes/cpp/sourcemap.py",
-    "workspace/libraries.py",
-    "workspace/manifestcmake.py",
-)
 
 
 def compile_nodes(
@@ -81,7 +64,7 @@ def compile_nodes(
         (job, engine)
         for job in jobs
         for engine in engines
-        if not all(b.wasm.exists() for b in compiler.builds(job, [engine]))
+        if not all(map(compiler.is_finished, compiler.builds(job, [engine])))
     ]
     faults: dict[tuple[str, str], str] = {}
     if missing:
@@ -113,6 +96,9 @@ def compile_nodes(
     built = {key: each for key, each in builds.items() if all(one.wasm.exists() for one in each)}
     for folder in {build.wasm.parent for each in built.values() for build in each}:
         use(folder)
+    lost = (line for each in built.values() for build in each for line in plugins.noted(build))
+    for line in dict.fromkeys(lost):
+        report.say(line, "warning")
     packages = {each.name: each for job in jobs for each in (*job.needs, job.package)}
     return Compiled(
         built,
@@ -125,11 +111,6 @@ def compile_nodes(
 Failures = Mapping[str, list[str]]
 # The folders of a job for one engine.
 Step = Callable[[Job, str], None]
-
-
-def sources() -> list[Path]:
-    """Return the files and folders of sitegen that determine the result of a compilation."""
-    return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
 
 
 def work_folder(tools: Toolchain, cache: Path) -> Path:
@@ -160,6 +141,7 @@ class Compiler:
         self._root = root
         self._report = report
         self._debug = options.debug
+        self._keep_going = options.keep_going
         self._draft = options.draft and not options.debug
         self._cache = cache
         self._nodes = cache / "nodes"
@@ -181,11 +163,15 @@ class Compiler:
         suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
         return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
 
+    def is_finished(self, build: Build) -> bool:
+        """Return whether a program exists, with all plugins that it should have."""
+        keep_going = self._keep_going
+        return build.wasm.exists() and not plugins.is_wanted_again(build, keep_going=keep_going)
+
     def failed(self, job: Job, engine: str) -> list[tuple[str, str]]:
         """Return the programs of `job` that do not exist, by package and executable."""
-        names = (
-            name for name in job.executables if not self.build(job, name, engine).wasm.exists()
-        )
+        builds = ((name, self.build(job, name, engine)) for name in job.executables)
+        names = (name for name, build in builds if not self.is_finished(build))
         return [(job.package.name, name) for name in names]
 
     def _folder(self, job: Job, engine: str) -> Path:
@@ -345,7 +331,8 @@ class Compiler:
     ) -> None:
         # Drafts are built in the same folder, whose contents may be those of another kind of build.
         self._stamp(cmake, package).unlink(missing_ok=True)
-        done = cmake.configure(package, needs, self._digests.shown(package))
+        lost = plugins.lost(package, failed, keep_going=self._keep_going)
+        done = cmake.configure(package, needs, self._digests.shown(package), lost)
         if done.returncode:
             diagnosis = Diagnosis(self._root, package)
             missing = failed.get(diagnosis.missing(done.stdout))
@@ -384,7 +371,10 @@ class Compiler:
                     one for one in (*job.needs, package) if not one.path.is_relative_to(PACKAGE)
                 ]
                 shown = list(map(self._digests.shown, theirs))
-                keep(program, prefixes, shown, self.build(job, executable, engine))
+                build = self.build(job, executable, engine)
+                lost = plugins.lost(package, failed[engine], keep_going=self._keep_going)
+                plugins.note(build, lost)
+                keep(program, prefixes, shown, build)
                 progress.note(executable)
             self._report.done(name)
         if outputs:

@@ -13,7 +13,7 @@ from sitegen.interfaces.generator import PROBLEM
 from sitegen.model import Package
 from sitegen.nodes.cpp.cmake import PROGRAMS
 from sitegen.report import count
-from sitegen.workspace.absent import NO_BUILD, clone, without
+from sitegen.workspace.absent import NO_BUILD, NOT_HERE, clone, without
 from sitegen.workspace.libraries import EIGEN, HEADER_ONLY, compiled_for, of_header
 from sitegen.workspace.repositories import repository
 
@@ -165,6 +165,11 @@ class Diagnosis:
 def lacks_library(problem: str) -> bool:
     """Return whether a program does not compile because it needs what no page can have."""
     return problem.endswith(NO_BUILD)
+
+
+def lacks_package(problem: str) -> bool:
+    """Return whether a program does not compile because the workspace lacks a package."""
+    return f", {NOT_HERE};" in problem
 
 
 def brief(problem: str) -> str:

@@ -7,7 +7,31 @@ from pathlib import Path
 
 from sitegen.cache.digest import digest_of
 from sitegen.model import Package
+from sitegen.nodes.cpp.cmake import CLIENT
 from sitegen.nodes.cpp.sources import LibrarySources
+from sitegen.shipped import INTERFACES, PACKAGE, ROS
+
+# What a program depends on besides its sources, the library and the compiler.
+GENERATOR = (
+    "interfaces/cheaders.py",
+    "interfaces/definitions.py",
+    "interfaces/generator.py",
+    "interfaces/messages.py",
+    "interfaces/rosidl.py",
+    "interfaces/typesupport.py",
+    "interfaces/values.py",
+    "nodes/cpp/cmake.py",
+    "nodes/cpp/libraries.py",
+    "nodes/cpp/precompiled.py",
+    "nodes/cpp/sourcemap.py",
+    "workspace/libraries.py",
+    "workspace/manifestcmake.py",
+)
+
+
+def sources() -> list[Path]:
+    """Return the files and folders of sitegen that determine the result of a compilation."""
+    return [CLIENT, *(PACKAGE / name for name in GENERATOR), ROS / ".digest", INTERFACES]
 
 
 class Digests:
