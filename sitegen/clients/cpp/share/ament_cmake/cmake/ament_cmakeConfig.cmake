@@ -3,7 +3,7 @@
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 find_package(ament_cmake_python REQUIRED)
-foreach(_part IN ITEMS extensions index left_out manifest shared_sources)
+foreach(_part IN ITEMS extensions index installed_headers left_out manifest shared_sources)
   include("${CMAKE_CURRENT_LIST_DIR}/${_part}.cmake")
 endforeach()
 
@@ -57,6 +57,7 @@ endmacro()
 # The site has the others, and programs load them when they open them.
 function(install)
   _install(${ARGN})
+  sitegen_install_headers(${ARGN})
   cmake_parse_arguments(ARG "" "DESTINATION" "DIRECTORY;FILES;PROGRAMS" ${ARGN})
   if(NOT ARG_DESTINATION MATCHES "^share(/.*)?$")
     return()
@@ -276,17 +277,9 @@ function(ament_package)
     add_dependencies(sitegen_libraries ${compiled})
   endif()
 
-  # Headers are installed to include/ or include/<package>/; in the sources, both are include/.
   set(include "")
   if(include_directories OR exported)
-    list(REMOVE_ITEM include_directories "include/${PROJECT_NAME}" "include/${PROJECT_NAME}/")
-    foreach(folder IN ITEMS include ${include_directories})
-      get_filename_component(folder "${folder}" ABSOLUTE)
-      if(IS_DIRECTORY "${folder}")
-        list(APPEND include "${folder}")
-      endif()
-    endforeach()
-    list(REMOVE_DUPLICATES include)
+    sitegen_header_folders(include)
   endif()
 
   # Libraries are static, so a program that links one also needs all libraries that it depends on.
