@@ -9,7 +9,7 @@ from sitegen.errors import nearest
 from sitegen.launch.names import joined
 from sitegen.launch.scope import Scope
 from sitegen.launch.texts import Texts
-from sitegen.launch.tree import Action
+from sitegen.launch.tree import REFERENCE, Action
 from sitegen.model import Component, Container, Node
 from sitegen.workspace import containers
 
@@ -23,25 +23,26 @@ class Components:
     def __init__(self, texts: Texts, holds: Holds) -> None:
         self._texts = texts
         self._holds = holds
-        # By the full name of a container: its node, and the components loaded into it.
+        # By the full name of a container, and by the id of its action: its node, and the components
+        # loaded into it.
         self._loaded: dict[str, tuple[str, list[Component]]] = {}
 
     def contain(self, node: Node, action: Action, scope: Scope) -> None:
         """Note a container that `action` starts, with the components in it."""
         name = node.remap.get("__node", self._texts.needed(action, "exec", scope))
         loaded: list[Component] = []
-        self._loaded[f"{node.namespace}/{name}"] = (node.name, loaded)
+        self._loaded[f"{node.namespace}/{name}"] = self._loaded[action.id] = (node.name, loaded)
         self._load(loaded, action, scope)
 
     def load(self, action: Action, scope: Scope) -> None:
         """Load the components inside `action` into the container that it names."""
         target = self._texts.needed(action, "target", scope)
-        full = f"/{target.lstrip('/')}"
+        if target.startswith(REFERENCE) and target not in self._loaded:
+            raise ValueError("the launch file does not start the component container before")
         # launch_ros calls the service of the container from outside of all namespaces.
-        if full not in self._loaded and not target.startswith("/"):
-            full = f"{scope.namespace}/{target}"
+        full = target if target.startswith((REFERENCE, "/")) else f"/{target}"
         if full not in self._loaded:
-            known = nearest(full, self._loaded)
+            known = nearest(full, [name for name in self._loaded if name.startswith("/")])
             raise ValueError(f"no component container '{full}' in this launch file; {known}")
         self._load(self._loaded[full][1], action, scope)
 

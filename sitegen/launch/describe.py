@@ -171,8 +171,8 @@ def _answer(calls: Sequence[Sequence[Any]], performed: Sequence[Any] | None) -> 
         reading, *of = call
         RUN.reading, RUN.made = reading, 0
         found = describe_functions.called(*of)
-    described: Mapping[str, Any] = found.plain()
     if performed is None:
+        described: Mapping[str, Any] = found.plain()
         return described
     number, variables, environment = performed
     try:

@@ -46,14 +46,11 @@ def load(
     *, composable_node_descriptions: Iterable[Any], target_container: Any, condition: Any = None
 ) -> Described:
     """Describe components for a container that is described elsewhere, by its name or action."""
-    if isinstance(target_container, Described):
-        named = target_container.attributes
-        parts = (named.get("namespace", ""), named.get("name", ""))
-        target_container = "/".join(part.rstrip("/") for part in parts if part)
+    is_action = isinstance(target_container, Described)
     return Described(
         "load_composable_node",
         composable_node_descriptions,
-        target=target_container,
+        target=target_container.id if is_action else target_container,
         condition=condition,
     )
 

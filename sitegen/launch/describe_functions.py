@@ -87,10 +87,10 @@ class Substitution(Text):
     def written(self) -> str:
         """Return the substitution as a text that is expanded later."""
         # Their classes may compare them in other ways.
-        known = [id(each) for each in RUN.substitutions]
-        if id(self) not in known:
+        if all(each is not self for each in RUN.substitutions):
             RUN.substitutions.append(self)
-        return f"$(perform {known.index(id(self)) if id(self) in known else len(known)})"
+        number = next(at for at, each in enumerate(RUN.substitutions) if each is self)
+        return f"$(perform {number})"
 
     def describe(self) -> str:
         """Return a description for log messages."""

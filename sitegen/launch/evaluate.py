@@ -71,17 +71,14 @@ def launched(
     without a counterpart are skipped, with a note in `notes`.
     """
     with shares(packages) as folders, tempfile.TemporaryDirectory(prefix=MADE) as made:
-        reader = python.Reader(folders, [problems.root, *_folders(packages)], Path(made).resolve())
+        roots = [problems.root, *(package.path for package in packages.values())]
+        reader = python.Reader(folders, roots, Path(made).resolve())
         launch = _Launch(packages, reader, problems, notes or Problems(problems.root))
         scope = Scope(file, dict(arguments), environment=Environment(environment))
         launch.run(scope, Location(file, 1))
         handlers = launch.events.handlers.finished()
         nodes = launch.finished()
         return LaunchDescription(nodes, launch.windows, handlers, launch.declared)
-
-
-def _folders(packages: Mapping[str, Package]) -> list[Path]:
-    return [package.path for package in packages.values()]
 
 
 class _Launch:

@@ -15,7 +15,8 @@ from sitegen.launch.environment import Environment
 from sitegen.launch.expressions import ExpressionError, value_of
 from sitegen.launch.processes import installed
 
-# The substitutions that only describe_expressions.py writes.
+# The substitutions that only Python files have: describe_expressions.py and describe_functions.py
+# write them.
 OF_PYTHON = ("expression", "apply", "perform")
 # Longer expressions are cut in messages.
 LONGEST_SHOWN = 200

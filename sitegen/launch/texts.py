@@ -129,6 +129,8 @@ class Texts:
 
     def on_page(self, text: str) -> str:
         """Return a text with the paths that the page has."""
+        if str(self._reader.made) in text:
+            raise ValueError("the page has a file that a launch file writes only as parameters")
         return on_page(text, self._folders)
 
     def expanded(self, text: str, scope: Scope) -> str:

@@ -100,7 +100,7 @@ def test_a_container_is_one_node_with_its_components(root: Path, kind: str) -> N
 
 
 @pytest.mark.parametrize("target", ["/robot/box", "robot/box", "box"])
-def test_components_find_their_container_by_its_name(root: Path, target: str) -> None:
+def test_the_names_of_containers_are_outside_of_all_namespaces(root: Path, target: str) -> None:
     (root / "x.launch.xml").write_text(f"""<launch>
       <push_ros_namespace namespace="robot"/>
       <node_container pkg="rclcpp_components" exec="component_container" name="box" namespace=""/>
@@ -109,9 +109,32 @@ def test_components_find_their_container_by_its_name(root: Path, target: str) ->
       </load_composable_node>
     </launch>""")
     [box], wrong = nodes(root, "x.launch.xml")
+    expected = "no component container '/box' in this launch file; known: /robot/box"
+    if target == "box":
+        assert wrong == [f"x.launch.xml:4: load_composable_node: {expected}"]
+    else:
+        assert wrong == []
+        assert isinstance(box.kind, Container)
+        assert [component.plugin for component in box.kind.components] == ["parts::Ear"]
+
+
+def test_a_function_loads_into_a_container_of_its_file(root: Path) -> None:
+    given = CONTAINERS["py"].replace(
+        "box, more]", "box, OpaqueFunction(function=lambda _: [more])]"
+    )
+    (root / "x.launch.py").write_text(f"from launch.actions import OpaqueFunction\n{given}")
+    [box], wrong = nodes(root, "x.launch.py")
     assert wrong == []
     assert isinstance(box.kind, Container)
-    assert [component.plugin for component in box.kind.components] == ["parts::Ear"]
+    assert [component.plugin for component in box.kind.components] == ["parts::Eye", "parts::Ear"]
+
+
+def test_a_container_that_is_not_started_is_said(root: Path) -> None:
+    given = CONTAINERS["py"].replace("box, more]", "more]")
+    (root / "x.launch.py").write_text(given)
+    found, [wrong] = nodes(root, "x.launch.py")
+    assert found == []
+    assert wrong.endswith("the launch file does not start the component container before")
 
 
 @pytest.mark.parametrize(

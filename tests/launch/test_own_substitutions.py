@@ -187,6 +187,18 @@ def test_what_fails_is_said_where_it_is_used(
     assert expected in problem
 
 
+@pytest.mark.parametrize(
+    "given", ["arguments=[{}]", 'parameters=[{{"file": {}}}]', 'additional_env={{"FILE": {}}}']
+)
+def test_what_is_written_is_no_file_of_the_page(workspace: Path, given: str) -> None:
+    made = f"Changed({FILE}, {{}})"
+    text = BEGIN.format(f'Node(package="p", executable="x", {given.format(made)})')
+    found, (problem,) = started(workspace, text)
+    assert found == []
+    expected = "node: the page has a file that a launch file writes only as parameters"
+    assert problem.endswith(expected)
+
+
 def test_no_files_remain(workspace: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     folder = tmp_path / "temporary"
     folder.mkdir()

@@ -64,7 +64,7 @@ def compile_nodes(
         (job, engine)
         for job in jobs
         for engine in engines
-        if not all(map(compiler.is_finished, compiler.builds(job, [engine])))
+        if not all(map(plugins.is_complete, compiler.builds(job, [engine])))
     ]
     faults: dict[tuple[str, str], str] = {}
     if missing:
@@ -163,15 +163,11 @@ class Compiler:
         suffixes = ["js", "wasm", "types.json", *(["lines.json"] if self._debug else [])]
         return Build(engine, *(folder / f"{stem}.{suffix}" for suffix in suffixes))
 
-    def is_finished(self, build: Build) -> bool:
-        """Return whether a program exists, with all plugins that it should have."""
-        keep_going = self._keep_going
-        return build.wasm.exists() and not plugins.is_wanted_again(build, keep_going=keep_going)
-
     def failed(self, job: Job, engine: str) -> list[tuple[str, str]]:
         """Return the programs of `job` that do not exist, by package and executable."""
-        builds = ((name, self.build(job, name, engine)) for name in job.executables)
-        names = (name for name, build in builds if not self.is_finished(build))
+        names = (
+            name for name in job.executables if not self.build(job, name, engine).wasm.exists()
+        )
         return [(job.package.name, name) for name in names]
 
     def _folder(self, job: Job, engine: str) -> Path:

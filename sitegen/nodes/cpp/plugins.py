@@ -11,6 +11,10 @@ from pathlib import Path
 
 from sitegen.model import Build, Package
 from sitegen.nodes.cpp.diagnosis import lacks_library, lacks_package
+from sitegen.nodes.cpp.store import write
+
+# What follows the problem of a package.
+LEFT_OUT = " (left out: the plugins of "
 
 
 def lost(
@@ -28,9 +32,9 @@ def note(build: Build, found: Mapping[str, Sequence[str]]) -> None:
     """Keep what a program is built without beside it."""
     file = _list_of(build)
     lines = [_without(name, line) for name in found for line in found[name]]
-    file.parent.mkdir(parents=True, exist_ok=True)
     if lines:
-        file.write_text("\0".join(lines), encoding="utf-8")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write(file, "\0".join(lines).encode())
     else:
         file.unlink(missing_ok=True)
 
@@ -41,15 +45,15 @@ def noted(build: Build) -> list[str]:
     return file.read_text(encoding="utf-8").split("\0") if file.exists() else []
 
 
-def is_wanted_again(build: Build, *, keep_going: bool) -> bool:
-    """Return whether a program must be built again because it lacks plugins that have errors."""
-    lines = [line.partition(" (left out: ")[0] for line in noted(build)]
-    return not keep_going and not _is_no_error(lines)
+def is_complete(build: Build) -> bool:
+    """Return whether a program exists, and has the plugins of all packages that had errors."""
+    lines = [line.partition(LEFT_OUT)[0] for line in noted(build)]
+    return build.wasm.exists() and _is_no_error(lines)
 
 
 def _without(name: str, problem: str) -> str:
     first, newline, rest = problem.partition("\n")
-    return f"{first} (left out: the plugins of '{name}'){newline}{rest}"
+    return f"{first}{LEFT_OUT}'{name}'){newline}{rest}"
 
 
 def _is_no_error(lines: Sequence[str]) -> bool:

@@ -20,16 +20,16 @@ def keep(program: Path, prefixes: Sequence[Path], shown: Sequence[str], build: B
     """
     build.wasm.parent.mkdir(parents=True, exist_ok=True)
     types = messages.types_of(program.with_suffix(".wasm"), prefixes)
-    _write(build.types, json.dumps(types).encode())
+    write(build.types, json.dumps(types).encode())
     if build.lines:
         lines = sourcemap.lines_of(program.with_suffix(".wasm.map"), shown)
-        _write(build.lines, json.dumps(lines, separators=(",", ":")).encode())
-    _write(build.script, program.with_suffix(".js").read_bytes())
+        write(build.lines, json.dumps(lines, separators=(",", ":")).encode())
+    write(build.script, program.with_suffix(".js").read_bytes())
     # Last: the presence of this file means that the program is complete.
-    _write(build.wasm, program.with_suffix(".wasm").read_bytes())
+    write(build.wasm, program.with_suffix(".wasm").read_bytes())
 
 
-def _write(file: Path, content: bytes) -> None:
+def write(file: Path, content: bytes) -> None:
     """Write a file in one step: another build may read it, or write the same."""
     with tempfile.TemporaryDirectory(dir=file.parent) as temporary:
         draft = Path(temporary) / file.name
