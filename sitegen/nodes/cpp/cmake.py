@@ -134,17 +134,22 @@ class CMake:
         needs: Sequence[Package],
         shown: str,
         lost: Collection[str] = (),
+        left_out: Collection[str] = (),
     ) -> Done:
         """Configure `package`, with the prefixes of the packages `needs`.
 
         Its programs show the path of its folder as `shown`. They lack the plugins of the packages
-        `lost`.
+        `lost`, and the libraries with plugins or components whose targets are `left_out`.
         """
         buildtools.write(needs, self.prefix)
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
         linked = ";".join(name for name in package.linked if name not in lost)
-        more = [*package.settings.cmake, f"-DSITEGEN_LINKED={linked}"]
+        more = [
+            *package.settings.cmake,
+            f"-DSITEGEN_LINKED={linked}",
+            f"-DSITEGEN_LEFT_OUT={';'.join(left_out)}",
+        ]
         return self._configure(package.path, tree, prefixes, shown, more, _variables(package))
 
     def make_programs(self, package: Package, *executables: str) -> Done:

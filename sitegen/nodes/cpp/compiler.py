@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import replace
@@ -18,12 +17,13 @@ from sitegen.interfaces import generator
 from sitegen.model import BROWSERS, Build, Package
 from sitegen.nodes.cpp import drafts, libraries, plugins
 from sitegen.nodes.cpp.cmake import CMake
-from sitegen.nodes.cpp.diagnosis import Diagnosis, brief, lacks_library
+from sitegen.nodes.cpp.diagnosis import brief, lacks_library
 from sitegen.nodes.cpp.digests import Digests, sources
 from sitegen.nodes.cpp.jobs import Compiled, Job
 from sitegen.nodes.cpp.licences import licences_of
 from sitegen.nodes.cpp.locks import locked
 from sitegen.nodes.cpp.progress import Progress, counted, plan
+from sitegen.nodes.cpp.project import Project
 from sitegen.nodes.cpp.sources import LibrarySources
 from sitegen.nodes.cpp.store import keep
 from sitegen.nodes.cpp.toolchain import Toolchain, ToolMissingError
@@ -294,56 +294,44 @@ class Compiler:
         name = f"{package.name} ({BROWSERS[engine]})"
         what = "compiling the libraries that other packages use"
         cmake = self._cmake(engine, counted(self._report, name, what))
-        if self._is_prepared(cmake, package, needs):
+        project = self._project(cmake, package, needs, failed)
+        if project.is_prepared:
             return
         self._report.doing(name, what)
         try:
             self.library_sources.check(package)
-            self._configure(cmake, package, needs, failed)
-            made = cmake.make_libraries(package)
-            if made.returncode:
-                diagnosis = Diagnosis(self._root, package, needs)
-                tree = cmake.tree(package)
-                raise SiteError(diagnosis.of_builds({"libraries": made.stdout}, tree, failed))
+            project.prepare()
         except SiteError:
-            shutil.rmtree(cmake.prefix(package), ignore_errors=True)
+            project.forget()
             raise
         finally:
             self._report.done(name)
-        self._stamp(cmake, package).write_text(self._state(package, needs))
 
-    def _is_prepared(self, cmake: CMake, package: Package, needs: Sequence[Package]) -> bool:
-        stamp = self._stamp(cmake, package)
-        return stamp.exists() and stamp.read_text() == self._state(package, needs)
-
-    def _state(self, package: Package, needs: Sequence[Package]) -> str:
-        return f"{self._digests.of(package, needs)}{'-draft' if self._draft else ''}"
-
-    def _stamp(self, cmake: CMake, package: Package) -> Path:
-        return cmake.tree(package) / "prepared"
-
-    def _configure(
+    def _project(
         self, cmake: CMake, package: Package, needs: Sequence[Package], failed: Failures
-    ) -> None:
-        # Drafts are built in the same folder, whose contents may be those of another kind of build.
-        self._stamp(cmake, package).unlink(missing_ok=True)
-        lost = plugins.lost(package, failed, keep_going=self._keep_going)
-        done = cmake.configure(package, needs, self._digests.shown(package), lost)
-        if done.returncode:
-            diagnosis = Diagnosis(self._root, package)
-            missing = failed.get(diagnosis.missing(done.stdout))
-            raise SiteError(missing or diagnosis.of_cmake(done.stdout))
+    ) -> Project:
+        return Project(
+            cmake,
+            package,
+            needs,
+            failed,
+            state=f"{self._digests.of(package, needs)}{'-draft' if self._draft else ''}",
+            shown=self._digests.shown(package),
+            root=self._root,
+            keep_going=self._keep_going,
+        )
 
     def _configure_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
-        cmake = self._cmake(engine)
-        if not self._is_prepared(cmake, job.package, job.needs):  # else others read what is written
+        project = self._project(self._cmake(engine), job.package, job.needs, failed[engine])
+        if not project.is_prepared:  # else others read what is written
             name = f"{job.package.name} ({BROWSERS[engine]})"
             with self._report.during(name, "configuring with CMake"):
-                self._configure(cmake, job.package, job.needs, failed[engine])
+                project.configure()
 
     def _compile_job(self, failed: Mapping[str, Failures], job: Job, engine: str) -> None:
         cmake = self._cmake(engine)
         package = job.package
+        project = self._project(cmake, package, job.needs, failed[engine])
         browsers = BROWSERS[engine]
         names = {name: f"{package.name}/{name} ({browsers})" for name in job.executables}
         for name in names.values():
@@ -352,7 +340,8 @@ class Compiler:
         what = f"{package.path} {engine} {'draft' if self._draft else ''}"
         planned, durations = plan(cmake, package, names), Durations(self._cache, what)
         progress = Progress(self._report, names, planned, durations)
-        done = self._cmake(engine, progress.watch).make_programs(package, *job.executables)
+        watching = self._cmake(engine, progress.watch)
+        done = project.make(lambda: watching.make_programs(package, *job.executables))
         # If anything failed, build each program alone, to attribute the output to it.
         again = bool(done.returncode) and len(job.executables) > 1
         for executable, name in names.items():
@@ -368,11 +357,9 @@ class Compiler:
                 ]
                 shown = list(map(self._digests.shown, theirs))
                 build = self.build(job, executable, engine)
-                lost = plugins.lost(package, failed[engine], keep_going=self._keep_going)
-                plugins.note(build, lost)
+                project.note(build)
                 keep(program, prefixes, shown, build)
                 progress.note(executable)
             self._report.done(name)
         if outputs:
-            diagnosis = Diagnosis(self._root, package, job.needs)
-            raise SiteError(diagnosis.of_builds(outputs, cmake.tree(package), failed[engine]))
+            raise project.error(outputs)

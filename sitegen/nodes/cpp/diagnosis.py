@@ -18,6 +18,8 @@ from sitegen.workspace.libraries import EIGEN, HEADER_ONLY, compiled_for, of_hea
 from sitegen.workspace.repositories import repository
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
+# A library or a component that a package does not export.
+NOT_EXPORTED = re.compile(r"links to:\s+([\w.+-]+)::|package '(\S+)' registers no component")
 # The command lines of a build, and lines that Ninja and em++ add.
 COMMANDS = re.compile(
     r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
@@ -28,6 +30,7 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
 MISSING_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(\w+)", re.M)
+FAILED_TARGET = re.compile(r"^FAILED: (?:\S+/)?CMakeFiles/([^/]+)\.dir/", re.M)
 FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
 # The outermost one of an undefined symbol; libraries name their folders of headers so, too.
@@ -50,6 +53,11 @@ class Diagnosis:
         """Return the required package that CMake did not find; "" if it failed otherwise."""
         found = NOT_FOUND.search(output)
         return found[1] if found else ""
+
+    def incomplete(self, output: str) -> str:
+        """Return the package of which CMake did not find a part; "" if it failed otherwise."""
+        found = NOT_EXPORTED.search(output)
+        return found[1] or found[2] if found else ""
 
     def of_cmake(self, output: str) -> list[str]:
         """Return why CMake could not configure the package."""
@@ -82,6 +90,24 @@ class Diagnosis:
         for header, places in headers.items():
             problems += self._without(header, sorted(places), failed)
         return problems
+
+    def of_libraries(
+        self, output: str, failed: Mapping[str, Sequence[str]]
+    ) -> dict[str, list[str]]:
+        """Return which headers libraries lack, in one line each, by target.
+
+        Targets that do not compile for another reason are not among them. `failed` is that of
+        `of_builds`.
+        """
+        outputs: dict[str, str] = {}
+        for command in re.split(r"^(?=FAILED: )", output, flags=re.M):
+            if target := FAILED_TARGET.match(command):
+                outputs[target[1]] = outputs.get(target[1], "") + command
+        return {
+            target: self.of_builds({target: commands}, Path(), failed)
+            for target, commands in outputs.items()
+            if len(FAILED_TARGET.findall(commands)) == len(MISSING_HEADER.findall(commands))
+        }
 
     def _without(
         self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]

@@ -1,25 +1,28 @@
-"""Leave out the plugins of packages that cannot be built, and say so in each build.
+"""Leave out plugins and components that cannot be built, and say so in each build.
 
 A program is linked with the plugins of all packages of the workspace that it may load. One that
-needs what no page can have must not cost the others.
+needs what no page can have must not cost the others: packages that fail are left out and, of a
+package that does not, single libraries.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from sitegen.model import Build, Package
 from sitegen.nodes.cpp.diagnosis import lacks_library, lacks_package
 from sitegen.nodes.cpp.store import write
 
-# What follows the problem of a package.
-LEFT_OUT = " (left out: the plugins of "
+# What follows the problem of a package or of a library.
+LEFT_OUT = " (left out: "
+
+# What is wrong with each package, or with each library, by its name.
+Problems = Mapping[str, Sequence[str]]
 
 
-def lost(
-    package: Package, failed: Mapping[str, Sequence[str]], *, keep_going: bool
-) -> dict[str, Sequence[str]]:
+def lost(package: Package, failed: Problems, *, keep_going: bool) -> Problems:
     """Return the packages whose plugins `package` does without, with what is wrong with each.
 
     `failed` has the errors of packages. Errors in sources count only with `keep_going`.
@@ -28,10 +31,44 @@ def lost(
     return {name: lines for name, lines in found.items() if keep_going or _is_no_error(lines)}
 
 
-def note(build: Build, found: Mapping[str, Sequence[str]]) -> None:
-    """Keep what a program is built without beside it."""
+def to_leave_out(tree: Path, failed: Problems) -> Problems:
+    """Return which libraries to leave out of the package that is built in `tree`.
+
+    `failed` has the errors of libraries, by target. The result includes those that are left out
+    already, and is empty if `failed` adds none to them.
+    """
+    names = tree / "optional.txt"  # which ament_package() writes
+    optional = names.read_text(encoding="utf-8").split("\n") if names.exists() else []
+    before = left_out(tree)
+    more = {
+        target: lines
+        for target, lines in failed.items()
+        if target in optional and target not in before and all(map(lacks_library, lines))
+    }
+    return {**before, **more} if more else {}
+
+
+def leave_out(tree: Path, libraries: Problems) -> None:
+    """Keep which libraries the package that is built in `tree` is configured without."""
+    tree.mkdir(parents=True, exist_ok=True)
+    write(_libraries_of(tree), json.dumps({**libraries}).encode())
+
+
+def left_out(tree: Path) -> Problems:
+    """Return the libraries that the package that is built in `tree` is configured without."""
+    file = _libraries_of(tree)
+    found: dict[str, list[str]] = (
+        json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    )
+    return found
+
+
+def note(build: Build, packages: Problems, libraries: Iterable[Problems]) -> None:
+    """Keep beside a program what it is built without: packages, and libraries of others."""
+    lines = _without("the plugins of ", packages)
+    for problems in libraries:
+        lines += _without("the library ", problems)
     file = _list_of(build)
-    lines = [_without(name, line) for name in found for line in found[name]]
     if lines:
         file.parent.mkdir(parents=True, exist_ok=True)
         write(file, "\0".join(lines).encode())
@@ -51,9 +88,13 @@ def is_complete(build: Build) -> bool:
     return build.wasm.exists() and _is_no_error(lines)
 
 
-def _without(name: str, problem: str) -> str:
-    first, newline, rest = problem.partition("\n")
-    return f"{first}{LEFT_OUT}'{name}'){newline}{rest}"
+def _without(what: str, problems: Problems) -> list[str]:
+    found = []
+    for name in problems:
+        for problem in problems[name]:
+            first, newline, rest = problem.partition("\n")
+            found.append(f"{first}{LEFT_OUT}{what}'{name}'){newline}{rest}")
+    return found
 
 
 def _is_no_error(lines: Sequence[str]) -> bool:
@@ -62,3 +103,7 @@ def _is_no_error(lines: Sequence[str]) -> bool:
 
 def _list_of(build: Build) -> Path:
     return build.wasm.with_suffix(".left-out.txt")
+
+
+def _libraries_of(tree: Path) -> Path:
+    return tree / "left-out.json"

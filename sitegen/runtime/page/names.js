@@ -4,9 +4,18 @@
 
 import { PAGE_NODE } from "../graphNames.js";
 
-/** @import { Endpoint } from "../protocol.js" */
+/** @import { Endpoint, NodeEntry } from "../protocol.js" */
 
 const NODE = /^(?:\/[^/\s\p{C}]+)+$/u;
+
+/**
+ * Return whose program a node runs; those of one origin may use each other's names. All that the author built from the
+ * workspace are of one origin, but neither those from archives nor one with edited sources, which a link may bring.
+ * @param {NodeEntry} entry @param {boolean} edited
+ */
+export function originOf({ package: from, executable, prebuilt, ros2wasm }, edited) {
+  return ros2wasm?.script ?? (prebuilt || edited ? `${from}/${executable}` : "");
+}
 
 export class Names {
   /** The programs that run under names of site.yaml, by worker. @type {Map<string, Map<number, string>>} */
@@ -26,8 +35,8 @@ export class Names {
   }
 
   /**
-   * Return why a worker may not announce an endpoint, or "". Like in ROS, several nodes may have the same name; but a
-   * name from site.yaml is that of its own program only, while that runs.
+   * Return why a worker may not announce an endpoint, or "". Like in ROS, several nodes may have the same name; but while
+   * a node of site.yaml runs, only programs of its origin may use its name.
    * @param {Endpoint} endpoint @param {string | undefined} origin of the worker's program; undefined for parts of the page
    * @param {Map<string, number>} nodes those that it has announced
    */

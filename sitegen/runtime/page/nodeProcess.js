@@ -7,6 +7,7 @@ import { compile } from "./compile.js";
 import { obstacle } from "./isolated.js";
 import { place } from "../place.js";
 import { Guard } from "./guard.js";
+import { originOf } from "./names.js";
 import { startWorker } from "../worker.js";
 
 /** @import { Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
@@ -251,7 +252,8 @@ export class NodeProcess extends EventTarget {
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
-    const id = this.#graph.join(post, this.name, complain, originOf(this.#entry));
+    const origin = originOf(this.#entry, Object.keys(this.#edits).length > 0);
+    const id = this.#graph.join(post, this.name, complain, origin);
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
     const guard = new Guard(complain, (reason) => this.#run === run && this.#fail(reason, "stuck"));
     const run = { worker, id, byte, guard };
@@ -385,11 +387,6 @@ export class NodeProcess extends EventTarget {
     }
     this.dispatchEvent(new Event("state"));
   }
-}
-
-/** What tells a program from others: two nodes of one executable may have the same name. @param {NodeEntry} entry */
-function originOf({ package: from, executable, ros2wasm }) {
-  return ros2wasm?.script ?? `${from}/${executable}`;
 }
 
 /** End a worker; that of a group goes on for its other nodes. @param {Worker | Member} worker */

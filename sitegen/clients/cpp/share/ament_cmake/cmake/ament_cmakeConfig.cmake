@@ -3,7 +3,7 @@
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 find_package(ament_cmake_python REQUIRED)
-foreach(_part IN ITEMS extensions index installed_headers left_out manifest shared_sources)
+foreach(_part IN ITEMS extensions index installed_headers left_out manifest optional shared_sources)
   include("${CMAKE_CURRENT_LIST_DIR}/${_part}.cmake")
 endforeach()
 
@@ -53,8 +53,9 @@ macro(ament_export_interfaces)  # the former name
   ament_export_targets(${ARGN})
 endmacro()
 
-# Record the files that the build of a package has made and that it installs to share/: `file@where`.
-# The site has the others, and programs load them when they open them.
+# Record the headers that a package installs, and the files that its build has made and that it
+# installs to share/: `file@where`. The site has the other files, and programs load them when they
+# open them.
 function(install)
   _install(${ARGN})
   sitegen_install_headers(${ARGN})
@@ -217,6 +218,7 @@ function(ament_package)
   foreach(command IN LISTS commands)
     cmake_language(CALL ${command})
   endforeach()
+  sitegen_write_optional()
   sitegen_share_sources()
   ament_execute_extensions(ament_package)
   if(SITEGEN_LINKED)
@@ -236,6 +238,7 @@ function(ament_package)
   set(exported "")
   if(libraries OR targets)
     sitegen_libraries_below("${PROJECT_SOURCE_DIR}" exported)
+    list(REMOVE_ITEM exported ${SITEGEN_LEFT_OUT})
   endif()
   # Containers of other packages link components from here, whether these are exported or not.
   get_property(noted GLOBAL PROPERTY SITEGEN_COMPONENTS)

@@ -15,8 +15,13 @@ set(rclcpp_components_LIBRARIES rclcpp_components::rclcpp_components)
 set(_rclcpp_components_main "${CMAKE_CURRENT_LIST_DIR}/main.cpp.in")
 set(_rclcpp_components_container "${CMAKE_CURRENT_LIST_DIR}/container.cpp.in")
 
-# Record the library of a component for containers of other packages: `component@library`.
-function(_rclcpp_components_note target)
+# Keep a library with components and record these for containers of other packages, each as
+# `component@library`.
+function(_rclcpp_components_keep target)
+  sitegen_keep_optional(${target} kept)
+  if(NOT kept)
+    return()
+  endif()
   foreach(component IN LISTS ARGN)
     set_property(GLOBAL APPEND PROPERTY SITEGEN_COMPONENTS "${component}@${target}")
   endforeach()
@@ -46,8 +51,7 @@ endfunction()
 
 function(rclcpp_components_register_nodes target)
   cmake_parse_arguments(ARG "" "RESOURCE_INDEX" "" ${ARGN})
-  sitegen_keep(${target})
-  _rclcpp_components_note(${target} ${ARG_UNPARSED_ARGUMENTS})
+  _rclcpp_components_keep(${target} ${ARG_UNPARSED_ARGUMENTS})
 endfunction()
 
 # A program that loads components of other packages, each given as `package@component`.
@@ -73,8 +77,7 @@ function(rclcpp_components_register_node target)
   if(NOT ARG_PLUGIN)
     message(FATAL_ERROR "rclcpp_components_register_node() needs the PLUGIN of '${target}'")
   endif()
-  sitegen_keep(${target})
-  _rclcpp_components_note(${target} ${ARG_PLUGIN})
+  _rclcpp_components_keep(${target} ${ARG_PLUGIN})
   if(NOT ARG_EXECUTABLE)
     return()
   endif()

@@ -1,0 +1,112 @@
+"""Configure and build the CMake project of a package, without the libraries that lack others."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from sitegen.errors import SiteError
+from sitegen.model import Build, Package
+from sitegen.nodes.cpp import plugins
+from sitegen.nodes.cpp.cmake import CMake, Done
+from sitegen.nodes.cpp.diagnosis import Diagnosis
+from sitegen.nodes.cpp.plugins import Problems
+
+
+@dataclass(frozen=True)
+class Project:
+    """The CMake project of `package`, which depends on the packages `needs`, for one engine.
+
+    `failed` has the errors of these packages. `state` identifies all sources. Programs show the
+    path of the package as `shown`, and messages are relative to `root`. With `keep_going`, programs
+    do without plugins whose sources have errors.
+    """
+
+    cmake: CMake
+    package: Package
+    needs: Sequence[Package]
+    failed: Problems
+    state: str
+    shown: str
+    root: Path
+    keep_going: bool
+
+    @property
+    def tree(self) -> Path:
+        """The build folder."""
+        return self.cmake.tree(self.package)
+
+    @property
+    def is_prepared(self) -> bool:
+        """Whether other packages can use what is built of this one."""
+        return self._stamp.exists() and self._stamp.read_text() == self.state
+
+    def prepare(self) -> None:
+        """Build and export what other packages use.
+
+        Raises: SiteError if that is not possible.
+        """
+        self.configure()
+        made = self.make(lambda: self.cmake.make_libraries(self.package))
+        if made.returncode:
+            raise self.error({"libraries": made.stdout})
+        self._stamp.write_text(self.state)
+
+    def forget(self) -> None:
+        """Remove what other packages use."""
+        shutil.rmtree(self.cmake.prefix(self.package), ignore_errors=True)
+
+    def configure(self, left_out: Problems = MappingProxyType({})) -> None:
+        """Configure the project, without the libraries `left_out`.
+
+        Raises: SiteError if CMake cannot do so.
+        """
+        # Drafts are built in the same folder, whose contents may be those of another kind of build.
+        self._stamp.unlink(missing_ok=True)
+        plugins.leave_out(self.tree, left_out)
+        done = self.cmake.configure(self.package, self.needs, self.shown, self._lost, left_out)
+        if done.returncode:
+            diagnosis = Diagnosis(self.root, self.package)
+            why = self.failed.get(diagnosis.missing(done.stdout)) or self._left_out_of(
+                diagnosis.incomplete(done.stdout)
+            )
+            raise SiteError([*why] or diagnosis.of_cmake(done.stdout))
+
+    def make(self, build: Callable[[], Done]) -> Done:
+        """Run a build. Leave out the libraries with plugins or components that lack a library."""
+        diagnosis = Diagnosis(self.root, self.package, self.needs)
+        while (done := build()).returncode:
+            lacking = diagnosis.of_libraries(done.stdout, self.failed)
+            left_out = plugins.to_leave_out(self.tree, lacking)
+            if not left_out:
+                break
+            self.configure(left_out)
+        return done
+
+    def error(self, outputs: Mapping[str, str]) -> SiteError:
+        """Return why programs did not compile, by the output of each."""
+        diagnosis = Diagnosis(self.root, self.package, self.needs)
+        return SiteError(diagnosis.of_builds(outputs, self.tree, self.failed))
+
+    def note(self, build: Build) -> None:
+        """Note beside a program what it is built without."""
+        linked = [one for one in self.needs if one.name in self.package.linked]
+        libraries = [plugins.left_out(self.cmake.tree(one)) for one in (*linked, self.package)]
+        plugins.note(build, self._lost, libraries)
+
+    @property
+    def _stamp(self) -> Path:
+        return self.tree / "prepared"
+
+    @property
+    def _lost(self) -> Problems:
+        return plugins.lost(self.package, self.failed, keep_going=self.keep_going)
+
+    def _left_out_of(self, name: str) -> list[str]:
+        """Return why libraries were left out of one of the packages that this one depends on."""
+        trees = (self.cmake.tree(need) for need in self.needs if need.name == name)
+        libraries = (lines for tree in trees for lines in plugins.left_out(tree).values())
+        return [line for lines in libraries for line in lines]
