@@ -60,8 +60,10 @@ class Finder(MetaPathFinder, Loader):
         """Leave it to Python to create the module."""
 
     def exec_module(self, module: ModuleType) -> None:
-        """Give a module all names."""
-        module.__getattr__ = stand_in  # type: ignore[method-assign]
+        """Give a module all names: those of the module above it, which has the same in upstream."""
+        above = vars(sys.modules[module.__name__.rpartition(".")[0]])
+        names = {name: value for name, value in above.items() if not name.startswith("__")}
+        vars(module).update(names, __getattr__=stand_in)
 
 
 def install(modules: Sequence[str]) -> None:

@@ -69,6 +69,25 @@ def test_a_name_that_is_missing_costs_its_use(
     assert "".join(wrong).startswith(f"x.launch.py:{expected}" if expected else "")
 
 
+def test_each_class_is_in_a_module_of_its_own_too(root: Path) -> None:
+    imports = """
+from launch.actions.declare_launch_argument import DeclareLaunchArgument
+from launch.launch_description import LaunchDescription
+from launch.launch_description_sources.python_launch_description_source import *
+from launch.substitutions.launch_configuration import LaunchConfiguration
+from launch_ros.actions.node import Node as RosNode
+import launch.actions.group_action as grouping
+"""
+    use = """DeclareLaunchArgument("who", default_value="me"),
+        grouping.GroupAction([
+            RosNode(package="p", executable="x", name=LaunchConfiguration("who")),
+        ])"""
+    (root / "x.launch.py").write_text(BEGIN.format(imports=imports, use=use))
+    found, wrong = nodes(root, "x.launch.py")
+    assert wrong == []
+    assert [node.name for node in found] == ["first", "me", "last"]
+
+
 def test_modules_of_the_workspace_are_imported(root: Path) -> None:
     package = root / "src" / "helping"
     (package / "helping").mkdir(parents=True)
