@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
 
@@ -36,19 +36,23 @@ def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
     """Return the package `name` after all packages that its programs are made of.
 
     These are the packages that it depends on and, if it may load plugins, the packages that have
-    plugins for any of these or for itself. Such packages depend on it, so it is also built as one
-    of their dependencies.
+    plugins for any of these or for itself, and those that have plugins for such plugins. Packages
+    with plugins for it depend on it, so it is also built as one of their dependencies.
     """
     *before, package = with_dependencies(packages, name)
-    known = {name, *(each.name for each in before)}
-    linked = [
-        each.name
-        for each in packages.values()
-        if PLUGINS in known and each.name not in known and known & set(each.plugins)
-    ]
     needs = {each.name: each for each in before}
-    for one in linked:
-        needs |= {each.name: each for each in with_dependencies(packages, one)}
+    linked: list[str] = []
+
+    def more() -> Iterator[str]:
+        known = {name, *needs}
+        for each in packages.values():
+            if PLUGINS in known and each.name not in known and known & set(each.plugins):
+                yield each.name
+
+    while found := list(more()):
+        linked += found
+        for one in found:
+            needs |= {each.name: each for each in with_dependencies(packages, one)}
     return [*needs.values(), replace(package, linked=tuple(linked))]
 
 

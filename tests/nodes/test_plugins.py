@@ -216,6 +216,22 @@ def test_a_container_does_without_components_that_it_does_not_load(workspace: Wo
     assert line.startswith(f"{NO_OPENCV} (left out: rclcpp_components/component_container-")
 
 
+def test_a_description_may_name_libraries_that_are_not_built(workspace: Workspace) -> None:
+    """dwb_plugins of Nav2 names one that became a part of another package."""
+    base(workspace)
+    plugins(workspace, "round", "Circle")
+    other = XML.format("moved", "Moved")
+    both = f"<class_libraries>{other}{XML.format('round', 'Circle')}</class_libraries>"
+    workspace.write("src/round/plugins.xml", both)
+    program, said = built(workspace)
+    assert b"round::Circle" in program
+    assert b"moved::Moved" not in program
+    assert said == []
+    workspace.write("src/round/plugins.xml", other)
+    [problem] = workspace.problems()
+    assert "names the library 'moved', which this package does not" in problem
+
+
 def test_an_error_in_one_of_them_is_an_error(workspace: Workspace) -> None:
     base(workspace)
     plugins(workspace, "wrong", "Square", begin="int number = nothing;")

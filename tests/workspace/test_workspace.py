@@ -328,6 +328,27 @@ def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path:
     assert plugins.linked == ()
 
 
+def test_programs_are_linked_with_plugins_of_plugins(tmp_path: Path) -> None:
+    """A controller of Nav2 has plugins for generators and critics, which controllers load."""
+    exports = "pluginlib_export_plugin_description_file({} plugins.xml)".format
+    packages = scan(
+        write(
+            tmp_path,
+            {
+                "base/package.xml": xml("base", "<depend>pluginlib</depend>"),
+                "pluginlib/package.xml": xml("pluginlib"),
+                "critics/package.xml": xml("critics", "<depend>local</depend>"),
+                "critics/CMakeLists.txt": exports("local"),
+                "local/package.xml": xml("local", "<depend>base</depend>"),
+                "local/CMakeLists.txt": exports("base"),
+            },
+        )
+    )
+    *needs, base = with_plugins(packages, "base")
+    assert base.linked == ("local", "critics")
+    assert [package.name for package in needs] == ["pluginlib", "base", "local", "critics"]
+
+
 def test_a_cycle_of_dependencies_is_an_error(tmp_path: Path) -> None:
     packages = scan(
         write(

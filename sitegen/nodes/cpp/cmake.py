@@ -20,6 +20,9 @@ from sitegen.workspace.manifest import ENVIRONMENT
 
 HERE = Path(__file__).parent
 CLIENT = CLIENTS / "cpp"
+# How programs of sitegen run that stand in front of the compiler, and the one for all commands.
+PYTHON = (sys.executable, "-I", "-S")
+FLAGS = (*PYTHON, HERE / "flags.py")
 # Programs that record their source lines are optimized less, so that lines stay recognizable.
 OPTIMIZE, OPTIMIZE_DEBUG = "-O2", "-O1"
 SETTINGS = [
@@ -105,10 +108,9 @@ class CMake:
 
     @property
     def _launcher(self) -> list[str | Path]:
-        """The program that CMake runs in place of the compiler: see precompiled.py."""
+        """The program that CMake runs in place of the C++ compiler: see precompiled.py."""
         store = self.work / self.engine / "precompiled"
-        script = HERE / "precompiled.py"
-        return [sys.executable, "-I", "-S", script, store, self.ros / "include"]
+        return [*FLAGS, *PYTHON, HERE / "precompiled.py", store, self.ros / "include"]
 
     def make_libraries(self, package: Package) -> Done:
         """Build what other packages use of a configured package, and export it to its prefix."""
@@ -185,6 +187,7 @@ class CMake:
             "CMAKE_PREFIX_PATH": ";".join(map(str, [*prefixes, self.ros, CLIENT])),
             "CMAKE_PROJECT_INCLUDE": CLIENT / "cmake" / "engine.cmake",
             "CMAKE_C_FLAGS_RELEASE": optimize,
+            "CMAKE_C_COMPILER_LAUNCHER": ";".join(map(str, FLAGS)),
             "CMAKE_CXX_COMPILER_LAUNCHER": ";".join(map(str, self._launcher)),
             "CMAKE_CXX_FLAGS_RELEASE": optimize,
             "CMAKE_INSTALL_PREFIX": tree / "prefix",
@@ -192,6 +195,7 @@ class CMake:
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
+            "SITEGEN_FLAGS": " ".join(f'"{word}"' for word in FLAGS),
             "SITEGEN_HEADERS": self.headers,
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PROGRAMS": tree / PROGRAMS,

@@ -23,7 +23,7 @@ NOT_EXPORTED = re.compile(r"links to:\s+([\w.+-]+)::|package '(\S+)' registers n
 # The command lines of a build, and lines that Ninja and em++ add.
 COMMANDS = re.compile(
     r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
-    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|\S.* -I -S \S.*/precompiled\.py|em(\+\+|cc): error: '"
+    r"|\S*/em(\+\+|cc|ar|ranlib)(\.py)?\s|\S.* -I -S \S.*/flags\.py|em(\+\+|cc): error: '"
     r"|Call Stack \(most recent call first\):$|See also \""
 )
 # An entry of CMake's cache for a package that was not found.

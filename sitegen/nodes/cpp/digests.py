@@ -21,6 +21,7 @@ GENERATOR = (
     "interfaces/typesupport.py",
     "interfaces/values.py",
     "nodes/cpp/cmake.py",
+    "nodes/cpp/flags.py",
     "nodes/cpp/libraries.py",
     "nodes/cpp/precompiled.py",
     "nodes/cpp/sourcemap.py",

@@ -1,11 +1,11 @@
 """Run the C++ compiler, with a precompiled rclcpp.hpp if that does not change the result.
 
-CMake runs this in place of each em++ command, as a separate program: `python precompiled.py STORE
-ROS em++ ...`. Most of the time that a node takes to compile is spent on reading rclcpp.hpp, so it
-is precompiled once for each set of flags and kept in the folder STORE. A source file uses it only
-if it includes rclcpp.hpp before anything that could make a difference. If the compiler prints
-anything, it runs again without the precompiled header, so that messages are always about the
-author's files.
+flags.py runs this in place of each em++ command that compiles, as a separate program: `python
+precompiled.py STORE ROS em++ ...`. Most of the time that a node takes to compile is spent on
+reading rclcpp.hpp, so it is precompiled once for each set of flags and kept in the folder STORE. A
+source file uses it only if it includes rclcpp.hpp before anything that could make a difference. If
+the compiler prints anything, it runs again without the precompiled header, so that messages are
+always about the author's files.
 
 A program that g++ compiles may name what other headers of its standard library include. Those of
 libc++ include less, and those of the page less of rclcpp than upstream's. If the compiler does not
@@ -60,9 +60,6 @@ NO_MATTER = re.compile(r"-(c|MM?D|W(?!system-headers)[^,]*|f\w+-prefix-map=.*)$"
 UNUSUAL = re.compile(
     r"@|-(E|S|M|MM|[xX].*|fmodules.*|include-pch|i(dirafter|macros|prefix|quote|with).*)$"
 )
-
-# Options that turn warnings into errors.
-AS_ERROR = re.compile(r"-(Werror(=.*)?|pedantic-errors)$")
 
 # Lines that continue after a backslash are left to the compiler.
 COMMENT = re.compile(r"//(?:[^\\\n]|\\(?!\s*$))*|/\*.*?\*/", re.DOTALL | re.MULTILINE)
@@ -240,8 +237,6 @@ def _run(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
 def main(store: str, ros: str, compiler: str, *words: str) -> int:
     """Run the compiler; return its exit code."""
     made = None
-    # em++ warns of more than the compiler that the author knows, which is no error of the program.
-    words = tuple(word for word in words if not AS_ERROR.match(word))
     command = Command.read(words)
     # If the compiler fails here, it will report the same error for the source file.
     with contextlib.suppress(OSError, ValueError):

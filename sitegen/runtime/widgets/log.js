@@ -3,6 +3,7 @@
 
 import { ROSOUT } from "../graphNames.js";
 import { create, setText } from "../ui/elements.js";
+import { plain } from "../ui/escapes.js";
 import { whileNear } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
 import { tool } from "../ui/toolbar.js";
@@ -143,7 +144,7 @@ function createRow({ time, severity, node, text }) {
   const clock = [at.getHours(), at.getMinutes(), at.getSeconds()].map((part) => String(part).padStart(2, "0"));
   const when = `${clock.join(":")}.${String(at.getMilliseconds()).padStart(3, "0")}`;
   const row = create("div", "", create("span", "ros-when", when), ` ${severity.toUpperCase()} `);
-  row.append(create("b", "", node), `: ${text}`);
+  row.append(create("b", "", node), `: ${plain(text)}`);
   row.dataset.severity = severity;
   return row;
 }

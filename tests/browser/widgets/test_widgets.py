@@ -164,6 +164,42 @@ def test_lines_are_text_with_the_colour_of_their_severity(page: Tab) -> None:
     assert heights[1] > heights[0] >= heights[2] > 0
 
 
+def test_colours_of_terminals_are_shown_and_other_escape_sequences_left_out(page: Tab) -> None:
+    printed = [
+        "[INFO] [1795000000.000000000] [arm]: ␛[34m␛[1mCreating␛[0m␛[0m it",
+        "␛[38;5;208morange␛[48:2::1:2:3m on dark␛[39;49m, ␛[3;31mred␛[23m␛[m.",
+        "␛[7mreversed␛[27;45m on magenta",
+        "␛[2J␛[Hcleared ␛]0;title\a␛]8;;https://example.org␛\\a link␛]8;;␛\\"
+        "␛(B ␛7end␛[999;999;5;1m␛[38m␛[38;9m␛",
+    ]
+    page.evaluate(
+        "(printed) => node.say(...printed)", [line.replace("␛", "\x1b") for line in printed]
+    )
+    assert lines(page) == [
+        "[INFO] [1795000000.000000000] [arm]: Creating it",
+        "orange on dark, red.",
+        "reversed on magenta",
+        "cleared a link end",
+    ]
+    found = page.locator("#console .ros-styled").evaluate_all(
+        """(parts) => parts.map((part) => {
+          const { color, backgroundColor, fontWeight, fontStyle } = getComputedStyle(part);
+          return [part.textContent, color, backgroundColor, fontWeight, fontStyle];
+        })"""
+    )
+    accent, ink, magenta = "rgb(147, 173, 255)", "rgb(227, 232, 243)", "rgb(217, 168, 255)"
+    paper, clear = "rgb(16, 20, 31)", "rgba(0, 0, 0, 0)"
+    error = "rgb(255, 138, 138)"
+    assert found == [
+        ["Creating", accent, clear, "600", "normal"],
+        ["orange", "rgb(255, 135, 0)", clear, "400", "normal"],
+        [" on dark", "rgb(255, 135, 0)", "rgb(1, 2, 3)", "400", "normal"],
+        ["red", error, clear, "400", "italic"],
+        ["reversed", paper, ink, "400", "normal"],
+        [" on magenta", paper, magenta, "400", "normal"],
+    ]
+
+
 def test_the_console_follows_until_the_reader_scrolls_up(page: Tab) -> None:
     newest = page.locator("#console .ros-newest")
     print_numbers(page, 1, 1000)

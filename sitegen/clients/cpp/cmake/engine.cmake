@@ -64,9 +64,12 @@ add_compile_options(
 foreach(_function IN LISTS _wrapped)
   add_link_options("LINKER:--wrap=${_function}")
 endforeach()
-# ros_main() and the sleep functions are in the library, which CMake puts last.
 foreach(_language C CXX)
+  # ros_main() and the sleep functions are in the library, which CMake puts last.
   string(APPEND CMAKE_${_language}_STANDARD_LIBRARIES " \"${SITEGEN_RCLCPP}\"")
+  if(CMAKE_${_language}_LINK_EXECUTABLE)
+    string(PREPEND CMAKE_${_language}_LINK_EXECUTABLE "${SITEGEN_FLAGS} ")
+  endif()
 endforeach()
 if(NOT CMAKE_SOURCE_DIR STREQUAL SITEGEN_CPP)  # a package, and not the library
   include("${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
