@@ -48,19 +48,19 @@ endfunction()
 
 # Leave the libraries that this package builds. On a robot, only a program that loads one of the
 # others fails; a description of nothing else is a mistake.
-function(_pluginlib_built libraries file)
-  set(built ${${libraries}})
-  foreach(library IN LISTS ${libraries})
+function(_pluginlib_built names file)
+  set(built ${${names}})
+  foreach(library IN LISTS ${names})
     _pluginlib_target("${library}" target)
-    if(NOT target)
+    if("${target}" STREQUAL "")
       list(REMOVE_ITEM built "${library}")
     endif()
   endforeach()
   if(NOT built)
     message(FATAL_ERROR
-      "${file} names the library '${${libraries}}', which this package does not build")
+      "${file} names the library '${${names}}', which this package does not build")
   endif()
-  set(${libraries} "${built}" PARENT_SCOPE)
+  set(${names} "${built}" PARENT_SCOPE)
 endfunction()
 
 # The target that builds `library`, whose file name may begin with "lib", or "".
