@@ -38,6 +38,7 @@ const ALONE = [
   "rosbridge/outside.js",
   "rosbridge/rosbridge.js",
   "ui/caption.js",
+  "ui/escapes.js",
   "ui/keyboard.js",
   "ui/lineTools.js",
   "widgets/buttons/options.js",

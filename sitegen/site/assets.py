@@ -94,6 +94,9 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if kinds & {"console", "prompt"}:
         # Loaded when a visitor wants to find, copy or save lines.
         names.add("ui/lineTools.js")
+    if kinds & {"console", "prompt", "launch"}:
+        # Loaded when a program prints colors.
+        names.add("ui/escapes.js")
     if any(widget.is_docked for widget in _widgets(site.pages)):
         # Loaded when a visitor runs a command of the text.
         names.add("widgets/terminal.js")

@@ -11,10 +11,10 @@ const NODE = /^(?:\/[^/\s\p{C}]+)+$/u;
 /**
  * Return whose program a node runs; those of one origin may use each other's names. All that the author built from the
  * workspace are of one origin, but neither those from archives nor one with edited sources, which a link may bring.
- * @param {NodeEntry} entry @param {boolean} edited
+ * @param {NodeEntry} entry @param {Record<string, string>} edits of its sources
  */
-export function originOf({ package: from, executable, prebuilt, ros2wasm }, edited) {
-  return ros2wasm?.script ?? (prebuilt || edited ? `${from}/${executable}` : "");
+export function originOf(entry, edits) {
+  return entry.ros2wasm?.script ?? (entry.prebuilt || Object.keys(edits)[0] ? `${entry.package}/${entry.executable}` : "");
 }
 
 export class Names {

@@ -252,8 +252,7 @@ export class NodeProcess extends EventTarget {
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
-    const origin = originOf(this.#entry, Object.keys(this.#edits).length > 0);
-    const id = this.#graph.join(post, this.name, complain, origin);
+    const id = this.#graph.join(post, this.name, complain, originOf(this.#entry, this.#edits));
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
     const guard = new Guard(complain, (reason) => this.#run === run && this.#fail(reason, "stuck"));
     const run = { worker, id, byte, guard };

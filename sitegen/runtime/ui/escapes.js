@@ -3,13 +3,14 @@
 
 import { create } from "./elements.js";
 
-// Control sequences, titles and links of terminals, and others of one or two characters.
+// Control sequences, with parameters and a letter; titles and links; and short ones.
 const ESCAPES = /\x1b(?:\[([0-?]*)[ -/]*([@-~])|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[ -/]*[0-~])?/g;
-// The colours 0 to 7: black to white, as variables of the theme. Bright ones are no other ones.
-const COLOURS = [
-  "terminal-muted", "severity-error", "severity-debug", "severity-warn", "terminal-accent", "terminal-magenta",
-  "terminal-cyan", "terminal-text",
+// The colours 0 to 7, black to white, by those of the theme: its paper may be of any colour. Bright ones are the same.
+const [BLACK, RED, GREEN, YELLOW, BLUE, WHITE] = [
+  "terminal-muted", "severity-error", "severity-debug", "severity-warn", "terminal-accent", "terminal-text",
 ].map((name) => `var(--${name})`);
+const [MAGENTA, CYAN] = [RED, GREEN].map((other) => `color-mix(in srgb, ${other}, ${BLUE})`);
+const COLOURS = [BLACK, RED, GREEN, YELLOW, BLUE, MAGENTA, CYAN, WHITE];
 // The steps of red, green and blue in the colours 16 to 231.
 const STEPS = [0, 95, 135, 175, 215, 255];
 /** What sets and what resets a style. @type {[number, number, Partial<Style>][]} */
@@ -21,18 +22,19 @@ const STYLES = [
 /** @typedef {{color?: string, backgroundColor?: string, fontWeight?: string, opacity?: string, fontStyle?: string,
  *   textDecoration?: string, reverse?: boolean}} Style */
 
-/** Return a text without its escape sequences. @param {string} text */
-export function plain(text) {
-  return text.replace(ESCAPES, "");
+/** Show a row, whose texts have escape sequences, in colours. @param {HTMLElement} row */
+export function colour(row) {
+  for (const node of [...row.childNodes]) {
+    if (node instanceof Text) node.replaceWith(...styled(node.data));
+  }
 }
 
 /**
- * Return the parts of a line, each in its colours.
+ * Return the parts of a text, each in its colours.
  * @param {string} text
  * @returns {(HTMLElement | string)[]}
  */
-export function styled(text) {
-  if (!text.includes("\x1b")) return [text];
+function styled(text) {
   const parts = [];
   /** @type {Style} */
   let style = {};

@@ -145,6 +145,8 @@ class Lines {
       const { row, name } = createRow(text, this.#name);
       this.#name = name || this.#name;
       row.dataset.severity = severity;
+      // Few programs print colours, so pages load this module when one does.
+      if (text.includes("\x1b")) import(place("ui/escapes.js")).then(({ colour }) => colour(row));
       fresh.append(row);
     }
     this.#waiting = [];

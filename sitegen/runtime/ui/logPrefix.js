@@ -2,7 +2,6 @@
 // The prefix of a line that ROS logged: `[INFO] [1795413035.366799805] [talker]: `.
 
 import { create } from "./elements.js";
-import { styled } from "./escapes.js";
 
 const PREFIX = /^\[(DEBUG|INFO|WARN|ERROR|FATAL)\] \[(\d+)\.(\d{9})\] \[([^\]\s]+)\]: /;
 // Times before this (s) are those of a simulation, not of a calendar.
@@ -17,19 +16,17 @@ const CALENDAR = 1e8;
  */
 export function createRow(text, before) {
   const found = PREFIX.exec(text);
-  if (!found) return { row: create("div", "", ...styled(text)), name: "" };
+  if (!found) return { row: create("div", "", text), name: "" };
   const [prefix, level = "", seconds = "", nanoseconds = "", name = ""] = found;
   const element = create("span", "ros-prefix", prefix);
   element.dataset.time = clock(Number(seconds), nanoseconds.slice(0, 3));
   const rest = `${level === "INFO" ? "" : `${level} `}${name === before ? "" : `${name}: `}`;
   if (rest) element.dataset.rest = rest;
-  return { row: create("div", "", element, ...styled(text.slice(prefix.length))), name };
+  return { row: create("div", "", element, text.slice(prefix.length)), name };
 }
 
 /** @param {number} seconds @param {string} milliseconds */
 function clock(seconds, milliseconds) {
   if (seconds < CALENDAR) return `${seconds}.${milliseconds}`;
-  const at = new Date(seconds * 1000);
-  const parts = [at.getHours(), at.getMinutes(), at.getSeconds()];
-  return `${parts.map((part) => String(part).padStart(2, "0")).join(":")}.${milliseconds}`;
+  return `${new Date(seconds * 1000).toTimeString().slice(0, 8)}.${milliseconds}`;
 }

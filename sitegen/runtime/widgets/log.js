@@ -3,7 +3,6 @@
 
 import { ROSOUT } from "../graphNames.js";
 import { create, setText } from "../ui/elements.js";
-import { plain } from "../ui/escapes.js";
 import { whileNear } from "../ui/looking.js";
 import { Tail } from "../ui/tail.js";
 import { tool } from "../ui/toolbar.js";
@@ -19,6 +18,9 @@ import { Levels } from "./log/levels.js";
 const TYPE = "rcl_interfaces/msg/Log";
 /** The QoS of /rosout in ROS 2: latecomers receive the latest lines. */
 const QOS = { depth: 1000, reliable: true, transientLocal: true };
+
+// What programs print for terminals.
+const COLOURS = /\x1b\[[\d;]*m/g;
 
 /**
  * Show the log, of which `lines` entries are kept.
@@ -141,10 +143,9 @@ class Log {
 /** @param {Entry} entry */
 function createRow({ time, severity, node, text }) {
   const at = new Date(time);
-  const clock = [at.getHours(), at.getMinutes(), at.getSeconds()].map((part) => String(part).padStart(2, "0"));
-  const when = `${clock.join(":")}.${String(at.getMilliseconds()).padStart(3, "0")}`;
+  const when = `${at.toTimeString().slice(0, 8)}.${String(at.getMilliseconds()).padStart(3, "0")}`;
   const row = create("div", "", create("span", "ros-when", when), ` ${severity.toUpperCase()} `);
-  row.append(create("b", "", node), `: ${plain(text)}`);
+  row.append(create("b", "", node), `: ${text.replace(COLOURS, "")}`);
   row.dataset.severity = severity;
   return row;
 }

@@ -210,8 +210,7 @@ function coloursOf(element) {
     background: colour("terminal"), foreground: colour("terminal-text"), cursor: colour("terminal-accent"),
     cursorAccent: colour("terminal"), selectionBackground: colour("terminal-line"),
     red: colour("severity-error"), green: colour("severity-debug"), yellow: colour("severity-warn"),
-    blue: colour("terminal-accent"), magenta: colour("terminal-magenta"), cyan: colour("terminal-cyan"),
-    brightGreen: colour("severity-debug"),
+    blue: colour("terminal-accent"), cyan: colour("terminal-accent"), brightGreen: colour("severity-debug"),
   };
   probe.remove();
   return found;
