@@ -25,6 +25,7 @@ from sitegen.nodes.cpp.flags import translated
             "-Wl,--whole-archive,a.a,--no-whole-archive",
         ),
         ("-Wl,--wrap=abort -Wl,--stack-first", "-Wl,--wrap=abort -Wl,--stack-first"),
+        ("-Wl,--undefined=main -Wl,-u,main", "-Wl,--undefined=main -Wl,-u,main"),
         ("-DNAME=-Og -o -fconcepts x.cpp -I -S", "-DNAME=-Og -o -fconcepts x.cpp -I -S"),
     ],
 )

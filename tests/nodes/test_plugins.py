@@ -173,6 +173,15 @@ def test_a_program_does_without_libraries_of_its_package(workspace: Workspace) -
     left_out = "src/base/CMakeLists.txt: 'base' needs 'OpenCV', which has no build for the page "
     assert said[-1] == f"{left_out}(left out: the library 'photo')"
     assert built(workspace) == (program, said[-1:])
+    # A package that links it needs it; a name that is wrong is another error.
+    user = workspace.folder / "src/user/CMakeLists.txt"
+    text = user.read_text()
+    linked = text.replace("(used base)", "(used base)\ntarget_link_libraries(used base::{})")
+    user.write_text(linked.replace("{}", "photo"))
+    assert workspace.problems() == [left_out.strip()]
+    user.write_text(linked.replace("{}", "phto"))
+    [problem] = workspace.problems()
+    assert problem.startswith("src/user/CMakeLists.txt: CMake failed")
 
 
 def test_a_program_that_is_linked_to_such_a_library_is_not_built(workspace: Workspace) -> None:

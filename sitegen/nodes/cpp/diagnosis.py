@@ -19,7 +19,10 @@ from sitegen.workspace.repositories import repository
 
 NOT_FOUND = re.compile(r'package\s+configuration\s+file\s+provided\s+by\s+"([\w.+-]+)"')
 # A library or a component that a package does not export.
-NOT_EXPORTED = re.compile(r"links to:\s+([\w.+-]+)::|package '(\S+)' registers no component")
+NOT_EXPORTED = re.compile(
+    r"links to:\s+(?P<package>[\w.+-]+)::(?P<library>[\w.+-]+)\s"
+    r"|package '(?P<other>\S+)' registers no component"
+)
 # The command lines of a build, and lines that Ninja and em++ add.
 COMMANDS = re.compile(
     r"ninja: (Entering|build stopped)|\[\d+/\d+\] |FAILED: |: && |\S*cmake -E "
@@ -54,10 +57,13 @@ class Diagnosis:
         found = NOT_FOUND.search(output)
         return found[1] if found else ""
 
-    def incomplete(self, output: str) -> str:
-        """Return the package of which CMake did not find a part; "" if it failed otherwise."""
+    def incomplete(self, output: str) -> tuple[str, str]:
+        """Return the package of which CMake did not find a part, and that part if it is a library.
+
+        They are empty if it failed otherwise.
+        """
         found = NOT_EXPORTED.search(output)
-        return found[1] or found[2] if found else ""
+        return (found["package"] or found["other"], found["library"] or "") if found else ("", "")
 
     def of_cmake(self, output: str) -> list[str]:
         """Return why CMake could not configure the package."""

@@ -29,10 +29,11 @@ DROPPED = re.compile(
     r"mutable-globals|nontrapping-fptoint|reference-types|relaxed-simd|sign-ext|tail-call)$)"
     r"|-l(anl|atomic|crypt|gcc|gcc_s|gcov|gomp|nsl|quadmath|resolv|stdc\+\+fs|supc\+\+|util)$"
 )
-# Options of GNU's linker, of which the second kind has an argument.
+# Options of GNU's linker.
 LINKING = re.compile(
-    r"--(no-)?(as-needed|undefined|copy-dt-needed-entries|allow-shlib-undefined|fatal-warnings)$"
-    r"|--(en|dis)able-new-dtags$|-B(static|dynamic|symbolic(-functions)?)$|--sort-common$"
+    r"--(no-)?(as-needed|copy-dt-needed-entries|allow-shlib-undefined|fatal-warnings)$"
+    r"|--no-undefined$|--(en|dis)able-new-dtags$|--sort-common$"
+    r"|-B(static|dynamic|symbolic(-functions)?)$"
     r"|--(build-id|hash-style|unresolved-symbols|exclude-libs|version-script|dynamic-list)(=|$)"
 )
 WITH_ARGUMENT = ("--exclude-libs", "--version-script", "--dynamic-list")

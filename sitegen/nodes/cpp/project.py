@@ -71,7 +71,7 @@ class Project:
         if done.returncode:
             diagnosis = Diagnosis(self.root, self.package)
             why = self.failed.get(diagnosis.missing(done.stdout)) or self._left_out_of(
-                diagnosis.incomplete(done.stdout)
+                *diagnosis.incomplete(done.stdout)
             )
             raise SiteError([*why] or diagnosis.of_cmake(done.stdout))
 
@@ -105,8 +105,8 @@ class Project:
     def _lost(self) -> Problems:
         return plugins.lost(self.package, self.failed, keep_going=self.keep_going)
 
-    def _left_out_of(self, name: str) -> list[str]:
-        """Return why libraries were left out of one of the packages that this one depends on."""
+    def _left_out_of(self, name: str, library: str) -> list[str]:
+        """Return why a library, or any, was left out of a package that this one depends on."""
         trees = (self.cmake.tree(need) for need in self.needs if need.name == name)
-        libraries = (lines for tree in trees for lines in plugins.left_out(tree).values())
-        return [line for lines in libraries for line in lines]
+        found = {key: lines for tree in trees for key, lines in plugins.left_out(tree).items()}
+        return [line for key in found if library in ("", key) for line in found[key]]

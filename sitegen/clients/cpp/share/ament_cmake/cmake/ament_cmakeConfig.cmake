@@ -238,7 +238,7 @@ function(ament_package)
   set(exported "")
   if(libraries OR targets)
     sitegen_libraries_below("${PROJECT_SOURCE_DIR}" exported)
-    list(REMOVE_ITEM exported ${SITEGEN_LEFT_OUT})
+    list(REMOVE_ITEM exported ${SITEGEN_LEFT_OUT} "")
   endif()
   # Containers of other packages link components from here, whether these are exported or not.
   get_property(noted GLOBAL PROPERTY SITEGEN_COMPONENTS)
