@@ -27,9 +27,9 @@
  *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
  *   autostart: boolean, later?: boolean, needs?: string[], share?: string,
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
- *   ros2wasm?: Ros2wasmEntry, prebuilt?: boolean, fault?: string,
- * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `prebuilt`
- *   if the builds are from an archive; `needs`
+ *   ros2wasm?: Ros2wasmEntry, foreign?: boolean, fault?: string,
+ * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `foreign`
+ *   if it is from an archive, or runs code of visitors or of links; `needs`
  *   names nodes without which it only waits, and with `later` the launch file starts it by itself; `share` lists the
  *   files of packages that a compiled program can open: see Listing in workers/cpp/packageFiles.js
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:

@@ -79,7 +79,7 @@ def test_nodes_from_a_file_and_from_a_server(
         for engine in ("jspi", "asyncify")
     }
     nodes = json.loads((folder / "dist/page.json").read_text())["nodes"].values()
-    assert [node["prebuilt"] for node in nodes] == [True, True]
+    assert [node["foreign"] for node in nodes] == [True, True]
     tab.goto(serve(folder / "dist"))
     expect(tab.locator("body")).to_contain_text("I heard: 'Hello, world!")
     # The types came along, too.

@@ -33,8 +33,9 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
 MISSING_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(\w+)", re.M)
-FAILED_TARGET = re.compile(r"^FAILED: (?:\S+/)?CMakeFiles/([^/]+)\.dir/", re.M)
-FAILED_SOURCE = re.compile(r"^FAILED: (\S+/)?CMakeFiles/[^/]+\.dir/(.+?)\.o(bj)?\s*$", re.M)
+FAILED_SOURCE = re.compile(
+    r"^FAILED: (?P<folder>\S+/)?CMakeFiles/(?P<target>[^/]+)\.dir/(?P<file>.+?)\.o(bj)?\s*$", re.M
+)
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
 # The outermost one of an undefined symbol; libraries name their folders of headers so, too.
 NAMESPACE = re.compile(r"undefined symbol: (?:(?:typeinfo|vtable) for )?(\w+)::")
@@ -107,12 +108,13 @@ class Diagnosis:
         """
         outputs: dict[str, str] = {}
         for command in re.split(r"^(?=FAILED: )", output, flags=re.M):
-            if target := FAILED_TARGET.match(command):
-                outputs[target[1]] = outputs.get(target[1], "") + command
+            if failure := FAILED_SOURCE.match(command):
+                target = failure["target"]
+                outputs[target] = outputs.get(target, "") + command
         return {
             target: self.of_builds({target: commands}, Path(), failed)
             for target, commands in outputs.items()
-            if len(FAILED_TARGET.findall(commands)) == len(MISSING_HEADER.findall(commands))
+            if len(FAILED_SOURCE.findall(commands)) == len(MISSING_HEADER.findall(commands))
         }
 
     def _without(
@@ -155,7 +157,7 @@ class Diagnosis:
             ]
         source = FAILED_SOURCE.search(output)
         if source:
-            file = self.package.path / (source[1] or "") / source[2]
+            file = self.package.path / (source["folder"] or "") / source["file"]
             what = f"{self._error(output, file)} (package '{self.package.name}')"
         else:
             undefined = UNDEFINED.search(output)

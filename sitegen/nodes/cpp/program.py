@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from sitegen.cache.digest import digest_of
-from sitegen.model import Artifact, Build, Node, Prebuilt
+from sitegen.model import Artifact, Build, Node
 from sitegen.nodes.share import Share
 
 
@@ -73,7 +73,6 @@ class CppProgram:
             "executable": self.executable,
             "arguments": node.command_line(),
             **({"environment": dict(node.environment)} if node.environment else {}),
-            **({"prebuilt": True} if isinstance(node.kind, Prebuilt) else {}),
             **({"share": link(self.share.listing.path)} if self.share else {}),
             **({"fault": self.fault} if self.fault else {"builds": builds}),
         }

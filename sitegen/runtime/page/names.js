@@ -9,12 +9,11 @@ import { PAGE_NODE } from "../graphNames.js";
 const NODE = /^(?:\/[^/\s\p{C}]+)+$/u;
 
 /**
- * Return whose program a node runs; those of one origin may use each other's names. All that the author built from the
- * workspace are of one origin, but neither those from archives nor one with edited sources, which a link may bring.
- * @param {NodeEntry} entry @param {Record<string, string>} edits of its sources
+ * Return whose program a node runs: those of one origin may use each other's names. What the author built from the
+ * workspace is of one origin. @param {NodeEntry} entry
  */
-export function originOf(entry, edits) {
-  return entry.ros2wasm?.script ?? (entry.prebuilt || Object.keys(edits)[0] ? `${entry.package}/${entry.executable}` : "");
+export function originOf({ package: from, executable, foreign, ros2wasm }) {
+  return ros2wasm?.script ?? (foreign ? `${from}/${executable}` : "");
 }
 
 export class Names {

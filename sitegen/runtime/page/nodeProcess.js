@@ -252,7 +252,7 @@ export class NodeProcess extends EventTarget {
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
       this.#post(worker, message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
-    const id = this.#graph.join(post, this.name, complain, originOf(this.#entry, this.#edits));
+    const id = this.#graph.join(post, this.name, complain, originOf(this.#entry));
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
     const guard = new Guard(complain, (reason) => this.#run === run && this.#fail(reason, "stuck"));
     const run = { worker, id, byte, guard };

@@ -3,12 +3,12 @@
 
 import { create } from "./elements.js";
 import { createRow } from "./logPrefix.js";
+import { plain } from "./plain.js";
 
 /** @import { Line, Ros } from "../protocol.js" */
 
 // As long as a line is shown (ms): enough to read it, and not so long that it seems to be true still.
 const READ = 8000;
-const COLOURS = /\x1b\[[\d;]*m/g;
 
 /** Whether a node printed it, and not only an empty line. @param {Line} line */
 const isSaid = ({ severity, text }) => severity !== "typed" && text.trim();
@@ -35,7 +35,7 @@ export function showCaption(view, ros, names, signal) {
     node?.addEventListener("lines", (event) => {
       const { severity, text } = /** @type {CustomEvent<Line[]>} */ (event).detail.findLast(isSaid) ?? {};
       if (!text) return;
-      const { row } = createRow(text.replace(COLOURS, ""), "");
+      const { row } = createRow(plain(text), "");
       caption.dataset.severity = severity;
       caption.replaceChildren(...row.childNodes);
       caption.hidden = false;

@@ -4,6 +4,7 @@
 import { ROSOUT } from "../graphNames.js";
 import { create, setText } from "../ui/elements.js";
 import { whileNear } from "../ui/looking.js";
+import { plain } from "../ui/plain.js";
 import { Tail } from "../ui/tail.js";
 import { tool } from "../ui/toolbar.js";
 import { say } from "../ui/words.js";
@@ -18,9 +19,6 @@ import { Levels } from "./log/levels.js";
 const TYPE = "rcl_interfaces/msg/Log";
 /** The QoS of /rosout in ROS 2: latecomers receive the latest lines. */
 const QOS = { depth: 1000, reliable: true, transientLocal: true };
-
-// What programs print for terminals.
-const COLOURS = /\x1b\[[\d;]*m/g;
 
 /**
  * Show the log, of which `lines` entries are kept.
@@ -145,7 +143,7 @@ function createRow({ time, severity, node, text }) {
   const at = new Date(time);
   const when = `${at.toTimeString().slice(0, 8)}.${String(at.getMilliseconds()).padStart(3, "0")}`;
   const row = create("div", "", create("span", "ros-when", when), ` ${severity.toUpperCase()} `);
-  row.append(create("b", "", node), `: ${text.replace(COLOURS, "")}`);
+  row.append(create("b", "", node), `: ${plain(text)}`);
   row.dataset.severity = severity;
   return row;
 }

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import asdict
 from functools import partial
 from typing import Any
 
+from sitegen import workspace
 from sitegen.launch.written import launch_entry
-from sitegen.model import Launch, Page, Programs, Site, Widget
+from sitegen.model import Launch, Node, Page, Prebuilt, Programs, Site, Widget
 from sitegen.site import assets
 from sitegen.site.launches import Reading
 from sitegen.site.ownpanels import KIND as OWN
@@ -50,6 +51,7 @@ def page_entry(
     known = {name: link(path) for name, path in bags.items()}
     found = {url: link(path) for url, path in resources.items()}
     defined = {name: link(path) for name, path in definitions.items()}
+    shown_in_editors = {widget.target for widget, _ in slots_of(page) if widget.kind == "editor"}
     starting = [widget for widget, _ in slots_of(page) if widget.kind in STARTING]
     waiting = {widget.target for widget in starting if widget.options.get("autostart") is not True}
     pressed = frozenset(waiting)
@@ -70,6 +72,7 @@ def page_entry(
                 "autostart": name not in waiting,
                 **({"later": True} if name in later else {}),
                 **({"needs": list(node.needs)} if node.needs else {}),
+                **({"foreign": True} if _is_foreign(node, shown_in_editors) else {}),
             }
             for name, node in page.nodes.items()
         },
@@ -107,6 +110,16 @@ def page_entry(
     if assets.isolates(site, page):
         entry["isolate"] = address(page, "sw.js")
     return entry
+
+
+def _is_foreign(node: Node, edited: Collection[str]) -> bool:
+    """Return whether not only the author decides what a node runs.
+
+    It is from an archive, or runs code of visitors or of links: a prompt, cells, a kernel, or one
+    of the nodes `edited` on the page.
+    """
+    is_prebuilt = isinstance(node.kind, Prebuilt)
+    return is_prebuilt or node.package == workspace.SITEGEN or node.name in edited
 
 
 def again_entry(launch: Launch, files: Reading, link: Callable[[str], str]) -> dict[str, object]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -29,13 +30,17 @@ workspace: .
 nodes:
   listener: {package: names, executable: listener}
   best_effort: {package: names, executable: best_effort}
-pages: [{path: /, title: Names, content: [console: listener, console: best_effort, topics: ]}]
+  shell: {package: sitegen, executable: prompt}
+pages:
+  - {path: /, title: Names, content: [console: listener, console: best_effort, topics: ]}
+  - path: edited/
+    title: Edited
+    content: [console: listener, editor: {node: best_effort}, console: best_effort, prompt: shell]
 """
 # Both nodes run, and both are heard.
 BOTH = """async () => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
-  window.ros = ros;
-  window.late = () => new Promise((_, reject) => setTimeout(reject, 60_000, new Error("late")));
+  const late = new Promise((_, reject) => setTimeout(reject, 60_000, new Error("late")));
   const texts = new Set();
   const both = new Promise((resolve) => {
     ros.subscribe("/heard", "std_msgs/msg/String", ({ data }) => {
@@ -43,18 +48,20 @@ BOTH = """async () => {
     });
   });
   for (const node of ros.nodes.values()) node.start();
-  await Promise.race([both, late()]);
+  await Promise.race([both, late]);
   return [[...texts].sort(), ros.graph.nodes().filter((name) => name === "/listener")];
 }"""
-# A program with another source may not use the name of a node that runs.
-EDITED = """async (text) => {
+# The second one is refused beside the first.
+REFUSED = """async () => {
+  const { ros } = await import(document.querySelector("script[type=module]").src);
   const node = ros.nodes.get("best_effort");
+  const late = new Promise((_, reject) => setTimeout(reject, 60_000, new Error("late")));
   const refused = new Promise((resolve) => node.addEventListener("lines", ({ detail }) => {
     for (const line of detail) if (line.text.includes("another node")) resolve(line.text);
   }));
-  node.edit("python/names/best_effort.py", text);
-  node.restart();
-  return await Promise.race([refused, late()]);
+  ros.nodes.get("listener").start();
+  node.start();
+  return await Promise.race([refused, late]);
 }"""
 
 
@@ -80,13 +87,17 @@ def dist(tmp_path: Path) -> Path:
     return tmp_path / "dist"
 
 
-def test_they_may_have_the_same_name_unless_a_source_is_edited(
-    tab: Page, serve: Serve, dist: Path
-) -> None:
+def test_they_may_have_the_same_name(tab: Page, serve: Serve, dist: Path) -> None:
     tab.goto(serve(dist))
     found: Any = tab.evaluate(BOTH)
     assert found == [["best_effort", "listener"], ["/listener", "/listener"]]
-    refused = tab.evaluate(EDITED, f"# edited\n{PROGRAM.format('edited')}")
-    assert refused == (
+
+
+def test_a_program_that_visitors_can_edit_may_not(tab: Page, serve: Serve, dist: Path) -> None:
+    nodes = json.loads((dist / "edited/page.json").read_text())["nodes"]
+    foreign = {name: node.get("foreign", False) for name, node in nodes.items()}
+    assert foreign == {"listener": False, "best_effort": True, "shell": True}
+    tab.goto(f"{serve(dist)}edited/")
+    assert tab.evaluate(REFUSED) == (
         "best_effort: announced a node with the name of another node, /listener; it was dropped"
     )

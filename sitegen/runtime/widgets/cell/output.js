@@ -4,6 +4,7 @@
 import { place } from "../../place.js";
 import { cleanHtml } from "../../ui/cleanHtml.js";
 import { create } from "../../ui/elements.js";
+import { plain } from "../../ui/plain.js";
 import { say } from "../../ui/words.js";
 
 /** @import { Line, Ros } from "../../protocol.js" */
@@ -21,7 +22,6 @@ const PANEL = "application/vnd.sitegen.panel+json";
 const IMAGES = ["image/png", "image/jpeg", "image/svg+xml"];
 // More lines than this are removed, the oldest first.
 const MOST = 1000;
-const ESCAPES = /\x1b\[[\d;]*m/g;
 
 export class Output {
   element = create("div", "ros-output");
@@ -67,7 +67,7 @@ export class Output {
 
   /** @param {Shown} shown */
   add(shown) {
-    const line = shown.kind === "value" ? this.#value(shown.data) : create("pre", "", shown.text.replace(ESCAPES, ""));
+    const line = shown.kind === "value" ? this.#value(shown.data) : create("pre", "", plain(shown.text));
     line.classList.add(`ros-${shown.kind}`);
     this.element.append(line);
     while (this.element.childElementCount > MOST) this.#remove(this.element.firstElementChild);
