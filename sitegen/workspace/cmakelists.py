@@ -19,6 +19,7 @@ from sitegen.workspace.cmakeinstalls import (
 )
 from sitegen.workspace.cmakelibraries import COMMANDS, Libraries
 from sitegen.workspace.cmakescript import INCLUDES, PREFIX, VARIABLE, Script
+from sitegen.workspace.dependencies import TREES
 from sitegen.workspace.presence import exists, is_file
 
 INTERFACE = (".msg", ".srv", ".action", ".idl")
@@ -32,6 +33,8 @@ ACTIONS = re.compile(r"(?:file|execute_process|configure_file|include)\s*\(", re
 # What the build makes: any file, or a program that is compiled.
 BUILT = re.compile(r"\$\{\w*BINARY_DIR\}/?")
 TARGET = "$<TARGET_"
+# A definition of libraries that have nodes of behavior trees.
+DEFINES_BEHAVIORS = {"BT_PLUGIN_EXPORT", "-DBT_PLUGIN_EXPORT"}
 SETS_UP = "ament_python_install_package"
 AFTER_INTERFACES = ("DEPENDENCIES", "LIBRARY_NAME", "SKIP_INSTALL", "ADD_LINTER_TESTS")
 
@@ -72,6 +75,8 @@ class Listing:
         """Process one command and its arguments."""
         if is_maker(name, words):
             self.absent.makers.append((name, self.script.values(words)))
+        if DEFINES_BEHAVIORS & {*words}:
+            self.plugins += TREES
         if name in COMMANDS:
             self.libraries.add(name, self.script.values(words), self.script.folder)
         if name in ADDS_EXECUTABLE and words and not {"IMPORTED", "ALIAS"} & set(words[1:3]):

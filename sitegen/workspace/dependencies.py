@@ -10,6 +10,8 @@ from sitegen.errors import SiteError
 from sitegen.model import Package
 
 PLUGINS = "pluginlib"
+# Programs that depend on these open libraries with nodes of behavior trees.
+TREES = ("behaviortree_cpp", "behaviortree_cpp_v3")
 
 
 def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Package]:
@@ -45,8 +47,9 @@ def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
 
     def more() -> Iterator[str]:
         known = {name, *needs}
+        bases = known if PLUGINS in known else {*needs} & {*TREES}
         for each in packages.values():
-            if PLUGINS in known and each.name not in known and known & set(each.plugins):
+            if each.name not in known and bases & {*each.plugins}:
                 yield each.name
 
     while found := list(more()):

@@ -328,6 +328,34 @@ def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path:
     assert plugins.linked == ()
 
 
+def test_programs_with_behavior_trees_are_linked_with_nodes_of_trees(tmp_path: Path) -> None:
+    """They open their libraries themselves, without pluginlib."""
+    nodes = """\
+foreach(one ${libraries})
+  target_compile_definitions(${one} PRIVATE BT_PLUGIN_EXPORT)
+endforeach()
+"""
+    depends = "<depend>behaviortree_cpp_v3</depend>"
+    packages = scan(
+        write(
+            tmp_path,
+            {
+                "trees/package.xml": xml("behaviortree_cpp_v3"),
+                "trees/CMakeLists.txt": nodes,  # examples of its own
+                "leaves/package.xml": xml("leaves", depends),
+                "leaves/CMakeLists.txt": nodes,
+                "robot/package.xml": xml("robot", depends),
+                "other/package.xml": xml("other"),
+            },
+        )
+    )
+    *needs, robot = with_plugins(packages, "robot")
+    assert robot.linked == ("leaves",)
+    assert [package.name for package in needs] == ["behaviortree_cpp_v3", "leaves"]
+    for name in ("other", "behaviortree_cpp_v3"):
+        assert with_plugins(packages, name)[-1].linked == ()
+
+
 def test_programs_are_linked_with_plugins_of_plugins(tmp_path: Path) -> None:
     """A controller of Nav2 has plugins for generators and critics, which controllers load."""
     exports = "pluginlib_export_plugin_description_file({} plugins.xml)".format

@@ -87,12 +87,16 @@ class CMake:
         """The rclcpp library of this engine."""
         return self.work / self.engine / "rclcpp" / "librclcpp.a"
 
+    @property
+    def packages(self) -> Path:
+        """The folder of the build folders of packages."""
+        return self.work / (f"{self.engine}-debug" if self.debug else self.engine) / "packages"
+
     def tree(self, package: Package) -> Path:
         """The build folder of `package`, named by its location, so that builds are incremental."""
         what = "\n".join([str(package.path), *package.linked, *package.settings.lines])
         place = hashlib.sha256(what.encode()).hexdigest()[:12]
-        kind = f"{self.engine}-debug" if self.debug else self.engine
-        return self.work / kind / "packages" / f"{package.name}-{place}"
+        return self.packages / f"{package.name}-{place}"
 
     def prefix(self, package: Package) -> Path:
         """The prefix to which `package` exports its headers and libraries."""
@@ -111,6 +115,11 @@ class CMake:
         """The program that CMake runs in place of the C++ compiler: see precompiled.py."""
         store = self.work / self.engine / "precompiled"
         return [*FLAGS, *PYTHON, HERE / "precompiled.py", store, self.ros / "include"]
+
+    @property
+    def _link_launcher(self) -> list[str | Path]:
+        """The program that CMake runs to link a program: see loadable.py."""
+        return [*FLAGS, *PYTHON, HERE / "loadable.py", self.packages]
 
     def make_libraries(self, package: Package) -> Done:
         """Build what other packages use of a configured package, and export it to its prefix."""
@@ -195,8 +204,8 @@ class CMake:
             "SITEGEN_DEBUG": "ON" if self.debug else "OFF",
             "SITEGEN_DRAFT": "ON" if self.draft else "OFF",
             "SITEGEN_ENGINE": self.engine,
-            "SITEGEN_FLAGS": " ".join(f'"{word}"' for word in FLAGS),
             "SITEGEN_HEADERS": self.headers,
+            "SITEGEN_LINK_LAUNCHER": " ".join(f'"{word}"' for word in self._link_launcher),
             "SITEGEN_PREFIX": tree / "prefix",
             "SITEGEN_PROGRAMS": tree / PROGRAMS,
             "SITEGEN_PYTHON": sys.executable,

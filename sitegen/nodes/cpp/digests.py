@@ -23,6 +23,8 @@ GENERATOR = (
     "nodes/cpp/cmake.py",
     "nodes/cpp/flags.py",
     "nodes/cpp/libraries.py",
+    "nodes/cpp/loadable.py",
+    "nodes/cpp/objectfile.py",
     "nodes/cpp/precompiled.py",
     "nodes/cpp/sourcemap.py",
     "workspace/libraries.py",

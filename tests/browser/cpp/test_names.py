@@ -27,8 +27,8 @@ def test_names_of_published_packages_work_or_say_why_not(played: Played) -> None
         "setpriority -1 EPERM",
         "cap_set_proc -1 EPERM",
         "thread 1",
-        "opened 0: libother.so: cannot open: a page cannot load libraries; use pluginlib or "
-        "class_loader, which find the classes that are linked into the program",
+        "opened 0: libother.so: cannot open: a page cannot load libraries, and the program is not "
+        "linked with this one",
         "library refused",
         "MultiLibraryClassLoader: no loaded library has the class missing",
     ]

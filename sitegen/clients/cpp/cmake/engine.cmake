@@ -68,7 +68,7 @@ foreach(_language C CXX)
   # ros_main() and the sleep functions are in the library, which CMake puts last.
   string(APPEND CMAKE_${_language}_STANDARD_LIBRARIES " \"${SITEGEN_RCLCPP}\"")
   if(CMAKE_${_language}_LINK_EXECUTABLE)
-    string(PREPEND CMAKE_${_language}_LINK_EXECUTABLE "${SITEGEN_FLAGS} ")
+    string(PREPEND CMAKE_${_language}_LINK_EXECUTABLE "${SITEGEN_LINK_LAUNCHER} ")
   endif()
 endforeach()
 if(NOT CMAKE_SOURCE_DIR STREQUAL SITEGEN_CPP)  # a package, and not the library

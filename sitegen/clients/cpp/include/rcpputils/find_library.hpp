@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dlfcn.h>
 #include <sys/stat.h>
 
 #include <string>
@@ -21,7 +22,11 @@ inline std::string path_for_library(
   return stat(path.c_str(), &found) == 0 ? path : "";
 }
 
-/// Always empty: libraries are linked into the program, so a page has no files of them.
-inline std::string find_library_path(const std::string &) {return "";}
+/// A path for dlopen(), or empty if the program is not linked with the library: there are no files.
+inline std::string find_library_path(const std::string & library_name)
+{
+  const std::string path = "/ros/lib/" + filename_for_library(library_name);
+  return dlopen(path.c_str(), RTLD_LAZY) ? path : "";
+}
 
 }  // namespace rcpputils

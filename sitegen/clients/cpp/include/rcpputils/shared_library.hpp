@@ -11,7 +11,7 @@
 namespace rcpputils
 {
 
-/// A page cannot open libraries (dlopen), so the constructor always throws.
+/// A library that is linked into the program. The constructor throws std::runtime_error for others.
 class SharedLibrary
 {
 public:

@@ -58,6 +58,12 @@ rcutils_allocator_t rcutils_get_default_allocator(void)
     [](std::size_t count, std::size_t size, void *) {return std::calloc(count, size);}, nullptr};
 }
 
+bool rcutils_allocator_is_valid(const rcutils_allocator_t * allocator)
+{
+  return allocator && allocator->allocate && allocator->deallocate && allocator->zero_allocate &&
+         allocator->reallocate;
+}
+
 rcutils_uint8_array_t rcutils_get_zero_initialized_uint8_array(void) {return {};}
 
 rcutils_ret_t rcutils_uint8_array_init(

@@ -1,0 +1,3 @@
+const char * name(void);
+
+const char * call_name(void) {return name();}

@@ -1,0 +1,1 @@
+extern "C" int stick(int a) {return a + 1;}
