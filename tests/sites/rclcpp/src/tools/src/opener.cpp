@@ -51,10 +51,9 @@ void opens_with_rcutils()
   auto saw = rcutils_get_zero_initialized_shared_library();
   char file[16];
   std::printf("name %d\n", rcutils_get_platform_library_name("saw", file, sizeof(file), false));
+  const auto loaded = rcutils_load_shared_library(&saw, file, rcutils_get_default_allocator());
   std::printf(
-    "loaded %d %s %d\n",
-    rcutils_load_shared_library(&saw, file, rcutils_get_default_allocator()), saw.library_path,
-    rcutils_is_shared_library_loaded(&saw));
+    "loaded %d %s %d\n", loaded, saw.library_path, rcutils_is_shared_library_loaded(&saw));
   auto * half = reinterpret_cast<float (*)(float, long long)>(rcutils_get_symbol(&saw, "half"));
   std::printf("half %g, more %d\n", half(3, 10), rcutils_has_symbol(&saw, "more"));
   std::printf("unloaded %d\n", rcutils_unload_shared_library(&saw));
@@ -68,7 +67,8 @@ int main(int argc, char ** argv)
   opens("libhammer.so");
   opens("/opt/robot/lib/libsaw.so.1");
   std::printf("linked %d, by name %d\n", stick(1), at<int(int)>(dlopen(nullptr, 0), "stick")(4));
-  std::printf("none %d: %s\n", dlopen("libnone.so", RTLD_NOW) != nullptr, dlerror());
+  const void * none = dlopen("libnone.so", RTLD_NOW);
+  std::printf("none %d: %s\n", none != nullptr, dlerror());
   opens_with_rcpputils();
   opens_with_rcutils();
 }
