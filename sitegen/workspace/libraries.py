@@ -19,7 +19,8 @@ class Library:
     the names that find_package() knows, each with its targets; `{}` in a target stands for each
     component. `version` answers packages that compare it. `install` says how to get its headers, if
     these are all that a program needs. `marks` are files, relative to the folder of headers, of
-    which one tells the version that is installed. `definitions` are those of its targets.
+    which one tells the version that is installed. `definitions` and `options` of the compiler are
+    those of its targets.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Library:
     install: str = ""
     marks: tuple[str, ...] = ()
     definitions: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
 
 
 def _each(names: str, target: str = "{0}::{0}") -> dict[str, str]:
@@ -237,6 +239,8 @@ HEADER_ONLY = (
         "0.24.3",
         "apt-get install libxtensor-dev",
         ("xtensor/xtensor_config.hpp", "xtensor/core/xtensor_config.hpp"),
+        # Before version 9.1, xsimd has no instructions of WebAssembly.
+        options=("-UXTENSOR_USE_XSIMD",),
     ),
     Library(
         "xsimd",

@@ -47,3 +47,16 @@ def test_configuring_again_in_a_build_has_the_same_environment(packages: Configu
     later = (packages.tree("one") / "build.ninja").stat().st_mtime + 10
     os.utime(lists, (later, later))
     assert packages.compile("one", "one") == ""
+
+
+def test_xtensor_does_without_xsimd(packages: Configuring) -> None:
+    packages.package(
+        "one",
+        "add_definitions(-DXTENSOR_USE_XSIMD)\n"
+        "find_package(xtensor REQUIRED)\nfind_package(xsimd REQUIRED)\n"
+        "add_executable(one src/main.cpp)\n"
+        "target_link_libraries(one xtensor xtensor::use_xsimd)",
+        main="#ifdef XTENSOR_USE_XSIMD\n#error with xsimd\n#endif\nint main() {}\n",
+    )
+    assert packages.configure("one") == ""
+    assert packages.compile("one", "one") == ""

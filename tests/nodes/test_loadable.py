@@ -121,11 +121,15 @@ target_link_libraries(part used)
     assert found == (linked, linked)
 
 
-def test_libraries_with_copies_of_a_source_are_linked(workspace: Workspace) -> None:
+@pytest.mark.parametrize("is_long", [False, True])
+def test_libraries_with_copies_of_a_source_are_linked(workspace: Workspace, is_long: bool) -> None:
     """Each has other definitions, so the source is compiled for all, and one is not opened."""
+    # CMake writes a command that would be too long to a file.
+    force = "set(CMAKE_NINJA_FORCE_RESPONSE_FILE ON)" if is_long else ""
     workspace.package(
         "parts",
-        """\
+        f"""\
+        {force}
         add_library(one SHARED src/part.cpp)
         target_compile_definitions(one PRIVATE NAME="one")
         add_library(two SHARED src/part.cpp)

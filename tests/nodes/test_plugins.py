@@ -184,6 +184,40 @@ def test_a_program_does_without_libraries_of_its_package(workspace: Workspace) -
     assert problem.startswith("src/user/CMakeLists.txt: CMake failed")
 
 
+def test_several_descriptions_may_name_a_library(workspace: Workspace) -> None:
+    workspace.package(
+        "base",
+        """\
+        find_package(pluginlib REQUIRED)
+        include_directories(include)
+        add_executable(shapes src/main.cpp)
+        ament_target_dependencies(shapes pluginlib)
+        add_library(round SHARED src/circle.cpp src/ring.cpp src/disk.cpp)
+        ament_target_dependencies(round pluginlib)
+        pluginlib_export_plugin_description_file(base plugins.xml)
+        pluginlib_export_plugin_description_file(base more.xml)
+        """,
+        depends="pluginlib",
+        main=LOADER,
+    )
+    workspace.write("src/base/include/base/shape.hpp", SHAPE)
+    for kind in ("Circle", "Ring", "Disk"):
+        workspace.write(f"src/base/src/{kind.lower()}.cpp", SOURCE.format("round", kind, ""))
+    described = {
+        kind: XML.format("round", kind).replace(
+            "/>", f"><description>The {kind}</description></class>"
+        )
+        for kind in ("Circle", "Ring", "Disk")
+    }
+    both = described["Circle"] + described["Ring"]
+    workspace.write("src/base/plugins.xml", f"<class_libraries>{both}</class_libraries>")
+    workspace.write("src/base/more.xml", described["Disk"])
+    workspace.site("base/shapes")
+    program, _ = built(workspace)
+    for kind in described:
+        assert f"The {kind}".encode() in program
+
+
 def test_a_program_that_is_linked_to_such_a_library_is_not_built(workspace: Workspace) -> None:
     workspace.package(
         "parts",

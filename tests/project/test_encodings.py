@@ -19,6 +19,8 @@ OWN = {
     *("config/displays.py", "gateway/native/descriptions.py", "gateway/native/types.py"),
     *("interfaces/declarations.py", "nodes/cpp/cmake.py", "nodes/cpp/diagnosis.py"),
     *(
+        "nodes/cpp/leftout.py",
+        "nodes/cpp/loadable.py",
         "nodes/cpp/plugins.py",
         "nodes/cpp/sourcemap.py",
         "nodes/python/archives.py",

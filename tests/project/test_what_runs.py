@@ -18,7 +18,8 @@ INCLUDE = ROOT / "sitegen/clients/cpp/include"
 ROS = ROOT / "sitegen/ros/include"
 HEADERS = re.findall(r"`([\w/]+\.hp?p?)`", PAGE)
 PACKAGES = ROOT / "sitegen/packages"
-INCLUDES = [INCLUDE, ROS / "rcutils", ROS / "rosidl_runtime_c", *PACKAGES.glob("*/include")]
+SYSTEM = INCLUDE.with_name("system")
+INCLUDES = [INCLUDE, SYSTEM, ROS / "rcutils", ROS / "rosidl_runtime_c", *PACKAGES.glob("*/include")]
 MISSING = {"`cv_bridge`": "cv_bridge"}
 
 

@@ -78,7 +78,7 @@ def header_folders(prefix: Path) -> list[Path]:
     generator.write_ros(prefix)
     generator.write_shipped(prefix)
     return [
-        CLIENTS / "cpp" / "include",
+        *(CLIENTS / "cpp" / name for name in ("system", "include")),
         *sorted(PACKAGES.glob("*/include")),
         *sorted((prefix / "include").iterdir()),
         *sorted((ROS / "include").iterdir()),

@@ -145,22 +145,18 @@ class CMake:
         needs: Sequence[Package],
         shown: str,
         lost: Collection[str] = (),
-        left_out: Collection[str] = (),
+        left_out: Sequence[str] = (),
     ) -> Done:
         """Configure `package`, with the prefixes of the packages `needs`.
 
         Its programs show the path of its folder as `shown`. They lack the plugins of the packages
-        `lost`, and the libraries with plugins or components whose targets are `left_out`.
+        `lost`. `left_out` are definitions that tell CMake what else they lack (leftout.py).
         """
         buildtools.write(needs, self.prefix)
         prefixes = list(map(self.prefix, needs))
         tree = self.tree(package)
         linked = ";".join(name for name in package.linked if name not in lost)
-        more = [
-            *package.settings.cmake,
-            f"-DSITEGEN_LINKED={linked}",
-            f"-DSITEGEN_LEFT_OUT={';'.join(left_out)}",
-        ]
+        more = [*package.settings.cmake, f"-DSITEGEN_LINKED={linked}", *left_out]
         return self._configure(package.path, tree, prefixes, shown, more, _variables(package))
 
     def make_programs(self, package: Package, *executables: str) -> Done:

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 from sitegen.errors import relative
 from sitegen.interfaces.generator import PROBLEM
@@ -39,6 +40,8 @@ FAILED_SOURCE = re.compile(
 ERROR = re.compile(r"^(?P<file>/[^:\n]+):(?P<place>\d+:\d+): (fatal )?error: (?P<what>.+)$", re.M)
 # The outermost one of an undefined symbol; libraries name their folders of headers so, too.
 NAMESPACE = re.compile(r"undefined symbol: (?:(?:typeinfo|vtable) for )?(\w+)::")
+# The name of an undefined function or class, without its namespaces and arguments.
+SYMBOL = re.compile(r"undefined symbol: (?:(?:typeinfo|vtable) for )?(?:\w+::)*~?(\w+)")
 UNDEFINED = re.compile(r"^wasm-ld\S*: error: .*?(undefined symbol: .+)$", re.M)
 
 
@@ -79,12 +82,17 @@ class Diagnosis:
         return [f"{self._cmake}: CMake failed\n{self._quote(output)}"]
 
     def of_builds(
-        self, outputs: Mapping[str, str], tree: Path, failed: Mapping[str, Sequence[str]]
+        self,
+        outputs: Mapping[str, str],
+        tree: Path,
+        failed: Mapping[str, Sequence[str]],
+        left_out: Mapping[str, Sequence[str]] = MappingProxyType({}),
     ) -> list[str]:
         """Return why executables could not be compiled, by the output of each.
 
         Each missing header is reported once. `failed` has the errors of other packages, which
-        explain why their headers are missing.
+        explain why their headers are missing, and `left_out` those of sources that libraries do
+        without, which explain why their functions are.
         """
         headers: dict[str, set[str]] = {}
         problems = []
@@ -93,29 +101,28 @@ class Diagnosis:
             for file, line, header in missing:
                 headers.setdefault(header, set()).add(f"{self._show(Path(file))}:{line}")
             if not missing:
-                problems += self.of_build(executable, output, tree)
+                why = _of_functions(output, left_out)
+                problems += why or self.of_build(executable, output, tree)
         for header, places in headers.items():
             problems += self._without(header, sorted(places), failed)
         return problems
 
-    def of_libraries(
+    def of_targets(
         self, output: str, failed: Mapping[str, Sequence[str]]
-    ) -> dict[str, list[str]]:
-        """Return which headers libraries lack, in one line each, by target.
+    ) -> dict[str, dict[str, list[str]]]:
+        """Return which headers sources lack, in one line each, by target and path of the source.
 
-        Targets that do not compile for another reason are not among them. `failed` is that of
+        There is no line for a source that does not compile for another reason. `failed` is that of
         `of_builds`.
         """
-        outputs: dict[str, str] = {}
+        lacking: dict[str, dict[str, list[str]]] = {}
         for command in re.split(r"^(?=FAILED: )", output, flags=re.M):
             if failure := FAILED_SOURCE.match(command):
-                target = failure["target"]
-                outputs[target] = outputs.get(target, "") + command
-        return {
-            target: self.of_builds({target: commands}, Path(), failed)
-            for target, commands in outputs.items()
-            if len(FAILED_SOURCE.findall(commands)) == len(MISSING_HEADER.findall(commands))
-        }
+                lines = []
+                if MISSING_HEADER.search(command):
+                    lines = self.of_builds({failure["target"]: command}, Path(), failed)
+                lacking.setdefault(failure["target"], {})[str(self._source(failure))] = lines
+        return lacking
 
     def _without(
         self, header: str, places: Sequence[str], failed: Mapping[str, Sequence[str]]
@@ -157,8 +164,7 @@ class Diagnosis:
             ]
         source = FAILED_SOURCE.search(output)
         if source:
-            file = self.package.path / (source["folder"] or "") / source["file"]
-            what = f"{self._error(output, file)} (package '{self.package.name}')"
+            what = f"{self._error(output, self._source(source))} (package '{self.package.name}')"
         else:
             undefined = UNDEFINED.search(output)
             why = f": {undefined[1]}" if undefined else ""
@@ -169,6 +175,10 @@ class Diagnosis:
             what = f"{self._cmake}: could not link '{executable}'{why}"
             what += f" (package '{self.package.name}')"
         return [f"{what}\n{self._quote(output)}"]
+
+    def _source(self, failure: re.Match[str]) -> Path:
+        """Return the file that a command failed to compile."""
+        return self.package.path / (failure["folder"] or "") / failure["file"]
 
     def _error(self, output: str, file: Path) -> str:
         """Return the first error in a file of the site, with its place, for the source `file`."""
@@ -210,6 +220,16 @@ def brief(problem: str) -> str:
     """Return the first line of a problem without its file, for readers who do not have it."""
     first = problem.split("\n", 1)[0]
     return re.sub(r"^\S+: ", "", first)
+
+
+def _of_functions(output: str, left_out: Mapping[str, Sequence[str]]) -> list[str]:
+    """Return why the source is left out that has a function which the linker did not find."""
+    for name in dict.fromkeys(SYMBOL.findall(output)):
+        for file, lines in left_out.items():
+            text = Path(file).read_text(encoding="utf-8-sig", errors="replace")
+            if re.search(rf"\b{name}\b", text):
+                return [*lines]
+    return []
 
 
 def _not_found(tree: Path) -> list[str]:

@@ -21,7 +21,8 @@ def write(prefix: Path) -> None:
     """Add the CMake packages of all libraries to the prefix."""
     for library in LIBRARIES:
         for package, targets in library.packages.items():
-            values = [package, "|".join(library.marks), targets, ";".join(library.definitions)]
+            lists = map(";".join, (library.definitions, library.options))
+            values = [package, "|".join(library.marks), targets, *lists]
             words = " ".join(f'"{value}"' for value in values)
             _write_package(prefix, package, f"sitegen_library({words})\n", library.version)
     for compiled in COMPILED:

@@ -13,17 +13,19 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 
 if __name__ == "__main__":
     # As a program of its own, it does not search where sitegen is.
     sys.path.insert(0, str(Path(__file__).parents[3]))
 
+from sitegen.nodes.cpp.flags import translated
 from sitegen.nodes.cpp.objectfile import Object, members
 
 # The functions that ask for others, as they are in the imports of an object file.
@@ -131,13 +133,28 @@ def _library(word: str, packages: Path) -> Path | None:
     return path if path.is_relative_to(packages) and path.is_file() else None
 
 
+def _expanded(command: Sequence[str]) -> Iterator[str]:
+    """Yield the words of a command and of its response files, which CMake writes if it is long."""
+    for word in command:
+        if word.startswith("@"):
+            yield from translated(shlex.split(Path(word[1:]).read_text(encoding="utf-8")))
+        else:
+            yield word
+
+
 def main(packages: str, *command: str) -> int:
     """Link a program, with a table if it asks for names; return the exit code."""
     root = Path(packages).resolve()
-    files = [Path(word) for word in command if word.endswith(".o")]
-    files += filter(None, (_library(word, root) for word in command))
-    asks = any(ASKS.search(path.read_bytes()) for path in files)
-    words = with_table(command, root) if asks else command
+    words = [*_expanded(command)]
+    is_long = len(words) > len(command)
+    files = [Path(word) for word in words if word.endswith(".o")]
+    files += filter(None, (_library(word, root) for word in words))
+    if any(ASKS.search(path.read_bytes()) for path in files):
+        words = with_table(words, root)
+    if is_long:
+        response = Path("CMakeFiles", f"{Path(words[words.index('-o') + 1]).stem}.linked.rsp")
+        response.write_text(shlex.join(words[1:]), encoding="utf-8")
+        words[1:] = [f"@{response.as_posix()}"]
     return subprocess.run(words).returncode
 
 

@@ -7,19 +7,16 @@ package that does not, single libraries.
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from sitegen.model import Build, Package
 from sitegen.nodes.cpp.diagnosis import lacks_library, lacks_package
+from sitegen.nodes.cpp.leftout import Problems
 from sitegen.nodes.cpp.store import write
 
 # What follows the problem of a package or of a library.
 LEFT_OUT = " (left out: "
-
-# What is wrong with each package, or with each library, by its name.
-Problems = Mapping[str, Sequence[str]]
 
 
 def lost(package: Package, failed: Problems, *, keep_going: bool) -> Problems:
@@ -29,38 +26,6 @@ def lost(package: Package, failed: Problems, *, keep_going: bool) -> Problems:
     """
     found = {name: failed[name] for name in package.linked if name in failed}
     return {name: lines for name, lines in found.items() if keep_going or _is_no_error(lines)}
-
-
-def to_leave_out(tree: Path, failed: Problems) -> Problems:
-    """Return which libraries to leave out of the package that is built in `tree`.
-
-    `failed` has the errors of libraries, by target. The result includes those that are left out
-    already, and is empty if `failed` adds none to them.
-    """
-    names = tree / "optional.txt"  # which ament_package() writes
-    optional = names.read_text(encoding="utf-8").split("\n") if names.exists() else []
-    before = left_out(tree)
-    more = {
-        target: lines
-        for target, lines in failed.items()
-        if target in optional and target not in before and all(map(lacks_library, lines))
-    }
-    return {**before, **more} if more else {}
-
-
-def leave_out(tree: Path, libraries: Problems) -> None:
-    """Keep which libraries the package that is built in `tree` is configured without."""
-    tree.mkdir(parents=True, exist_ok=True)
-    write(_libraries_of(tree), json.dumps({**libraries}).encode())
-
-
-def left_out(tree: Path) -> Problems:
-    """Return the libraries that the package that is built in `tree` is configured without."""
-    file = _libraries_of(tree)
-    found: dict[str, list[str]] = (
-        json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
-    )
-    return found
 
 
 def note(build: Build, packages: Problems, libraries: Iterable[Problems]) -> None:
@@ -103,7 +68,3 @@ def _is_no_error(lines: Sequence[str]) -> bool:
 
 def _list_of(build: Build) -> Path:
     return build.wasm.with_suffix(".left-out.txt")
-
-
-def _libraries_of(tree: Path) -> Path:
-    return tree / "left-out.json"

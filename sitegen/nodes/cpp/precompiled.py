@@ -28,6 +28,8 @@ from pathlib import Path
 PACKAGE = Path(__file__).absolute().parents[2]
 LIBRARY = PACKAGE / "clients" / "cpp" / "include"
 HEADER = LIBRARY / "rclcpp" / "rclcpp.hpp"
+# The headers that complete the compiler's own (engine.cmake).
+SYSTEM = LIBRARY.with_name("system")
 # What programs need that include too few headers of the standard library, or of rclcpp.
 STANDARD = LIBRARY.parent / "src" / "platform" / "standard.h"
 UPSTREAM = STANDARD.with_name("upstream.h")
@@ -189,7 +191,7 @@ class Store:
 
     @property
     def _folders(self) -> list[Path]:
-        return [LIBRARY, *sorted(self.ros.iterdir()), *sorted(INTERFACES.iterdir())]
+        return [SYSTEM, LIBRARY, *sorted(self.ros.iterdir()), *sorted(INTERFACES.iterdir())]
 
     def _make(self, compiler: str, flags: Sequence[str], made: Path) -> set[str]:
         """Precompile rclcpp.hpp; return the prefixes of the names of all headers in it."""

@@ -1,4 +1,4 @@
-"""Configure and build the CMake project of a package, without the libraries that lack others."""
+"""Configure and build the CMake project of a package, without what no page can have."""
 
 from __future__ import annotations
 
@@ -6,14 +6,13 @@ import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 
 from sitegen.errors import SiteError
 from sitegen.model import Build, Package
-from sitegen.nodes.cpp import plugins
+from sitegen.nodes.cpp import leftout, plugins
 from sitegen.nodes.cpp.cmake import CMake, Done
 from sitegen.nodes.cpp.diagnosis import Diagnosis
-from sitegen.nodes.cpp.plugins import Problems
+from sitegen.nodes.cpp.leftout import LeftOut, Problems
 
 
 @dataclass(frozen=True)
@@ -59,15 +58,18 @@ class Project:
         """Remove what other packages use."""
         shutil.rmtree(self.cmake.prefix(self.package), ignore_errors=True)
 
-    def configure(self, left_out: Problems = MappingProxyType({})) -> None:
-        """Configure the project, without the libraries `left_out`.
+    def configure(self, left_out: LeftOut | None = None) -> None:
+        """Configure the project, without the libraries and sources `left_out`.
 
         Raises: SiteError if CMake cannot do so.
         """
         # Drafts are built in the same folder, whose contents may be those of another kind of build.
         self._stamp.unlink(missing_ok=True)
-        plugins.leave_out(self.tree, left_out)
-        done = self.cmake.configure(self.package, self.needs, self.shown, self._lost, left_out)
+        left_out = left_out or LeftOut()
+        left_out.keep(self.tree)
+        done = self.cmake.configure(
+            self.package, self.needs, self.shown, self._lost, left_out.definitions
+        )
         if done.returncode:
             diagnosis = Diagnosis(self.root, self.package)
             why = self.failed.get(diagnosis.missing(done.stdout)) or self._left_out_of(
@@ -76,11 +78,11 @@ class Project:
             raise SiteError([*why] or diagnosis.of_cmake(done.stdout))
 
     def make(self, build: Callable[[], Done]) -> Done:
-        """Run a build. Leave out the libraries with plugins or components that lack a library."""
+        """Run a build. Leave out what needs a library that no page can have."""
         diagnosis = Diagnosis(self.root, self.package, self.needs)
         while (done := build()).returncode:
-            lacking = diagnosis.of_libraries(done.stdout, self.failed)
-            left_out = plugins.to_leave_out(self.tree, lacking)
+            lacking = diagnosis.of_targets(done.stdout, self.failed)
+            left_out = leftout.more(self.tree, lacking)
             if not left_out:
                 break
             self.configure(left_out)
@@ -89,12 +91,16 @@ class Project:
     def error(self, outputs: Mapping[str, str]) -> SiteError:
         """Return why programs did not compile, by the output of each."""
         diagnosis = Diagnosis(self.root, self.package, self.needs)
-        return SiteError(diagnosis.of_builds(outputs, self.tree, self.failed))
+        sources: dict[str, Sequence[str]] = {}
+        for one in (*self.needs, self.package):
+            sources |= LeftOut.of(self.cmake.tree(one)).sources
+        return SiteError(diagnosis.of_builds(outputs, self.tree, self.failed, sources))
 
     def note(self, build: Build) -> None:
         """Note beside a program what it is built without."""
         linked = [one for one in self.needs if one.name in self.package.linked]
-        libraries = [plugins.left_out(self.cmake.tree(one)) for one in (*linked, self.package)]
+        trees = map(self.cmake.tree, (*linked, self.package))
+        libraries = [LeftOut.of(tree).libraries for tree in trees]
         plugins.note(build, self._lost, libraries)
 
     @property
@@ -108,5 +114,5 @@ class Project:
     def _left_out_of(self, name: str, library: str) -> list[str]:
         """Return why a library, or any, was left out of a package that this one depends on."""
         trees = (self.cmake.tree(need) for need in self.needs if need.name == name)
-        found = {key: lines for tree in trees for key, lines in plugins.left_out(tree).items()}
+        found = {key: lines for tree in trees for key, lines in LeftOut.of(tree).libraries.items()}
         return [line for key in found if library in ("", key) for line in found[key]]

@@ -26,6 +26,7 @@ RESULT = [
     "unique hi",
     "unique info hi",
     "ticks 20, ok 0, duration 2.750, kept 5, down",
+    "stamp 5.000000500, longest 2147483647, scaled 0.25, 3000000000 ns",
 ]
 
 

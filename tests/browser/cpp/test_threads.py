@@ -48,3 +48,23 @@ def test_a_loop_runs_beside_a_node_that_spins_until_stop(
     assert sorted(said[:3]) == ["busy ended", "heard from the loop", "loop ended"]
     assert said[3:] == ["all ended"]
     expect_nothing_left(page)
+
+
+def test_coroutines_are_switched_within_a_thread(
+    context: BrowserContext, serve: Serve, built: Built
+) -> None:
+    page = context.new_page()
+    page.goto(serve(built(SITE)))
+    coroutines = Panel(page, "coroutines")
+    coroutines.start()
+    coroutines.expect_state("failed")
+    assert coroutines.lines() == [
+        "turns a0 b0 | a1 b1 | a2 b2 | ",
+        "waits 0 1 thread 1",
+        "nested inner outer main caught ",
+        "threads 5 5 5",
+        "moved 1 1",
+        "left 1000",
+        "coroutines: std::runtime_error: left a coroutine",
+        "    (run 'sitegen build --debug' to see where)",
+    ]

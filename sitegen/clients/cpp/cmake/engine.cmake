@@ -4,6 +4,8 @@ include_guard(GLOBAL)
 
 get_filename_component(SITEGEN_CPP "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
+# What completes the compiler's own headers.
+include_directories(SYSTEM "${SITEGEN_CPP}/system")
 set(_settings
   MODULARIZE=1 EXPORT_ES6=1 USE_ES6_IMPORT_META=1 ENVIRONMENT=worker
   # The stack is below the data and grows towards 0: one that overflows is an access outside of the
@@ -42,6 +44,8 @@ list(APPEND _wrapped
   abort __assert_fail __syscall_open __syscall_openat __wasi_fd_read fcntl poll select)
 if(SITEGEN_ENGINE STREQUAL "jspi")
   list(APPEND _wrapped __cxa_get_globals __cxa_get_globals_fast)
+else()
+  list(APPEND _wrapped emscripten_fiber_init)
 endif()
 if(SITEGEN_DEBUG)
   # Function names, source lines and checks; src/platform/debug.cpp reports failed checks.
@@ -74,5 +78,5 @@ endforeach()
 if(NOT CMAKE_SOURCE_DIR STREQUAL SITEGEN_CPP)  # a package, and not the library
   include("${CMAKE_CURRENT_LIST_DIR}/finish.cmake")
   include("${CMAKE_CURRENT_LIST_DIR}/libraries.cmake")
-  cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL sitegen_finish "${CMAKE_SOURCE_DIR}")
+  cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL sitegen_finish)
 endif()

@@ -9,7 +9,7 @@ set(CMAKE_FIND_PACKAGE_PREFER_CONFIG TRUE)
 # The CMake package of a library calls this. Where a package requires the library, it is found, and
 # empty if no page can have it, so that programs that do not need it are compiled. Where it is
 # optional, it is found if its headers are installed, one of which is among MARKS.
-function(sitegen_library package marks targets definitions)
+function(sitegen_library package marks targets definitions options)
   set(found ${${package}_FIND_REQUIRED})
   string(REPLACE "|" ";" marks "${marks}")
   foreach(mark IN LISTS marks)
@@ -37,7 +37,8 @@ function(sitegen_library package marks targets definitions)
   foreach(library IN LISTS libraries ITEMS sitegen_library_${package})
     if(NOT TARGET ${library})
       add_library(${library} INTERFACE IMPORTED GLOBAL)
-      set_target_properties(${library} PROPERTIES INTERFACE_COMPILE_DEFINITIONS "${definitions}")
+      set_target_properties(${library} PROPERTIES
+        INTERFACE_COMPILE_DEFINITIONS "${definitions}" INTERFACE_COMPILE_OPTIONS "${options}")
     endif()
   endforeach()
 
@@ -63,7 +64,7 @@ function(sitegen_library package marks targets definitions)
   endif()
 endfunction()
 
-# include/sys/capability.h is all of it.
+# system/sys/capability.h is all of it.
 add_library(cap INTERFACE IMPORTED)
 
 # The version file of a package: it has whatever version is asked for, and else this one.

@@ -31,19 +31,20 @@ def describe(file: Path, package: str, category: str, out: Path) -> list[str]:
     if not libraries:
         raise ValueError("no <library> here")
     out.mkdir(parents=True, exist_ok=True)
-    names = []
+    entries: dict[str, list[str]] = {}  # a file may name a library several times
     for library in libraries:
         path = PurePosixPath(library.get("path") or "").name
         name = path.removeprefix("lib").partition(".")[0]
         if not name:
             raise ValueError("a <library> without a path")
-        entries = [_entry(tag, file, package, category, name) for tag in library.iterfind("class")]
-        text = REGISTRATION.format(file=file.name, entries="\n".join(entries))
+        found = (_entry(tag, file, package, category, name) for tag in library.iterfind("class"))
+        entries.setdefault(name, []).extend(found)
+    for name, lines in entries.items():
+        text = REGISTRATION.format(file=file.name, entries="\n".join(lines))
         target = out / f"{category}.{name}.cpp"
         if not target.exists() or target.read_text() != text:  # else all would be compiled again
             target.write_text(text)
-        names.append(name)
-    return names
+    return [*entries]
 
 
 def _entry(tag: ElementTree.Element, file: Path, package: str, category: str, library: str) -> str:

@@ -17,7 +17,11 @@ endfunction()
 # Add the plugin descriptions to their libraries, and link these into the programs of this package.
 function(_pluginlib_describe_all)
   get_property(items GLOBAL PROPERTY SITEGEN_PLUGINS)
+  set(number 0)
   foreach(item IN LISTS items)
+    # Several files may describe the plugins of one library.
+    math(EXPR number "${number} + 1")
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/pluginlib/${number}")
     string(REPLACE "@" ";" item "${item}")
     list(GET item 0 category)
     list(GET item 1 file)
@@ -25,7 +29,7 @@ function(_pluginlib_describe_all)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
     execute_process(
       COMMAND "${SITEGEN_PYTHON}" "${_pluginlib_describe}" "${path}" "${PROJECT_NAME}" "${category}"
-        "${CMAKE_CURRENT_BINARY_DIR}/pluginlib"
+        "${folder}"
       OUTPUT_VARIABLE libraries ERROR_VARIABLE problems RESULT_VARIABLE failed)
     if(failed)
       message(FATAL_ERROR "\n${problems}")
@@ -37,8 +41,7 @@ function(_pluginlib_describe_all)
       if(NOT kept)
         continue()
       endif()
-      target_sources(${target} PRIVATE
-        "${CMAKE_CURRENT_BINARY_DIR}/pluginlib/${category}.${library}.cpp")
+      target_sources(${target} PRIVATE "${folder}/${category}.${library}.cpp")
       target_include_directories(${target} PRIVATE "${_pluginlib_include}")
       set_property(TARGET sitegen_plugins APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${target})
       sitegen_link_with("sitegen_plugins" ${target})

@@ -4,14 +4,9 @@
 #include <cstdint>
 
 #include "builtin_interfaces/msg/duration.hpp"
+#include "builtin_interfaces/msg/time.hpp"
+#include "rcl/time.h"
 #include "rmw/types.h"
-
-using rcl_duration_value_t = std::int64_t;
-
-struct rcl_duration_t
-{
-  rcl_duration_value_t nanoseconds;
-};
 
 namespace rclcpp
 {
@@ -43,7 +38,8 @@ public:
     return from_nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
   }
   static Duration from_rmw_time(rmw_time_t time);
-  static Duration max() {return from_nanoseconds(INT64_MAX);}
+  /// The maximum duration of a message.
+  static Duration max() {return Duration(INT32_MAX, 999999999);}
 
   operator builtin_interfaces::msg::Duration() const;  // NOLINT: implicit upstream
 
@@ -69,10 +65,24 @@ public:
   Duration operator-(const Duration & other) const;
   Duration & operator+=(const Duration & other) {return *this = *this + other;}
   Duration & operator-=(const Duration & other) {return *this = *this - other;}
-  Duration operator*(double scale) const {return from_seconds(seconds() * scale);}
+  /// Throws std::runtime_error if `scale` is infinite or not a number.
+  Duration operator*(double scale) const;
+  Duration & operator*=(double scale) {return *this = *this * scale;}
 
 private:
   std::int64_t nanoseconds_ = 0;
 };
+
+namespace detail
+{
+/// The limit of a QoS policy without one: RMW_DURATION_INFINITE, in nanoseconds.
+constexpr std::int64_t kInfinite = INT64_MAX;
+}  // namespace detail
+
+/// These throw std::runtime_error if the time is negative, and what those of Duration throw.
+builtin_interfaces::msg::Time operator+(
+  const builtin_interfaces::msg::Time & time, const Duration & duration);
+builtin_interfaces::msg::Time operator-(
+  const builtin_interfaces::msg::Time & time, const Duration & duration);
 
 }  // namespace rclcpp

@@ -95,8 +95,16 @@ private:
 
 std::ostream & operator<<(std::ostream & os, const Parameter & parameter);
 std::ostream & operator<<(std::ostream & os, const std::vector<Parameter> & parameters);
-/// As a mapping in JSON.
-std::string to_string(const Parameter & parameter);
-std::string to_string(const std::vector<Parameter> & parameters);
+/// The name and to_string() of `parameter`, as an entry of a mapping in JSON.
+std::string _to_json_dict_entry(const Parameter & parameter);
 
 }  // namespace rclcpp
+
+namespace std
+{
+
+/// As a mapping in JSON.
+string to_string(const rclcpp::Parameter & parameter);
+string to_string(const vector<rclcpp::Parameter> & parameters);
+
+}  // namespace std

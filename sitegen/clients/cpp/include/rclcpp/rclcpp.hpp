@@ -33,6 +33,7 @@
 #include "rmw/error_handling.h"
 #include "rmw/rmw.h"
 
+#include "rclcpp/copy_all_parameter_values.hpp"
 #include "rclcpp/create_client.hpp"
 #include "rclcpp/create_generic_client.hpp"
 #include "rclcpp/create_generic_publisher.hpp"
@@ -50,6 +51,7 @@
 #include "rclcpp/node.hpp"
 #include "rclcpp/parameter_client.hpp"
 #include "rclcpp/parameter_event_handler.hpp"
+#include "rclcpp/parameter_service.hpp"
 #include "rclcpp/rate.hpp"
 #include "rclcpp/serialization.hpp"
 #include "rclcpp/time.hpp"

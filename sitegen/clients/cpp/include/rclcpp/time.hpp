@@ -4,17 +4,8 @@
 #include <limits>
 
 #include "builtin_interfaces/msg/time.hpp"
+#include "rcl/time.h"
 #include "rclcpp/duration.hpp"
-
-enum rcl_clock_type_e {RCL_CLOCK_UNINITIALIZED, RCL_ROS_TIME, RCL_SYSTEM_TIME, RCL_STEADY_TIME};
-using rcl_clock_type_t = rcl_clock_type_e;
-using rcl_time_point_value_t = std::int64_t;
-
-struct rcl_time_point_t
-{
-  rcl_time_point_value_t nanoseconds;
-  rcl_clock_type_t clock_type;
-};
 
 namespace rclcpp
 {

@@ -93,31 +93,41 @@ void Parameter::require(ParameterType type) const
   }
 }
 
-std::string to_string(const Parameter & parameter)
+std::string _to_json_dict_entry(const Parameter & parameter)
 {
+  return quoted(parameter.get_name()) + ": " + std::to_string(parameter);
+}
+
+std::ostream & operator<<(std::ostream & os, const Parameter & parameter)
+{
+  return os << std::to_string(parameter);
+}
+
+std::ostream & operator<<(std::ostream & os, const std::vector<Parameter> & parameters)
+{
+  return os << std::to_string(parameters);
+}
+
+}  // namespace rclcpp
+
+namespace std
+{
+
+string to_string(const rclcpp::Parameter & parameter)
+{
+  using rclcpp::quoted;
   return "{\"name\": " + quoted(parameter.get_name()) + ", \"type\": " +
          quoted(parameter.get_type_name()) + ", \"value\": " +
          quoted(parameter.value_to_string()) + "}";
 }
 
-std::string to_string(const std::vector<Parameter> & parameters)
+string to_string(const vector<rclcpp::Parameter> & parameters)
 {
-  std::string text = "{";
+  string text = "{";
   for (const auto & parameter : parameters) {
-    text += (text.size() > 1 ? ", " : "") + quoted(parameter.get_name()) + ": " +
-      to_string(parameter);
+    text += (text.size() > 1 ? ", " : "") + rclcpp::_to_json_dict_entry(parameter);
   }
   return text + "}";
 }
 
-std::ostream & operator<<(std::ostream & os, const Parameter & parameter)
-{
-  return os << to_string(parameter);
-}
-
-std::ostream & operator<<(std::ostream & os, const std::vector<Parameter> & parameters)
-{
-  return os << to_string(parameters);
-}
-
-}  // namespace rclcpp
+}  // namespace std

@@ -1,11 +1,13 @@
-// The functions of <dlfcn.h>. All libraries are linked into the program. For programs that call
-// these functions, nodes/cpp/loadable.py makes a table of the C functions and variables in them.
+// The functions of <dlfcn.h> and of rcutils that open libraries. All libraries are linked into the
+// program. For programs that call these functions, nodes/cpp/loadable.py makes a table of the C
+// functions and variables in them.
 #include <dlfcn.h>
 
+#include <cstdio>
 #include <cstring>
-#include <new>
 #include <string_view>
 
+#include "rcutils/error_handling.h"
 #include "rcutils/shared_library.h"
 
 extern "C" {

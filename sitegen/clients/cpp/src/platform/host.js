@@ -42,6 +42,20 @@ mergeInto(LibraryManager.library, {
     var run = WebAssembly.promising(wasmTable.get(entry));
     queueMicrotask(function() { run(argument).catch(Module["ros"]["ended"]); });
   },
+  ros_swap: function(from, to, entry) {
+    return new Promise(function(resolve) {
+      rosFibers.set(from, resolve);
+      if (entry) return _ros_spawn(entry, to);
+      var resume = rosFibers.get(to);
+      rosFibers.delete(to);
+      resume();
+    });
+  },
+  ros_swap__deps: ['ros_spawn', '$rosFibers'],
+  ros_swap__postset: '_ros_swap = new WebAssembly.Suspending(_ros_swap);',
+  $rosFibers: 'new Map()', // what resumes each fiber that switched to another, by its address
+  // Libraries ask this before they use fibers, which JSPI replaces.
+  emscripten_has_asyncify: function() { return 1; },
 #endif
   ros_wait__sig: 'id',
   ros_wake: function() { Module["ros"]["wake"](); },

@@ -15,7 +15,7 @@ namespace
 double limit(const Duration & duration)
 {
   const auto nanoseconds = duration.nanoseconds();
-  if (nanoseconds == Duration::max().nanoseconds()) {
+  if (nanoseconds == kInfinite) {
     return std::numeric_limits<double>::infinity();
   }
   return static_cast<double>(nanoseconds) / 1e6;

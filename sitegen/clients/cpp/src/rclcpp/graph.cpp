@@ -117,8 +117,8 @@ std::vector<Entry> of_node(
 
 Duration duration(double milliseconds)
 {
-  return std::isinf(milliseconds) ?
-         Duration::max() : Duration::from_nanoseconds(std::llround(milliseconds * 1e6));
+  return Duration::from_nanoseconds(
+    std::isinf(milliseconds) ? detail::kInfinite : std::llround(milliseconds * 1e6));
 }
 
 TopicEndpointInfo info(const Entry & entry)

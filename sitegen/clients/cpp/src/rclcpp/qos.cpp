@@ -22,7 +22,7 @@ auto as_tuple(const rmw_qos_profile_t & p)
 /// An unspecified duration is infinite.
 std::int64_t limit(const Duration & duration)
 {
-  return duration.nanoseconds() == 0 ? Duration::max().nanoseconds() : duration.nanoseconds();
+  return duration.nanoseconds() == 0 ? detail::kInfinite : duration.nanoseconds();
 }
 
 /// Policies that one side leaves to the system, so that compatibility is unknown.
@@ -143,7 +143,7 @@ QoSCheckCompatibleResult qos_check_compatible(
     offered.durability() == DurabilityPolicy::Volatile &&
     requested.durability() == DurabilityPolicy::TransientLocal,
     "Volatile publisher and transient local subscription");
-  const auto none = Duration::max().nanoseconds();
+  const auto none = detail::kInfinite;
   const auto deadlines = std::make_pair(limit(offered.deadline()), limit(requested.deadline()));
   check(
     deadlines.first == none && deadlines.second != none,

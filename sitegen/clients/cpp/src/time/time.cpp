@@ -1,9 +1,9 @@
 #include "rclcpp/time.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
-
 
 namespace rclcpp
 {
@@ -53,8 +53,8 @@ MessageT split(std::int64_t nanoseconds)
 
 Duration Duration::from_rmw_time(rmw_time_t time)
 {
-  const auto most = static_cast<std::uint64_t>(max().nanoseconds());
-  if (time.sec > most / 1000000000) {return max();}
+  const auto most = static_cast<std::uint64_t>(detail::kInfinite);
+  if (time.sec > most / 1000000000) {return from_nanoseconds(detail::kInfinite);}
   return from_nanoseconds(
     static_cast<std::int64_t>(std::min(most, time.sec * 1000000000 + time.nsec)));
 }
@@ -68,6 +68,18 @@ rmw_time_t Duration::to_rmw_time() const
 
 Duration::operator builtin_interfaces::msg::Duration() const
 {
+  // Beyond the limits of a message, the values are those of upstream.
+  const std::int64_t seconds = nanoseconds_ / kSecond;
+  builtin_interfaces::msg::Duration message;
+  if (seconds > INT32_MAX) {
+    message.sec = INT32_MAX;
+    message.nanosec = UINT32_MAX;
+    return message;
+  }
+  if (seconds <= INT32_MIN) {
+    message.sec = INT32_MIN;
+    return message;
+  }
   return split<builtin_interfaces::msg::Duration>(nanoseconds_);
 }
 
@@ -79,6 +91,31 @@ Duration Duration::operator+(const Duration & other) const
 Duration Duration::operator-(const Duration & other) const
 {
   return from_nanoseconds(subtract(nanoseconds_, other.nanoseconds_));
+}
+
+Duration Duration::operator*(double scale) const
+{
+  if (!std::isfinite(scale)) {throw std::runtime_error("abnormal scale in rclcpp::Duration");}
+  const auto product = static_cast<long double>(nanoseconds_) * static_cast<long double>(scale);
+  if (product > static_cast<long double>(INT64_MAX)) {
+    throw std::overflow_error("duration scaling leads to int64_t overflow");
+  }
+  if (product < static_cast<long double>(INT64_MIN)) {
+    throw std::underflow_error("duration scaling leads to int64_t underflow");
+  }
+  return from_nanoseconds(static_cast<std::int64_t>(product));
+}
+
+builtin_interfaces::msg::Time operator+(
+  const builtin_interfaces::msg::Time & time, const Duration & duration)
+{
+  return Time(time) + duration;
+}
+
+builtin_interfaces::msg::Time operator-(
+  const builtin_interfaces::msg::Time & time, const Duration & duration)
+{
+  return Time(time) - duration;
 }
 
 Time::Time(std::int32_t seconds, std::uint32_t nanoseconds, rcl_clock_type_t clock)

@@ -117,6 +117,9 @@ void ros_wake(void);
 /* Call `entry` with `argument` when the caller waits. It may wait as well: JSPI gives it its own
  * stack. For the engine jspi only. */
 void ros_spawn(void (* entry)(void * argument), void * argument);
+/* Suspend the caller until another call switches to `from`. Meanwhile, resume the call that switched
+ * away from `to`, or call `entry` with `to` as ros_spawn() does. For the engine jspi only. */
+void ros_swap(void * from, void * to, void (* entry)(void * to));
 /* Milliseconds since 1970, with fractions; never goes backwards. */
 double ros_now(void);
 /* Write a log message; severity as in rcutils (10 debug … 50 fatal), stamp as of ros_now(). */

@@ -107,5 +107,15 @@ int main(int argc, char ** argv)
     logger, "ticks %d, ok %d, duration %.3f, kept %zu, %s", forms->ticks(), rclcpp::ok(),
     (rclcpp::Time(5, 0) - rclcpp::Time(2, 500000000) + rclcpp::Duration(250ms)).seconds(),
     rclcpp::SensorDataQoS().depth(), rclcpp::Rate(10).sleep() ? "slept" : "down");
+
+  builtin_interfaces::msg::Time stamp;
+  stamp.sec = 4;
+  stamp = stamp + rclcpp::Duration(2, 500) - rclcpp::Duration(1, 0);
+  const builtin_interfaces::msg::Duration longest = rclcpp::Duration::max() * 2.5;
+  rclcpp::Duration scaled(2, 0);
+  scaled *= 0.125;
+  RCLCPP_INFO(
+    logger, "stamp %d.%09u, longest %d, scaled %.2f, %lld ns", stamp.sec, stamp.nanosec,
+    longest.sec, scaled.seconds(), RCL_S_TO_NS(3));
   return 0;
 }

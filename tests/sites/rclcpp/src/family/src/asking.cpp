@@ -69,7 +69,7 @@ void ask_about_the_graph(rclcpp::Node & node)
       static_cast<int>(found.endpoint_type()),
       qos.reliability() == rclcpp::ReliabilityPolicy::Reliable,
       qos.durability() == rclcpp::DurabilityPolicy::TransientLocal,
-      qos.deadline() == rclcpp::Duration::max() ? 0 : qos.deadline().seconds());
+      qos.deadline().nanoseconds() == INT64_MAX ? 0 : qos.deadline().seconds());
   }
   const auto gid = publisher->get_gid();
   const auto told = node.get_publishers_info_by_topic("words").at(0).endpoint_gid();
@@ -245,7 +245,7 @@ int main(int argc, char ** argv)
     left.reliability() == rclcpp::ReliabilityPolicy::BestEffort,
     left.history() == rclcpp::HistoryPolicy::KeepLast,
     left.liveliness() == rclcpp::LivelinessPolicy::Automatic,
-    left.deadline() == rclcpp::Duration::max());
+    left.deadline().nanoseconds() == INT64_MAX);
   try {
     node->create_publisher<String>("deep", 11, options);
   } catch (const rclcpp::exceptions::InvalidQosOverridesException & error) {

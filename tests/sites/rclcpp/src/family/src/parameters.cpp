@@ -50,7 +50,7 @@ public:
         });
     after_ = add_post_set_parameters_callback([this](const std::vector<rclcpp::Parameter> & changes) {
           for (const auto & change : changes) {
-            std::printf("set %s\n", rclcpp::to_string(change).c_str());
+            std::printf("set %s\n", std::to_string(change).c_str());
           }
         });
   }
