@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from packages import Workspace
+
+from sitegen.nodes.cpp import leftout
+from sitegen.nodes.cpp.leftout import LeftOut
 
 NO_OPENCV = "src/tools/CMakeLists.txt: 'tools' needs 'OpenCV', which has no build for the page"
 TOOLS = """\
@@ -78,6 +83,16 @@ def test_other_errors_are_told(workspace: Workspace) -> None:
     workspace.site("tools/plain")
     [problem] = workspace.problems()
     assert problem.startswith("src/tools/src/add.cpp:1:36: could not compile: use of undeclared")
+
+
+def test_a_library_that_is_built_nevertheless_is_left_out_once(tmp_path: Path) -> None:
+    """Which of its sources fails first can differ from build to build, and so what it lacks."""
+    (tmp_path / "optional.txt").write_text("tools")
+    camera, cloud = ({"tools": {name: [f"{name}: {NO_OPENCV}"]}} for name in ("camera", "cloud"))
+    found = leftout.more(tmp_path, camera)
+    assert found == LeftOut(libraries={"tools": [f"camera: {NO_OPENCV}"]})
+    found.keep(tmp_path)
+    assert leftout.more(tmp_path, cloud) is None
 
 
 def test_groot_is_replaced_in_behavior_trees(workspace: Workspace) -> None:

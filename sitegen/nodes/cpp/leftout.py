@@ -58,6 +58,8 @@ def more(tree: Path, failed: Mapping[str, Problems]) -> LeftOut | None:
         lacking = {
             file: lines for file, lines in files.items() if lines and all(map(lacks_library, lines))
         }
+        if target in before.libraries:
+            continue  # something else links it, so that it was built nevertheless
         if target in whole and len(lacking) == len(files):
             libraries[target] = [*dict.fromkeys(line for lines in files.values() for line in lines)]
         elif target in others:
