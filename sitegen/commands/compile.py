@@ -31,7 +31,7 @@ def compile_to(output: Path, names: Sequence[str], folder: Path, report: Report)
     wanted = _wanted(names, packages)
     jobs = []
     for name, executables in wanted.items():
-        *needs, package = workspace.with_plugins(packages, name)
+        *needs, package = workspace.with_plugins(packages, packages[name])
         jobs.append(Job(package, tuple(executables), tuple(needs)))
     engines = archive.ENGINES
     compiled = compiler.compile_nodes(

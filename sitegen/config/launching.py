@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from sitegen.config.document import Value
+from sitegen.config.layout import staged
 from sitegen.config.nodes import Declared
 from sitegen.errors import Problems
 from sitegen.model import Handler, Part, Widget, leaves
 
 # The widget that shows what the launch file does.
 KIND = "launch"
+# The most nodes whose consoles are in one grid with a 3D view.
+FEW = 3
 
 
 def with_panel(
@@ -35,13 +38,28 @@ def _acts(handler: Handler) -> bool:
     )
 
 
-def panels(nodes: Mapping[str, Declared]) -> Iterator[Widget]:
-    """Yield buttons and a console for each node that a launch file starts, and its window."""
+def panels(windows: Sequence[Part], nodes: Mapping[str, Declared]) -> tuple[list[Part], list[Part]]:
+    """Return what a launch file shows, and the panels of its nodes, for a page without content.
+
+    If there are many nodes, a 3D view that is the only window is on a stage, with these panels.
+    """
+    kinds = [part.kind for part in windows if isinstance(part, Widget)]
+    if kinds != ["3d"] or len(nodes) <= FEW:
+        return [*windows], [*_turtles(nodes), *_controls(nodes)]
+    places = [(name, node.location) for name, (node, _) in nodes.items()]
+    stage = staged(tuple(windows), places, places[0][1], autostart=True, consoles="beside")
+    return [stage, *_turtles(nodes)], []
+
+
+def _turtles(nodes: Mapping[str, Declared]) -> Iterator[Widget]:
     for node, _ in nodes.values():
         if (node.package, node.executable) == ("turtlesim", "turtlesim_node"):
             full = f"{node.namespace.rstrip('/')}/{node.remap.get('__node', 'turtlesim')}"
             options = {"kind": "turtlesim", "window": f"{full}/window"}
             yield Widget("robot", "", options, node.location)
+
+
+def _controls(nodes: Mapping[str, Declared]) -> Iterator[Widget]:
     for name, (node, _) in nodes.items():
         yield Widget("buttons", name, {"autostart": True}, node.location)
         yield Widget("console", name, {"lines": 1000}, node.location)

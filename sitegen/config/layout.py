@@ -9,7 +9,7 @@ from sitegen.config.document import Value
 from sitegen.config.schema import Key
 from sitegen.config.section import check
 from sitegen.config.widgetkeys import COLUMN, LAYOUTS, ROW, STAGE
-from sitegen.errors import Problems
+from sitegen.errors import Location, Problems
 from sitegen.model import Cell, Layout, Part, Widget
 
 # The number of tabs that the themes have styles for.
@@ -72,20 +72,31 @@ def _stage(
         problems.add(section.location("consoles"), section.label("consoles"), message)
     if not show or not nodes:
         return None
-    names = [node for node in nodes.items() if known(node)]
-    autostart = {"autostart": section.option("autostart")}
+    names = [(node.text, node.location) for node in nodes.items() if known(node)]
+    autostart = section.option("autostart")
     parts = tuple(items(show))
     if consoles == "below":
-        parts = tuple(captioned(part, [node.text for node in names]) for part in parts)
-    cells = [
-        Cell(tuple(Widget("buttons", n.text, autostart, n.location) for n in names), "nodes"),
-        Cell(parts, "show"),
-    ]
+        parts = tuple(captioned(part, [name for name, _ in names]) for part in parts)
+    return staged(parts, names, value.location, autostart=autostart, consoles=consoles)
+
+
+def staged(
+    show: tuple[Part, ...],
+    nodes: Sequence[tuple[str, Location]],
+    location: Location,
+    *,
+    autostart: object,
+    consoles: str,
+) -> Layout:
+    """Return a stage at `location` that shows parts, with buttons and consoles of `nodes`."""
+    options = {"autostart": autostart}
+    buttons = tuple(Widget("buttons", name, options, at) for name, at in nodes)
+    cells = [Cell(buttons, "nodes"), Cell(show, "show")]
     if consoles in ("below", "beside"):
         lines = {"lines": 1000}
-        kept = tuple(Widget("console", n.text, lines, n.location) for n in names)
+        kept = tuple(Widget("console", name, lines, at) for name, at in nodes)
         cells.append(Cell(kept, consoles))
-    return Layout("stage", tuple(cells), value.location)
+    return Layout("stage", tuple(cells), location)
 
 
 def captioned(part: Part, nodes: Sequence[str]) -> Part:

@@ -185,11 +185,15 @@ class PageReader:
             parts += reader.jupyter(lab)
         parts = notebooks.numbered(parts)
         is_bare = not any(isinstance(part, Widget) for part in leaves(parts))
-        if launch.described.windows and is_bare:
-            parts += windows.shown(launch.described.windows, [*started], self.problems, self.notes)
+        opened, panels = list[Part](), list[Part]()
+        if is_bare:
+            described = launch.described.windows
+            opened = windows.shown(described, [*started], self.problems, self.notes)
+            opened, panels = launching.panels(opened, started)
+        parts += opened
         handlers = launch.described.handlers
         parts = launching.with_panel(parts, section.get("launch"), handlers, self.problems)
-        parts += launching.panels(started) if is_bare else []
+        parts += panels
         joined = self._connect(_giver("connect", page, front), parts)
         for kernel in notebooks.kernels(parts):
             if kernel.name in nodes:

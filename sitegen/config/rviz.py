@@ -17,6 +17,8 @@ from sitegen.yamlnodes import LimitError, compose
 
 # What RViz writes when nobody has chosen a background: the theme's then is the better one.
 USUAL_BACKGROUND = "#303030"
+# The height of a window, and what the menu and the bars of tools and time take of it (px).
+USUAL_HEIGHT, BARS = 690, 90
 
 # For each class of RViz: the kind of our display, and which of its properties each option is.
 # A property "A/B" is the property B of A.
@@ -188,7 +190,7 @@ def read_configuration(file: Path, resolved: Callable[[str], str] = ABSOLUTE) ->
         options["background"] = background
     if topics := dict(_tools(_list(manager.get("Tools")), resolved)):
         options["tools"] = topics
-    if view := _view(_at(manager, "Views/Current")):
+    if view := _view(_at(manager, "Views/Current"), _at(found, "Window Geometry/Height")):
         options["view"] = view
     return Configuration(options, tuple(dict.fromkeys(unsupported)))
 
@@ -271,15 +273,16 @@ def _tools(given: list[Any], resolved: Callable[[str], str]) -> Iterator[tuple[s
                 yield name, resolved(topic)
 
 
-def _view(given: Any) -> dict[str, Any] | None:
-    """Return the camera of a view: of an orbit, or straight down."""
+def _view(given: Any, height: Any) -> dict[str, Any] | None:
+    """Return the camera of a view, of an orbit or straight down, in a window of `height` (px)."""
     if not isinstance(given, dict):
         return None
     kind = str(given.get("Class", "")).rpartition("/")[2]
     if kind == "TopDownOrtho":
         x, y = _number(given.get("X"), 0), _number(given.get("Y"), 0)
-        # Pixels for each metre, in a window of this size.
-        zoom = max(abs(_number(given.get("Scale"), 10)), 0.01) * 2 / 600
+        # Pixels for each metre; at zoom 1, a panel shows two metres.
+        size = max(_number(height, USUAL_HEIGHT) - BARS, BARS)
+        zoom = max(abs(_number(given.get("Scale"), 10)), 0.01) * 2 / size
         return {"top": True, "eye": [x, y, 100], "target": [x, y, 0], "zoom": zoom}
     if kind not in ("Orbit", "XYOrbit", "ThirdPersonFollower"):
         return None

@@ -41,7 +41,7 @@ declare module "sitegen" {
     events(options?: StreamOptions): Stream<GraphEvent>;
     /** Another node of the page, with a name of its own. */
     node(name: string): Node;
-    /** Leave the graph; the page's own node stays. */
+    /** Leave the graph and end all streams; the page's own node stays. */
     close(): void;
   }
 
@@ -73,7 +73,7 @@ declare module "sitegen" {
     next(options?: { signal?: AbortSignal }): Promise<Message>;
     /** Call `callback` with each message, until the function that this returns is called. */
     subscribe(callback: (message: Message, info: MessageInfo) => void, qos?: Qos): () => void;
-    /** Publish a message; missing fields are zero. */
+    /** Publish a message; missing fields are zero. It throws if a field or a value does not fit the type. */
     publish(message: Sent<Message>): void;
     /** Announce the publisher before its first message. */
     advertise(): void;
@@ -88,7 +88,10 @@ declare module "sitegen" {
     wait(options?: WaitOptions): Promise<void>;
     /** Call it when there is a server. `timeout` is 5000 by default. */
     call(request?: Sent<Request>, options?: WaitOptions): Promise<Response>;
-    /** Serve it, until the function that this returns is called. */
+    /**
+     * Serve it, until the function that this returns is called. If `answer` throws, or its response does not fit the type,
+     * the client gets no response.
+     */
     serve(answer: (request: Request) => Sent<Response> | Promise<Sent<Response>>): () => void;
   }
 
@@ -101,7 +104,7 @@ declare module "sitegen" {
     send(request?: Sent<Request>, options?: WaitOptions): Promise<Goal<Feedback, Result>>;
     /**
      * Serve it: `execute` returns the result, or is an async generator that yields feedback and returns the result. A goal
-     * whose `signal` was aborted is canceled, one that throws is aborted.
+     * whose `signal` was aborted is canceled, one that throws or sends what does not fit the type is aborted.
      */
     serve(
       execute: (task: Task<Request, Feedback>) => Sent<Result> | Promise<Sent<Result>> |
@@ -162,8 +165,9 @@ declare module "sitegen" {
     frames(): string[];
     /** Where the frame `source` is in the frame `target`, if that is known now. */
     latest(target: string, source: string): Transform | undefined;
-    /** The same, as soon as it is known; at a `time` in s, interpolated. */
-    lookup(target: string, source: string, options?: WaitOptions & { time?: number }): Promise<Transform>;
+    /** The same, as soon as it is known; at a `time` in s or as in a header, interpolated. */
+    lookup(target: string, source: string, options?: WaitOptions & { time?: number | { sec: number, nanosec: number } }):
+      Promise<Transform>;
     follow(target: string, source: string, options?: { signal?: AbortSignal }): Stream<Transform>;
   }
 }

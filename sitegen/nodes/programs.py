@@ -107,12 +107,11 @@ def jobs_of(site: Site, nodes: Sequence[Node], *, cache: Path) -> list[Job]:
     for node in nodes:
         if isinstance(node.kind, Container):
             made = containers.package(node.executable, node.kind, site.packages, cache)
-            needed = (workspace.with_dependencies(site.packages, name) for name in made.depends)
-            needs = {package.name: package for each in needed for package in each}
-            jobs.append(Job(made, (node.executable,), tuple(needs.values())))
+            *before, package = workspace.with_plugins(site.packages, made)
+            jobs.append(Job(package, (node.executable,), tuple(before)))
         elif isinstance(node.kind, Cpp):
             executables.setdefault(node.package, []).append(node.executable)
     for name, wanted in executables.items():
-        *before, package = workspace.with_plugins(site.packages, name)
+        *before, package = workspace.with_plugins(site.packages, site.packages[name])
         jobs.append(Job(package, tuple(wanted), tuple(before)))
     return jobs

@@ -34,19 +34,19 @@ def with_dependencies(packages: Mapping[str, Package], name: str) -> list[Packag
         raise SiteError([f"package.xml of '{cycle[0]}': {message}; remove one <depend>"]) from None
 
 
-def with_plugins(packages: Mapping[str, Package], name: str) -> list[Package]:
-    """Return the package `name` after all packages that its programs are made of.
+def with_plugins(packages: Mapping[str, Package], package: Package) -> list[Package]:
+    """Return `package` after all packages that its programs are made of.
 
     These are the packages that it depends on and, if it may load plugins, the packages that have
     plugins for any of these or for itself, and those that have plugins for such plugins. Packages
     with plugins for it depend on it, so it is also built as one of their dependencies.
     """
-    *before, package = with_dependencies(packages, name)
-    needs = {each.name: each for each in before}
+    before = (with_dependencies(packages, name) for name in package.depends)
+    needs = {each.name: each for one in before for each in one}
     linked: list[str] = []
 
     def more() -> Iterator[str]:
-        known = {name, *needs}
+        known = {package.name, *needs}
         bases = known if PLUGINS in known else {*needs} & {*TREES}
         for each in packages.values():
             if each.name not in known and bases & {*each.plugins}:

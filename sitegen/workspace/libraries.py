@@ -111,11 +111,7 @@ UNAVAILABLE = (
     Library("GTSAM", "gtsam", {"GTSAM": "gtsam"}, "4.2.0"),
     Library("glog", "glog", _each("glog Glog GLOG", "glog::glog"), "0.6.0"),
     Library("gflags", "gflags", _each("gflags GFlags", "gflags")),
-    Library(
-        "GraphicsMagick",
-        r"Magick\+\+.*|GraphicsMagick|magick",
-        _each("GRAPHICSMAGICKCPP GraphicsMagick ImageMagick", ""),
-    ),
+    Library("ImageMagick", r"ImageMagick.*|MagickCore|MagickWand", {"ImageMagick": ""}),
     Library(
         "ZeroMQ",
         r"zmq.*",
@@ -239,8 +235,8 @@ HEADER_ONLY = (
         "0.24.3",
         "apt-get install libxtensor-dev",
         ("xtensor/xtensor_config.hpp", "xtensor/core/xtensor_config.hpp"),
-        # Before version 9.1, xsimd has no instructions of WebAssembly.
-        options=("-UXTENSOR_USE_XSIMD",),
+        # Before version 9.1, xsimd has no instructions of WebAssembly; the compiler knows them.
+        options=("-UXTENSOR_USE_XSIMD", "-mvectors"),
     ),
     Library(
         "xsimd",
@@ -267,9 +263,10 @@ class Compiled:
 
     `package` is the package that comes with sitegen and compiles it; a package of the workspace
     with this name takes precedence. `source` is Debian's name of the source, `parts` are the
-    folders and files in it that are needed. `headers` is a regular expression for the first part
-    of the paths of its headers. `names` are other ones, by which find_package(), pkg-config or
-    rosdep know it. `licence` is a part with its licence that is not named so.
+    folders and files in it that are needed; names of files can be patterns. `headers` is a regular
+    expression for the first part of the paths of its headers. `names` are other ones, by which
+    find_package(), pkg-config or rosdep know it. `licence` is a part with its licence that is not
+    named so.
     """
 
     package: str
@@ -333,6 +330,31 @@ COMPILED = (
     ),
     Compiled(
         "urdfdom", "urdfdom", ("urdf_parser",), "urdf_parser", ("urdf_parser", "liburdfdom-dev")
+    ),
+    Compiled(
+        "zlib",
+        "zlib",
+        ("*.c", "*.h", "README"),
+        r"z(lib|conf)\.h",
+        ("ZLIB", "z", "zlib1g-dev"),
+        "README",
+    ),
+    Compiled(
+        "libpng",
+        "libpng1.6",
+        ("*.c", "*.h", "scripts/pnglibconf.h.prebuilt"),
+        r"png(conf)?\.h",
+        ("PNG", "png", "png16", "libpng16", "libpng-dev"),
+    ),
+    Compiled(
+        "graphicsmagick",
+        "graphicsmagick",
+        ("Magick++/lib", "coders", "filters", "magick", "version.sh"),
+        r"Magick\+\+(\.h)?|GraphicsMagick|magick",
+        (
+            *("GRAPHICSMAGICKCPP", "GraphicsMagick", "GraphicsMagick++"),
+            *("libgraphicsmagick1-dev", "libgraphicsmagick++1-dev"),
+        ),
     ),
 )
 

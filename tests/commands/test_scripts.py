@@ -38,7 +38,7 @@ const { sum } = await ros.service("/add", "example_interfaces/srv/AddTwoInts").c
 const checked = sum;
 const goal = await ros.action("/f", "example_interfaces/action/Fibonacci").send({ order: 3 });
 for await (const { sequence } of goal.feedback()) console.log(sequence[0], checked);
-const { translation } = await ros.tf.lookup("world", "map");
+const { translation } = await ros.tf.lookup("world", "map", { time: { sec: 1, nanosec: 0 } });
 export default [translation.x, (await goal.result()).sequence, transportFactory];
 """
 WRONG = {

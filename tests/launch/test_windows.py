@@ -101,6 +101,37 @@ def test_a_window_may_have_no_arguments(tmp_path: Path, site: Site) -> None:
     assert widgets(config.load(tmp_path / "site.yaml")) == {"3d": {}}
 
 
+@pytest.mark.parametrize(("count", "is_staged"), [(3, False), (4, True)])
+def test_a_view_of_many_nodes_is_on_a_stage(
+    tmp_path: Path, site: Site, count: int, is_staged: bool
+) -> None:
+    nodes = "".join(
+        f"- node: {{pkg: robot_state_publisher, exec: robot_state_publisher, name: n{number}}}\n"
+        for number in range(count)
+    )
+    file = tmp_path / "src/mine/all.launch.yaml"
+    file.write_text(f"launch:\n{nodes}- node: {{pkg: rviz2, exec: rviz2}}\n")
+    found = config.load(tmp_path / "site.yaml").pages[0].content
+    kinds = [part.kind for part in found if isinstance(part, Layout | Widget)]
+    assert kinds == (["stage"] if is_staged else ["3d", *["buttons", "console"] * count])
+    if is_staged:
+        stage = found[0]
+        assert isinstance(stage, Layout)
+        assert [cell.title for cell in stage.cells] == ["nodes", "show", "beside"]
+        assert [len(cell.content) for cell in stage.cells] == [4, 1, 4]
+
+
+def test_a_view_from_above_shows_what_the_window_of_rviz_showed(tmp_path: Path, site: Site) -> None:
+    view = """
+  Views: {Current: {Class: rviz_default_plugins/TopDownOrtho, Scale: 54, X: -5, Y: 1}}
+"""
+    for geometry, metres in (("", 600 / 54), ("Window Geometry: {Height: 900}\n", 15)):
+        (tmp_path / "src/mine/view.rviz").write_text(VIEW + view + geometry)
+        found = widgets(config.load(tmp_path / "site.yaml"))["3d"]["view"]
+        assert found["target"] == [-5, 1, 0]
+        assert 2 / found["zoom"] == pytest.approx(metres)
+
+
 def test_the_demos_are_what_they_say() -> None:
     rover = widgets(config.load(ROOT / "demos/demo11/site.yaml"))
     assert list(rover)[:4] == ["3d", "teleop", "plot", "log"]

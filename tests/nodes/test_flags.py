@@ -15,6 +15,7 @@ from sitegen.nodes.cpp.flags import translated
         ("-std=c++20 -std=c++23 -std=gnu++23", "-std=c++20 -std=c++2b -std=gnu++2b"),
         ("-march=native -mtune=native -mavx2 -msse4.2 -mfpu=neon -m64 -mfma -c", "-c"),
         ("-msimd128 -msse4.2 -mavx", "-msimd128 -msse4.2 -mavx"),
+        ("-mvectors -msse4.2 -mavx", "-msimd128"),
         ("-mllvm -disable-lsr -mbulk-memory", "-mllvm -disable-lsr -mbulk-memory"),
         ("-Werror -Werror=return-type -Wall -pedantic-errors -fcf-protection=full", "-Wall"),
         ("-lstdc++fs -latomic -lm -lmine -lgcc_s", "-lm -lmine"),

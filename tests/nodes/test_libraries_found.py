@@ -49,14 +49,16 @@ def test_configuring_again_in_a_build_has_the_same_environment(packages: Configu
     assert packages.compile("one", "one") == ""
 
 
-def test_xtensor_does_without_xsimd(packages: Configuring) -> None:
+def test_xtensor_uses_the_vectors_of_webassembly_and_not_xsimd(packages: Configuring) -> None:
     packages.package(
         "one",
-        "add_definitions(-DXTENSOR_USE_XSIMD)\n"
+        "add_definitions(-DXTENSOR_USE_XSIMD)\nadd_compile_options(-mavx2 -mfma)\n"
         "find_package(xtensor REQUIRED)\nfind_package(xsimd REQUIRED)\n"
         "add_executable(one src/main.cpp)\n"
         "target_link_libraries(one xtensor xtensor::use_xsimd)",
-        main="#ifdef XTENSOR_USE_XSIMD\n#error with xsimd\n#endif\nint main() {}\n",
+        main="#ifdef XTENSOR_USE_XSIMD\n#error with xsimd\n#endif\n"
+        "#if !defined(__wasm_simd128__) || defined(__SSE__)\n#error other vectors\n#endif\n"
+        "int main() {}\n",
     )
     assert packages.configure("one") == ""
     assert packages.compile("one", "one") == ""

@@ -22,10 +22,20 @@ Types: deb
 URIs: http://example.org/debian
 Suites: bookworm bookworm-updates
 """
+SECURITY = """\
+Types: deb
+URIs: http://example.org/debian-security
+Suites: bookworm-security
+
+Types: deb
+URIs: http://example.org/ubuntu
+Suites: noble noble-updates noble-security
+"""
 UBUNTU = """\
 # See the manual.
 deb [arch=amd64] http://example.org/ubuntu jammy main
 deb-src http://example.org/ubuntu jammy main
+deb http://security.example.org/ubuntu jammy-security main
 """
 
 
@@ -35,7 +45,7 @@ def test_the_archive_of_debian_has_all_of_them(tmp_path: Path) -> None:
     for package, one in zip(packages, COMPILED, strict=True):
         (folder,) = found.of(package)
         found.check(package)
-        assert all((folder / part).exists() for part in one.parts)
+        assert all([*folder.glob(part)] for part in one.parts if part != ".")
         assert (folder / "version.txt").read_text()[0].isdecimal()
     said = io.StringIO()
     licences = [each.path.split("/")[2] for each in licences_of(packages, found, Report(said))]
@@ -57,6 +67,16 @@ def test_archives_of_programs_become_those_of_sources() -> None:
     assert list(sources._with_sources(UBUNTU)) == [
         "# See the manual.",
         "deb-src [arch=amd64] http://example.org/ubuntu jammy main",
+        "",
+    ]
+
+
+def test_archives_of_security_updates_are_left_out() -> None:
+    assert list(sources._with_sources(SECURITY)) == [
+        "Types: deb-src",
+        "URIs: http://example.org/ubuntu",
+        "Suites: noble noble-updates",
+        "",
     ]
 
 
@@ -79,14 +99,17 @@ def test_a_source_that_cannot_be_downloaded_is_told(
 def test_only_what_is_needed_is_unpacked(tmp_path: Path) -> None:
     archive = tmp_path / "library_1.0.orig.tar.gz"
     with tarfile.open(archive, "w:gz") as written:
-        for name in ("src/a.cpp", "test/b.cpp", "COPYING", "src/../../c.cpp", "/src/d.cpp"):
+        for name in (
+            *("src/a.cpp", "test/b.cpp", "COPYING", "src/../../c.cpp", "/src/d.cpp", "src/LICENSE"),
+            *("e.c", "f.c.in", "test/g.c", "test/LICENSE"),
+        ):
             entry = tarfile.TarInfo(f"library-1.0/{name}")
             entry.size = 1
             written.addfile(entry, io.BytesIO(b"x"))
         link = tarfile.TarInfo("library-1.0/src/link.cpp")
         link.type, link.linkname = tarfile.SYMTYPE, "/etc/passwd"
         written.addfile(link)
-    sources._unpack(archive, ("src",), tmp_path / "unpacked")
+    sources._unpack(archive, ("src", "*.c"), tmp_path / "unpacked")
     files = [file for file in tmp_path.rglob("*") if file.is_file() and file != archive]
     names = [file.relative_to(tmp_path / "unpacked").as_posix() for file in files]
-    assert sorted(names) == ["COPYING", "src/a.cpp", "src/d.cpp"]
+    assert sorted(names) == ["COPYING", "e.c", "src/LICENSE", "src/a.cpp", "src/d.cpp"]

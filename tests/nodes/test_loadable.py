@@ -155,3 +155,42 @@ def test_libraries_with_copies_of_a_source_are_linked(workspace: Workspace, is_l
     content = program.read_bytes()
     assert b"this is one" in content
     assert b"this is two" in content
+
+
+@pytest.mark.parametrize("is_long", [False, True])
+def test_libraries_with_copies_of_a_function_are_linked(
+    workspace: Workspace, is_long: bool
+) -> None:
+    """As shared libraries, each has its own, such as one in a header that is not inline."""
+    force = "set(CMAKE_NINJA_FORCE_RESPONSE_FILE ON)" if is_long else ""
+    workspace.package(
+        "parts",
+        f"""\
+        {force}
+        add_library(one SHARED src/one.cpp)
+        add_library(two SHARED src/two.cpp)
+        add_executable(main src/main.cpp)
+        target_link_libraries(main -Wl,--whole-archive one -Wl,--no-whole-archive two)
+        """,
+        main="int one();\nint two();\nint main() {return one() + two();}\n",
+    )
+    workspace.write(
+        "src/parts/src/check.hpp", "bool check(int x) {return x > 0;}\nint calls = 0;\n"
+    )
+    for name in ("one", "two"):
+        workspace.write(
+            f"src/parts/src/{name}.cpp",
+            f'#include "check.hpp"\nint {name}() {{return check(++calls);}}\n',
+        )
+    workspace.site("parts/main")
+    assert workspace.build() == ["parts/main"]
+
+
+def test_two_sources_of_a_program_with_one_function_are_an_error(workspace: Workspace) -> None:
+    workspace.package(
+        "parts", "add_executable(main src/main.cpp src/part.cpp)\n", main="int main() {return 0;}\n"
+    )
+    workspace.write("src/parts/src/part.cpp", "int main() {return 1;}\n")
+    workspace.site("parts/main")
+    [problem] = workspace.problems()
+    assert "duplicate symbol: main" in problem

@@ -94,7 +94,7 @@ def test_a_program_needs_what_its_modules_import_and_cannot_do_without(site: Pat
 
 
 def test_what_is_missing_is_named_when_the_site_is_built(site: Path, tmp_path: Path) -> None:
-    program = "import rclpy, numpy\nimport nowhere\nimport cachetools, yaml\nnumpy.dot"
+    program = "import rclpy, numpy\nimport nowhere\nimport cachetools, yaml\nnumpy.cross"
     write(site, {"run.py": program})
     advice = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
     assert problems(site, tmp_path) == [

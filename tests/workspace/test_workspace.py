@@ -318,13 +318,13 @@ def test_programs_are_linked_with_plugins_of_packages_that_need_theirs(tmp_path:
             },
         )
     )
-    *needs, base = with_plugins(packages, "base")
+    *needs, base = with_plugins(packages, packages["base"])
     assert base.linked == ("square",)
     assert [package.name for package in needs] == ["pluginlib", "sides", "base", "square"]
     assert not needs[1].linked
-    *needs, other = with_plugins(packages, "other")
+    *needs, other = with_plugins(packages, packages["other"])
     assert other.linked == ("square",)
-    *needs, plugins = with_plugins(packages, "square")
+    *needs, plugins = with_plugins(packages, packages["square"])
     assert plugins.linked == ()
 
 
@@ -349,11 +349,11 @@ endforeach()
             },
         )
     )
-    *needs, robot = with_plugins(packages, "robot")
+    *needs, robot = with_plugins(packages, packages["robot"])
     assert robot.linked == ("leaves",)
     assert [package.name for package in needs] == ["behaviortree_cpp_v3", "leaves"]
     for name in ("other", "behaviortree_cpp_v3"):
-        assert with_plugins(packages, name)[-1].linked == ()
+        assert with_plugins(packages, packages[name])[-1].linked == ()
 
 
 def test_programs_are_linked_with_plugins_of_plugins(tmp_path: Path) -> None:
@@ -372,7 +372,7 @@ def test_programs_are_linked_with_plugins_of_plugins(tmp_path: Path) -> None:
             },
         )
     )
-    *needs, base = with_plugins(packages, "base")
+    *needs, base = with_plugins(packages, packages["base"])
     assert base.linked == ("local", "critics")
     assert [package.name for package in needs] == ["pluginlib", "base", "local", "critics"]
 

@@ -1,4 +1,7 @@
-"""The part of numpy that pages have by themselves: small arrays, and functions of numbers."""
+"""The part of numpy that pages have by themselves.
+
+It has small arrays, functions of numbers, and matrices of transforms.
+"""
 
 from rclpy_backend.arrays.fixed_array import *  # noqa: F403
 from rclpy_backend.arrays.fixed_array import int8 as int8
@@ -10,4 +13,5 @@ from rclpy_backend.arrays.fixed_array import uint16 as uint16
 from rclpy_backend.arrays.fixed_array import uint32 as uint32
 from rclpy_backend.arrays.fixed_array import uint64 as uint64
 
+from .matrices import *  # noqa: F403
 from .numbers import *  # noqa: F403

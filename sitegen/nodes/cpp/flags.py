@@ -19,6 +19,8 @@ SAME = {
     "-Ofast": ["-O3", "-ffast-math"],
     "-std=c++23": ["-std=c++2b"],
     "-std=gnu++23": ["-std=gnu++2b"],
+    # Of a library (workspace/libraries.py): without the instructions of other processors.
+    "-mvectors": ["-msimd128"],
 }
 # Warnings as errors: em++ warns of more than the compiler that the author knows, which is no error
 # of the program. Processors: all options but those of WebAssembly. Libraries of g++ and of glibc
@@ -52,8 +54,10 @@ def translated(words: Sequence[str]) -> Iterator[str]:
             yield from _linking(word.split(",")[1:])
         elif vectors and word.startswith("-m"):
             yield word
+        elif word in SAME:
+            yield from SAME[word]
         elif not DROPPED.match(word):
-            yield from SAME.get(word, [word])
+            yield word
 
 
 def _linking(options: Sequence[str]) -> Iterator[str]:

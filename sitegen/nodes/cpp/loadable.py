@@ -1,12 +1,14 @@
-"""Link a program that finds functions of its libraries by name, with dlopen() and dlsym().
+"""Link what are shared libraries on a robot into one program.
 
 CMake runs this in front of each command that links a program, as a separate program:
-`python loadable.py PACKAGES COMMAND...`. All libraries are linked into the program, and WebAssembly
-has no names in it. So the C functions and variables of the libraries that packages build below the
-folder PACKAGES get into a table (src/platform/dynamic.cpp reads it). Libraries with plugins have
-functions of the same name, or copies of what others contain: each gets a name of its library, which
-other files of this library use. The one that is linked first also keeps the name in its source, as
-on a robot.
+`python loadable.py PACKAGES COMMAND...`. Libraries that packages build below the folder PACKAGES
+may have functions of the same name, such as those of plugins, or copies of what others contain,
+such as functions in a header that are not inline: each gets a name of its library, which other
+files of this library use. The one that is linked first also keeps the name in its source, as on a
+robot.
+
+A program that finds functions by name, with dlopen() and dlsym(), has no names in WebAssembly. So
+the C functions and variables of its libraries get into a table (src/platform/dynamic.cpp reads it).
 """
 
 from __future__ import annotations
@@ -27,9 +29,12 @@ if __name__ == "__main__":
 
 from sitegen.nodes.cpp.flags import translated
 from sitegen.nodes.cpp.objectfile import Object, members
+from sitegen.workspace.libraries import COMPILED_BY
 
 # The functions that ask for others, as they are in the imports of an object file.
 ASKS = re.compile(rb"dlopen|dlsym|rcutils_load_shared_library")
+# What the linker says of what several files define.
+DUPLICATE = b"duplicate symbol: "
 ARCHIVE = re.compile(r"(?:-Wl,--whole-archive,)?([^,]+\.(?:a|so))(?:,--no-whole-archive)?$")
 
 TABLE = """\
@@ -92,45 +97,69 @@ def _table(libraries: Iterable[Library]) -> str:
     return TABLE.format(declarations="\n".join(declarations), entries="\n".join(entries))
 
 
-def with_table(command: Sequence[str], packages: Path) -> list[str]:
-    """Return a command that links a program with its table, which is compiled here.
+def with_own_names(command: Sequence[str], packages: Path, *, opens: bool) -> list[str]:
+    """Return a command that links libraries with names of their own.
 
-    In place of a library with C functions, or one that is linked as a whole, the command has all
-    object files of it.
+    For a program that `opens` libraries, it has a table, which is compiled here, and all object
+    files of libraries with C functions and of those that are linked as a whole.
     """
-    output = Path(command[command.index("-o") + 1])
-    folder = Path("CMakeFiles", f"{output.stem}.dlopen")
+    folder = Path("CMakeFiles", f"{_output(command).stem}.dlopen")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     paths = {word: path for word in command if (path := _library(word, packages))}
     libraries = read_libraries(paths.values())
     whole = {path for word, path in paths.items() if word.startswith("-")}
-    opened = [one for one in libraries if one.declared or one.path in whole]
     own = [Object(Path(word).read_bytes(), "").names for word in command if word.endswith(".o")]
     count = Counter(name for names in (*own, *(one.names for one in libraries)) for name in names)
     copies = {name for name in count if count[name] > 1}
-    files = {one.path: one.write(folder, copies) for one in opened}
+    opened: dict[Path, list[str]] = {}
+    archives: dict[Path, str] = {}
+    for one in libraries:
+        if opens and (one.declared or one.path in whole):
+            opened[one.path] = one.write(folder, copies)
+        elif one.names & copies:
+            archives[one.path] = f"{folder / one.label}.a"
+            _archive(command[0], archives[one.path], one.write(folder, copies))
     words: list[str] = []
     for word in command:
         path = paths.get(word)
-        if path in files:
-            words += files[path]
-            files[path] = []  # the command may name the library again
+        if path in opened:
+            words += opened[path]
+            opened[path] = []  # the command may name the library again
+        elif path in archives:
+            words.append(word.replace(ARCHIVE.sub(r"\1", word), archives[path]))
         else:
             words.append(word)
+    return [*words, _compiled_table(command[0], libraries, folder)] if opens else words
+
+
+def _archive(compiler: str, path: str, files: Sequence[str]) -> None:
+    name = Path(compiler).name.replace("em++", "emar")
+    subprocess.run([Path(compiler).with_name(name), "rcs", path, *files], check=True)
+
+
+def _compiled_table(compiler: str, libraries: Iterable[Library], folder: Path) -> str:
     source, table = folder / "symbols.cpp", folder / "symbols.o"
     source.write_text(_table(libraries), encoding="utf-8")
     # Flags that the environment has are for the linker.
     environment = {name: value for name, value in os.environ.items() if name != "EMCC_CFLAGS"}
-    subprocess.run([command[0], "-c", source, "-o", table], check=True, env=environment)
-    return [*words, str(table)]
+    subprocess.run([compiler, "-c", source, "-o", table], check=True, env=environment)
+    return str(table)
+
+
+def _output(command: Sequence[str]) -> Path:
+    return Path(command[command.index("-o") + 1])
 
 
 def _library(word: str, packages: Path) -> Path | None:
     """Return the library of a package that a word of the command names."""
     found = ARCHIVE.match(word)
     path = Path(found[1]).resolve() if found else packages
-    return path if path.is_relative_to(packages) and path.is_file() else None
+    if not path.is_relative_to(packages) or not path.is_file():
+        return None
+    # Nobody opens the libraries that come with sitegen, and many of them have functions of C.
+    package = path.relative_to(packages).parts[0].rpartition("-")[0]
+    return None if package in COMPILED_BY.values() else path
 
 
 def _expanded(command: Sequence[str]) -> Iterator[str]:
@@ -150,12 +179,20 @@ def main(packages: str, *command: str) -> int:
     files = [Path(word) for word in words if word.endswith(".o")]
     files += filter(None, (_library(word, root) for word in words))
     if any(ASKS.search(path.read_bytes()) for path in files):
-        words = with_table(words, root)
+        words = with_own_names(words, root, opens=True)
+    done = _linked(words, is_long=is_long)
+    if done.returncode and DUPLICATE in done.stdout:
+        done = _linked(with_own_names(words, root, opens=False), is_long=is_long)
+    sys.stdout.buffer.write(done.stdout)
+    return done.returncode
+
+
+def _linked(words: list[str], *, is_long: bool) -> subprocess.CompletedProcess[bytes]:
     if is_long:
-        response = Path("CMakeFiles", f"{Path(words[words.index('-o') + 1]).stem}.linked.rsp")
+        response = Path("CMakeFiles", f"{_output(words).stem}.linked.rsp")
         response.write_text(shlex.join(words[1:]), encoding="utf-8")
-        words[1:] = [f"@{response.as_posix()}"]
-    return subprocess.run(words).returncode
+        words = [words[0], f"@{response.as_posix()}"]
+    return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import subprocess
 import tarfile
 import tempfile
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
 from filelock import FileLock
@@ -127,24 +128,45 @@ def _download(source: str, folder: Path) -> Path:
 
 
 def _with_sources(text: str) -> Iterator[str]:
-    """Yield the lines of a list of archives, changed from programs to sources."""
-    for line in text.splitlines():
+    """Yield the lines of a list of archives, changed from programs to sources.
+
+    Those with security updates are left out: the updates are patches, and the archives of
+    upstream's source are those of the release.
+    """
+    for entry in re.split(r"\n[ \t]*\n", text):
+        lines = [*_of_release(entry)]
+        if not any(line.strip() == "Suites:" for line in lines):
+            yield from (*lines, "")
+
+
+def _of_release(entry: str) -> Iterator[str]:
+    for line in entry.splitlines():
         if re.match(r"(Types:|deb\s)", line):
-            yield re.sub(r"^Types:.*", "Types: deb-src", re.sub(r"^deb\s", "deb-src ", line))
+            if not (line.startswith("deb") and "security" in line):
+                yield re.sub(r"^Types:.*", "Types: deb-src", re.sub(r"^deb\s", "deb-src ", line))
+        elif line.startswith("Suites:"):
+            yield re.sub(r"\s+\S*security\S*", "", line)
         elif not line.startswith("deb-src"):
             yield line
 
 
+def _is_of(path: PurePosixPath, part: PurePosixPath) -> bool:
+    named = path.parent == part.parent and fnmatchcase(path.name, part.name)
+    return named or path.is_relative_to(part)
+
+
 def _unpack(archive: Path, parts: tuple[str, ...], place: Path) -> None:
-    """Unpack the folders and files `parts` of an archive, and its licences."""
+    """Unpack the folders and files `parts` of an archive, and their licences."""
+    wanted = [PurePosixPath(part) for part in parts]
+    above = {folder for part in wanted for folder in part.parents}
     place.mkdir()
     with tarfile.open(archive) as opened:
         for member in opened:
             path = PurePosixPath(*PurePosixPath(member.name).parts[1:])
-            wanted = any(path.is_relative_to(part) for part in parts)
             if not member.isfile() or ".." in path.parts:
                 continue
-            if wanted or LICENCE.fullmatch(path.name):
+            licence = path.parent in above and LICENCE.fullmatch(path.name)
+            if licence or any(_is_of(path, part) for part in wanted):
                 content = opened.extractfile(member)
                 assert content is not None  # it is a file
                 target = place / path

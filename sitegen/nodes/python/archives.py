@@ -164,7 +164,7 @@ def bundle(
     archives = {COMMON: archived(bytecode.added(common))}
     archives |= {arrays.PATH: archived(arrays.module())} if small else {}
     for package, executable in sorted(small):
-        report.say(f"{package}/{executable}: no numpy; arrays do not support arithmetic")
+        report.say(f"{package}/{executable}: no numpy, but the part of it that comes with sitegen")
     for name in names:
         # A prompt depends on the whole workspace, whose files may be many.
         depends = needs[name] if name != workspace.SITEGEN else []
@@ -228,7 +228,10 @@ def _wanted(
     there = _there(common)
     found = {}
     for package, executable in programs:
-        modules = imports.outside(*_program(needs[package], executable))
+        program = _program(needs[package], executable)
+        modules = imports.outside(*program)
+        if "numpy" not in modules and (use := arrays.of_transforms(*program)):
+            modules["numpy"] = use
         found[package, executable] = {
             name: path for name, path in modules.items() if name not in there
         }

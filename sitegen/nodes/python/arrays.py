@@ -6,6 +6,7 @@ import ast
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
+from sitegen.errors import Location
 from sitegen.nodes.python import imports
 from sitegen.shipped import CLIENTS
 
@@ -23,10 +24,23 @@ NUMBERS = CONSTANTS | {
     *("hypot", "isfinite", "isinf", "isnan", "log", "log10", "rad2deg", "radians", "sign"),
     *("sin", "sqrt", "tan"),
 }
-# The attributes of numpy's numbers that Python's lack.
+# With these, the arrays of a program are matrices.
+MATRICES = NUMBERS | {"dot", "eye", "identity", "matmul"}
+# The attributes of numpy's numbers that Python's lack, and of its arrays that matrices lack.
 OF_NUMBERS = {
     *("astype", "clip", "dtype", "flatten", "item", "mean", "ndim", "nbytes", "reshape", "round"),
     *("shape", "sum", "tobytes", "tolist", "transpose"),
+}
+OF_ARRAYS = {
+    *("all", "any", "argmax", "argmin", "astype", "clip", "dtype", "flatten", "item", "max"),
+    *("mean", "min", "nbytes", "ravel", "reshape", "round", "squeeze", "sum", "tobytes", "trace"),
+}
+# Functions of tf_transformations that return matrices or take them.
+TRANSFORMS = "tf_transformations"
+OF_TRANSFORMS = {
+    *("concatenate_matrices", "euler_from_matrix", "euler_matrix", "identity_matrix"),
+    *("inverse_matrix", "is_same_transform", "quaternion_from_matrix", "quaternion_matrix"),
+    *("rotation_matrix", "translation_from_matrix", "translation_matrix"),
 }
 SEQUENCES = (
     *(ast.List, ast.Tuple, ast.Set, ast.Dict, ast.ListComp, ast.GeneratorExp, ast.SetComp),
@@ -46,12 +60,27 @@ def enough(files: Mapping[str, Path], program: str) -> bool:
     `files` and `program` are those of `imports.outside()`.
     """
     names = imports.names_of("numpy", files, program)
-    if not (names <= ARRAYS or names <= NUMBERS):
+    kinds = ((ARRAYS, set[str]()), (NUMBERS, OF_NUMBERS), (MATRICES, OF_ARRAYS))
+    lacking = next((lacking for kind, lacking in kinds if names <= kind), None)
+    if lacking is None:
         return False
     trees = list(_trees(imports.own(files, program)))
     if not all(_fits(*call) for tree in trees for call in _calls(tree)):
         return False
-    return names <= ARRAYS or not any(_attributes(tree) & OF_NUMBERS for tree in trees)
+    return not any(_attributes(tree) & lacking for tree in trees)
+
+
+def of_transforms(files: Mapping[str, Path], program: str) -> imports.Import | None:
+    """Return where a program imports tf_transformations, if it uses its matrices.
+
+    `files` and `program` are those of `imports.outside()`.
+    """
+    if imports.names_of(TRANSFORMS, files, program) & OF_TRANSFORMS:
+        for file in imports.own(files, program):
+            for name, line, _ in imports.imported(file):
+                if name == TRANSFORMS:
+                    return imports.Import(Location(file, line), True)
+    return None
 
 
 def _trees(files: list[Path]) -> Iterator[ast.AST]:
@@ -96,7 +125,7 @@ def _calls(tree: ast.AST) -> Iterator[tuple[str, ast.Call]]:
 
 def _fits(name: str, call: ast.Call) -> bool:
     """Return whether sitegen's function takes the arguments of a call, as far as can be seen."""
-    if name in NUMBERS:
+    if name in MATRICES:
         return not call.keywords and not any(isinstance(one, SEQUENCES) for one in call.args)
     if name not in ("array", "empty", "zeros") or not call.args:
         return False

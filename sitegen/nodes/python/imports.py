@@ -109,8 +109,8 @@ def _sort(
 ) -> None:
     """Classify the imports of one module; the program's own modules are added to `waiting`."""
     package = name if file.name == "__init__.py" else name.rpartition(".")[0]
-    for imported, line, sure in _imports(file, package):
-        above = imported.split(".")
+    for module, line, sure in imported(file, package):
+        above = module.split(".")
         own = [".".join(above[: n + 1]) for n in range(len(above))]
         here = [each for each in own if each in modules]
         if above[0] in modules or here:
@@ -121,7 +121,7 @@ def _sort(
                 found[above[0]] = Import(Location(file, line), sure)
 
 
-def _imports(file: Path, package: str) -> Iterator[tuple[str, int, bool]]:
+def imported(file: Path, package: str = "") -> Iterator[tuple[str, int, bool]]:
     """Yield the full names of imported modules, their lines, and whether they always run.
 
     A name imported from a package may be a module or not.

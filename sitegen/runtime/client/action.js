@@ -57,14 +57,17 @@ export class Action {
    * @param {any} [request] @param {{timeout?: number, signal?: AbortSignal}} [options]
    */
   async send(request = {}, { timeout = 5000, signal } = {}) {
+    // A mistake is told at once if the type is known: there may be no server.
+    const checked = this.type && this.#read(this.type, "Goal", request);
     await this.wait({ timeout, signal });
     const client = this.#connected();
-    return new Goal(client, client.send(request));
+    return new Goal(client, client.send(checked || this.#read(this.type, "Goal", request)));
   }
 
   /**
    * Serve it. `execute` gets each goal, and returns its result or a promise of it, or is an async generator that yields
-   * feedback and returns the result. A goal whose `signal` was aborted by then is canceled; one that throws is aborted.
+   * feedback and returns the result. A goal whose `signal` was aborted by then is canceled; one that throws, or whose
+   * feedback or result does not fit the type, is aborted.
    * @param {(task: Task) => any} execute @param {{accept?: (request: any) => boolean,
    *   cancel?: (task: Task) => boolean}} [options] both may refuse
    * @returns {() => void} end
@@ -72,7 +75,7 @@ export class Action {
   serve(execute, { accept = () => true, cancel = () => true } = {}) {
     const { type } = this;
     if (!type) throw new Error(say("give {} a type: the graph has no such action", this.name));
-    this.#surroundings.check(`${type}_SendGoal_Request`);
+    this.#surroundings.check(this.name, type, "_SendGoal_Request");
     /** @type {Map<ServedGoal, {task: Task, abort: AbortController}>} */
     const running = new Map();
     const server = new ActionServer(this.#raw, this.name, type, {
@@ -86,11 +89,13 @@ export class Action {
       execute: async (goal) => {
         const abort = new AbortController();
         const { id, request } = goal;
-        const task = { id, request, signal: abort.signal, publish: goal.publish.bind(goal) };
+        const publish = (/** @type {any} */ feedback) => goal.publish(this.#read(type, "Feedback", feedback ?? {}));
+        const task = { id, request, signal: abort.signal, publish };
         running.set(goal, { task, abort });
         try {
-          const result = await resultOf(execute(task), goal);
-          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.succeeded, result ?? {});
+          const result = await resultOf(execute(task), publish);
+          const checked = this.#read(type, "Result", result ?? {});
+          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.succeeded, checked);
         } catch (error) {
           if (!abort.signal.aborted) console.error(error);
           goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.aborted, {});
@@ -104,6 +109,12 @@ export class Action {
     };
   }
 
+  /** @param {string} type @param {"Goal" | "Feedback" | "Result"} part @param {any} given */
+  #read(type, part, given) {
+    this.#surroundings.check(this.name, type, `_${part}`);
+    return this.#surroundings.checker.read(`${type}_${part}`, given, this.name);
+  }
+
   #connected() {
     if (this.#client) return this.#client;
     const ros = /** @type {Ros} */ (/** @type {unknown} */ ({
@@ -111,19 +122,29 @@ export class Action {
       call: this.#raw.call.bind(this.#raw),
     }));
     const client = new ActionClient(ros, this.name, this.type);
-    if (client.missing) throw new Error(say("this page has no definition of {}", client.missing));
+    if (client.missing) throw new Error(`${this.name}: ${say("this page has no definition of {}", client.missing)}`);
     client.watch();
+    // Goals are lost when the node is closed, and their feedback ends.
+    this.#surroundings.closed.addEventListener("abort", () => client.close());
     this.#client = client;
     return client;
   }
 }
 
-/** Return what `work` returns, and publish what it yields. @param {any} work @param {ServedGoal} goal */
-async function resultOf(work, goal) {
+/** Return what `work` returns, and publish what it yields. @param {any} work @param {(feedback: any) => void} publish */
+async function resultOf(work, publish) {
   if (typeof work?.next !== "function") return work;
-  for (;;) {
-    const { value, done } = await work.next();
-    if (done) return value;
-    goal.publish(value);
+  let step = await work.next();
+  while (!step.done) {
+    try {
+      publish(step.value);
+    } catch (error) {
+      if (!work.throw) throw error;
+      // It is the `yield` that fails, so that the generator can end what it has begun.
+      step = await work.throw(error);
+      continue;
+    }
+    step = await work.next();
   }
+  return step.value;
 }

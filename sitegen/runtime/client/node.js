@@ -26,7 +26,7 @@ export class Node {
     this.#surroundings = new Surroundings(ros);
     /** Empty for the page's own hidden node. */
     this.name = name;
-    this.tf = new Tf(raw);
+    this.tf = new Tf(raw, this.#surroundings);
   }
 
   /** The definitions of all interfaces, by name. */
@@ -97,7 +97,7 @@ export class Node {
       };
       look();
       return this.#surroundings.watch(look);
-    }, { most, signal });
+    }, { most, signal }, this.#surroundings.closed);
   }
 
   /** Another node of the page, with a name of its own. @param {string} name */
@@ -106,8 +106,10 @@ export class Node {
     return new Node(this.#ros, this.#ros.node(full), full);
   }
 
-  /** Leave the graph. The page's own hidden node stays. */
+  /** Leave the graph and end all streams. The page's own hidden node stays. */
   close() {
-    if (this.name) this.#raw.leave();
+    if (!this.name) return;
+    this.#surroundings.close();
+    this.#raw.leave();
   }
 }

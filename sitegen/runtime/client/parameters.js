@@ -77,7 +77,7 @@ export class Parameters {
         push({ name, value: plainParameter(value) });
       }
       for (const { name } of event.deleted_parameters) push({ name, value: undefined });
-    }, { reliable: true, depth: 1000 }), options);
+    }, { reliable: true, depth: 1000 }), options, this.#surroundings.closed);
   }
 
   /** @param {string[]} names @returns {Promise<any[]>} */

@@ -38,10 +38,12 @@ export class Service {
    * @returns {Promise<any>}
    */
   async call(request = {}, { timeout = 5000, signal } = {}) {
+    // A mistake is told at once if the type is known: there may be no server.
+    const checked = this.type && this.#read("_Request", request);
     await this.wait({ timeout, signal });
-    const { type } = this;
-    this.#surroundings.check(`${type}_Request`);
-    return this.#raw.call(this.name, type, request, timeout, signal);
+    const { closed } = this.#surroundings;
+    const ended = signal ? AbortSignal.any([signal, closed]) : closed;
+    return this.#raw.call(this.name, this.type, checked || this.#read("_Request", request), timeout, ended);
   }
 
   /** Resolve when a node serves it. @param {{timeout?: number, signal?: AbortSignal}} [options] */
@@ -51,15 +53,25 @@ export class Service {
   }
 
   /**
-   * Serve it: `answer` returns the response to a request, or a promise of it. If it throws, the client gets no response.
+   * Serve it: `answer` returns the response to a request, or a promise of it. If it throws, or what it returns does not
+   * fit the type, the client gets no response.
    * @param {(request: any) => any} answer @returns {() => void} end
    */
   serve(answer) {
     const { type } = this;
     if (!type) throw new Error(say("give {} a type: the graph has no such service", this.name));
-    this.#surroundings.check(`${type}_Request`);
+    this.#surroundings.check(this.name, type, "_Request");
     this.#end?.();
-    this.#end = this.#raw.serve(this.name, type, answer);
+    const { checker } = this.#surroundings;
+    this.#end = this.#raw.serve(this.name, type, async (request) =>
+      checker.read(`${type}_Response`, (await answer(request)) ?? {}, this.name));
     return this.#end;
+  }
+
+  /** @param {string} part of the type @param {any} given */
+  #read(part, given) {
+    const { type } = this;
+    this.#surroundings.check(this.name, type, part);
+    return this.#surroundings.checker.read(type + part, given, this.name);
   }
 }

@@ -10,22 +10,27 @@ export class Stream {
   /** @type {(() => void) | undefined} */
   #stop;
   #most;
+  /** @type {(AbortSignal | undefined)[]} */
+  #signals;
+  #aborted = () => this.#end(true);
   #ended = false;
 
   /**
    * @param {(push: (value: Value) => void, end: () => void) => () => void} begin called at once; returns what stops it
    * @param {{most?: number, signal?: AbortSignal}} [options] `most` is how many values are kept, 100 by default;
    *   `signal` ends the stream
+   * @param {AbortSignal} [closed] of the node, which ends it, too
    */
-  constructor(begin, { most = 100, signal } = {}) {
+  constructor(begin, { most = 100, signal } = {}, closed) {
     this.#most = most;
-    if (signal?.aborted) {
+    this.#signals = [signal, closed];
+    if (this.#signals.some((one) => one?.aborted)) {
       this.#ended = true;
       return;
     }
-    signal?.addEventListener("abort", () => this.#end(true), { once: true });
     this.#stop = begin((value) => this.#push(value), () => this.#end(false));
     if (this.#ended) this.#stop();
+    else for (const one of this.#signals) one?.addEventListener("abort", this.#aborted);
   }
 
   [Symbol.asyncIterator]() {
@@ -63,6 +68,8 @@ export class Stream {
     if (drop) this.#waiting = [];
     if (this.#ended) return;
     this.#ended = true;
+    // A signal may last much longer.
+    for (const one of this.#signals) one?.removeEventListener("abort", this.#aborted);
     this.#stop?.();
     for (const ask of this.#asking.splice(0)) ask({ value: undefined, done: true });
   }

@@ -1,16 +1,28 @@
 // @ts-check
 // What the graph of the page tells about names: their types, and when they come.
 
+import { Checker } from "../messages/checker.js";
 import { say } from "../ui/words.js";
 
 /** @import { Ros } from "../protocol.js" */
 
 export class Surroundings {
   #ros;
+  #closing = new AbortController();
+  /** What was told about topics. @type {Set<string>} */
+  #told = new Set();
+  /** Aborted when the node of the script is closed. */
+  closed = this.#closing.signal;
 
   /** @param {Ros} ros */
   constructor(ros) {
     this.#ros = ros;
+    this.checker = new Checker(ros.types);
+  }
+
+  /** End what waits for something. */
+  close() {
+    this.#closing.abort(new Error(say("closed")));
   }
 
   /**
@@ -38,9 +50,31 @@ export class Surroundings {
     return this.#ros.graph.services().find((one) => one.name === name)?.servers ?? [];
   }
 
-  /** Throw an Error if the page has no definition of a type. @param {string} type */
-  check(type) {
-    if (!this.#ros.types[type]) throw new Error(say("this page has no definition of {}", type));
+  /**
+   * Throw an Error if the page has no definition of a type.
+   * @param {string} name of what has the type @param {string} type @param {string} [part] of a service or an action
+   */
+  check(name, type, part = "") {
+    if (!this.#ros.types[type + part]) throw new Error(`${name}: ${say("this page has no definition of {}", type)}`);
+  }
+
+  /**
+   * Warn once if others use a topic with another type, now or later. As in ROS, that is no error, but nothing arrives.
+   * @param {string} name @param {string} type @returns {() => void} stop
+   */
+  compare(name, type) {
+    const key = `${name} ${type}`;
+    const stop = this.watch(() => look());
+    const look = () => {
+      const other = this.#ros.graph.endpoints().find((one) =>
+        (one.kind === "publisher" || one.kind === "subscription") && one.name === name && one.type !== type);
+      if (!other) return;
+      stop();
+      if (!this.#told.has(key)) console.warn(`${name} has the type ${other.type}, not ${type}, at ${other.node}`);
+      this.#told.add(key);
+    };
+    look();
+    return stop;
   }
 
   /**
@@ -85,17 +119,31 @@ export class Surroundings {
         clearTimeout(timer);
         stop();
         signal?.removeEventListener("abort", aborted);
+        this.closed.removeEventListener("abort", closed);
         settle();
       };
+      const closed = () => done(() => reject(this.closed.reason));
       signal?.addEventListener("abort", aborted);
+      this.closed.addEventListener("abort", closed);
       if (signal?.aborted) aborted();
+      else if (this.closed.aborted) closed();
       else look();
     });
   }
 
-  /** Call `changed` after changes of the graph. @param {() => void} changed @returns {() => void} stop */
+  /**
+   * Call `changed` after changes of the graph, until the node is closed.
+   * @param {() => void} changed @returns {() => void} stop
+   */
   watch(changed) {
-    this.#ros.graph.addEventListener("change", changed);
-    return () => this.#ros.graph.removeEventListener("change", changed);
+    const stop = () => {
+      this.#ros.graph.removeEventListener("change", changed);
+      this.closed.removeEventListener("abort", stop);
+    };
+    if (!this.closed.aborted) {
+      this.#ros.graph.addEventListener("change", changed);
+      this.closed.addEventListener("abort", stop);
+    }
+    return stop;
   }
 }

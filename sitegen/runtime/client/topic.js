@@ -14,6 +14,9 @@ export class Topic {
   #type;
   /** @type {Publisher | undefined} */
   #publisher;
+  /** What the publisher has. */
+  #published = "";
+  #stop = () => {};
   #qos;
 
   /**
@@ -41,11 +44,16 @@ export class Topic {
    */
   subscribe(callback, qos) {
     return this.#surroundings.whenTyped("topics", this.name, this.#type, (type) => {
-      this.#surroundings.check(type);
-      return adapted(this.#surroundings, this.name, { ...this.#qos, ...qos }, (best, isNew) =>
+      this.#surroundings.check(this.name, type);
+      const stop = this.#surroundings.compare(this.name, type);
+      const end = adapted(this.#surroundings, this.name, { ...this.#qos, ...qos }, (best, isNew) =>
         this.#raw.subscribe(this.name, type, (message, info) => {
           if (isNew(info)) callback(message, info);
         }, best));
+      return () => {
+        stop();
+        end();
+      };
     });
   }
 
@@ -55,7 +63,7 @@ export class Topic {
    *   come to, the newest `most` are kept
    */
   messages({ qos, ...options } = {}) {
-    return new Stream((push) => this.subscribe((message) => push(message), qos), options);
+    return new Stream((push) => this.subscribe((message) => push(message), qos), options, this.#surroundings.closed);
   }
 
   /** Resolve with the next message. @param {{signal?: AbortSignal}} [options] */
@@ -64,24 +72,43 @@ export class Topic {
     throw signal?.reason ?? new Error(say("closed"));
   }
 
-  /** Publish a message; the first one announces the publisher. @param {any} message */
+  /**
+   * Publish a message; the first one announces the publisher. What does not fit the type is an error.
+   * @param {any} message its fields, or all of it in CDR
+   */
   publish(message) {
-    this.advertise();
-    this.#publisher?.publish(message);
+    const type = this.#publisher ? this.#published : this.#known();
+    const bytes = message instanceof Uint8Array;
+    const checked = bytes ? message : this.#surroundings.checker.read(type, message, this.name);
+    this.#announce(type);
+    this.#publisher?.publish(checked);
   }
 
   /** Announce the publisher before its first message. */
   advertise() {
-    if (this.#publisher) return;
-    const { type } = this;
-    if (!type) throw new Error(say("give {} a type: the graph has no such topic", this.name));
-    this.#surroundings.check(type);
-    this.#publisher = this.#raw.advertise(this.name, type, this.#qos);
+    if (!this.#publisher) this.#announce(this.#known());
   }
 
   /** End the publisher. */
   unadvertise() {
+    this.#stop();
     this.#publisher?.close();
     this.#publisher = undefined;
+  }
+
+  /** Return the type, which the page has to know. */
+  #known() {
+    const { type } = this;
+    if (!type) throw new Error(say("give {} a type: the graph has no such topic", this.name));
+    this.#surroundings.check(this.name, type);
+    return type;
+  }
+
+  /** @param {string} type */
+  #announce(type) {
+    if (this.#publisher) return;
+    this.#published = type;
+    this.#stop = this.#surroundings.compare(this.name, type);
+    this.#publisher = this.#raw.advertise(this.name, type, this.#qos);
   }
 }

@@ -12,7 +12,7 @@ import { say } from "../ui/words.js";
 const TYPE = /^([^\s<[]+)(?:<=(\d+))?(\[(<=)?(\d*)\])?$/;
 
 /** The types of numbers, and of arrays of them. */
-const INTEGERS = {
+export const INTEGERS = {
   int8: Int8Array,
   uint8: Uint8Array,
   int16: Int16Array,
@@ -22,7 +22,7 @@ const INTEGERS = {
   int64: BigInt64Array,
   uint64: BigUint64Array,
 };
-const FLOATS = { float32: Float32Array, float64: Float64Array };
+export const FLOATS = { float32: Float32Array, float64: Float64Array };
 
 /** Parse a type, for example "string<=10[<=5]". @param {string} text @returns {FieldType} */
 export function parseFieldType(text) {

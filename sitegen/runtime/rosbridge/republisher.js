@@ -8,6 +8,7 @@ import { MOST_NAMES } from "./limits.js";
 import { STATUS } from "../client/actionServer.js";
 
 /** @import { PageNode } from "../protocol.js" */
+/** @import { Surroundings } from "../client/surroundings.js" */
 /** @import { Transform } from "../client/tf.js" */
 /** @import { Told } from "./actions.js" */
 
@@ -17,14 +18,16 @@ const [SLOWEST, FASTEST] = [0.1, 100];
 
 export class Republisher {
   #raw;
+  #surroundings;
   /** @type {Tf | undefined} */
   #tf;
   /** @type {Set<ReturnType<typeof setInterval>>} */
   #timers = new Set();
 
-  /** @param {PageNode} raw */
-  constructor(raw) {
+  /** @param {PageNode} raw @param {Surroundings} surroundings */
+  constructor(raw, surroundings) {
     this.#raw = raw;
+    this.#surroundings = surroundings;
   }
 
   /**
@@ -41,7 +44,7 @@ export class Republisher {
       throw new Mistake("a TF subscription needs source_frames, target_frame, angular_thres, trans_thres and rate");
     }
     if (this.#timers.size >= MOST) throw new Mistake("too many TF subscriptions");
-    const tf = (this.#tf ??= new Tf(this.#raw));
+    const tf = (this.#tf ??= new Tf(this.#raw, this.#surroundings));
     /** @type {Map<string, Transform>} */
     const sent = new Map();
     const look = () => {

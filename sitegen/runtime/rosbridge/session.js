@@ -39,7 +39,7 @@ export class Session {
     this.raw = ros.node(NODE);
     this.surroundings = new Surroundings(ros);
     this.values = new Values(this.raw.types);
-    this.republisher = new Republisher(this.raw);
+    this.republisher = new Republisher(this.raw, this.surroundings);
     this.actionlib = new Actionlib(this);
     this.rosapi = new Rosapi(this);
     this.topics = new Topics(this);
@@ -50,7 +50,7 @@ export class Session {
       set_level: (message) => this.#setLevel(message),
       fragment: (message) => {
         const whole = this.#fragments.add(message);
-        if (whole !== undefined) this.#handle(parsed(whole), true);
+        if (whole !== undefined) this.#take(whole, "fragment: ", message.id);
       },
       // There is nobody to convince.
       auth: () => {},
@@ -59,14 +59,7 @@ export class Session {
 
   /** Handle a message of the client: an object, or JSON. @param {unknown} message */
   receive(message) {
-    if (this.signal.aborted) return;
-    try {
-      this.#handle(typeof message === "string" ? parsed(message) : message, false);
-    } catch (error) {
-      const { id, op } = /** @type {any} */ (message) ?? {};
-      const known = error instanceof Mistake || typeof op === "string";
-      this.status("error", known ? textOf(error) : `the message could not be handled: ${textOf(error)}`, id);
-    }
+    if (!this.signal.aborted) this.#take(message);
   }
 
   /** @param {any} message @param {string} [compression] @param {unknown} [fragment] */
@@ -92,7 +85,22 @@ export class Session {
     this.topics.close();
     this.actions.close();
     this.republisher.close();
+    this.surroundings.close();
     this.raw.leave();
+  }
+
+  /** @param {unknown} given @param {string} [about] what it came in, if it came in parts @param {unknown} [id] of these */
+  #take(given, about = "", id) {
+    /** @type {any} */
+    let message = { id };
+    try {
+      message = typeof given === "string" ? parsed(given) : given;
+      this.#handle(message, about !== "");
+    } catch (error) {
+      const known = error instanceof Mistake || typeof message?.op === "string";
+      const text = known ? textOf(error) : `the message could not be handled: ${textOf(error)}`;
+      this.status("error", about + text, message?.id);
+    }
   }
 
   /** @param {any} message @param {boolean} inside whether it came in fragments */

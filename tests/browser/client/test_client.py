@@ -266,7 +266,7 @@ def test_mistakes_have_clear_errors(page: Page) -> None:
         "'/a b' is not a valid name in ROS",
         "give /new a type: the graph has no such topic",
         "'String' is not a valid type; write it like 'std_msgs/msg/String'",
-        "this page has no definition of no_msgs/msg/No",
+        "/new: this page has no definition of no_msgs/msg/No",
         "'std_msgs/msg/String' is not a valid type; write it like 'std_srvs/srv/SetBool'",
     ]
 

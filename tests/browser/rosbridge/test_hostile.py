@@ -102,6 +102,30 @@ def test_each_mistake_has_an_answer(page: Page) -> None:
     assert found == ["service_response  [object Object]"]
 
 
+def test_a_status_names_the_message_that_it_is_about(page: Page) -> None:
+    found = page.evaluate(
+        """async () => {
+          const told = [];
+          const socket = new rosbridge.RosbridgeSocket();
+          await new Promise((resolve) => { socket.onopen = resolve; });
+          socket.onmessage = ({ data }) => told.push(JSON.parse(data));
+          const inner = JSON.stringify({ op: "nonsense", id: "inner" });
+          const fragment = (id, data) => ({ op: "fragment", id, data, num: 0, total: 1 });
+          const sent = [
+            { op: "nonsense", id: "q1" }, { op: "nonsense", id: 7 }, { id: "q2" },
+            { op: "publish", id: "q3", topic: "/new" }, { op: "nonsense", id: {} }, "{",
+            { op: "subscribe", id: "q4", topic: "/" + "a".repeat(2000) },
+            fragment("f1", inner), fragment("f2", "{"),
+          ];
+          for (const one of sent) socket.send(typeof one === "string" ? one : JSON.stringify(one));
+          while (told.length < sent.length) await pause(1);
+          return told.map(({ op, id }) => [op, id ?? "none"]);
+        }"""
+    )
+    ids = ["q1", 7, "q2", "q3", "none", "none", "q4", "inner", "f2"]
+    assert found == [["status", one] for one in ids]
+
+
 def test_values_that_do_not_fit(page: Page) -> None:
     page.evaluate(ODD)
     found = page.evaluate(

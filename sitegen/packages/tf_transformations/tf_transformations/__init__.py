@@ -1,16 +1,30 @@
 """Functions on quaternions, which are lists of x, y, z, w; angles are in radians.
 
-Functions on matrices, which need numpy, are left out.
+Those on matrices need numpy, so they are loaded when a program uses one.
 """
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Sequence
+from typing import Any
 
 Numbers = Sequence[float]
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 DECOMPOSED = ("sxyz", "rzyx")
+# The build adds numpy for programs that use these.
+OF_MATRICES = {
+    *("concatenate_matrices", "euler_from_matrix", "euler_matrix", "identity_matrix"),
+    *("inverse_matrix", "is_same_transform", "quaternion_from_matrix", "quaternion_matrix"),
+    *("rotation_matrix", "translation_from_matrix", "translation_matrix"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in OF_MATRICES:
+        raise AttributeError(f"module 'tf_transformations' has no attribute '{name}'")
+    return getattr(importlib.import_module("tf_transformations.matrices"), name)
 
 
 def quaternion_about_axis(angle: float, axis: Numbers) -> list[float]:

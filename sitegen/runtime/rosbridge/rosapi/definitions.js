@@ -20,7 +20,7 @@ export const PARTS = /^(.+?)_((SendGoal_|GetResult_)?(Request|Response)|Goal|Res
  */
 export function typedefs(values, types, root) {
   return nested(values, root).map((type) => {
-    const fields = values.fieldsOf(type);
+    const fields = [...values.fieldsOf(type).values()];
     const constants = types[type]?.constants ?? [];
     return {
       type: short(type),
@@ -41,7 +41,7 @@ export function typedefs(values, types, root) {
 export function fullText(values, types, root) {
   const [own, ...others] = nested(values, root).map((type) => {
     const constants = (types[type]?.constants ?? []).map(({ type: kind, name, value }) => `${kind} ${name}=${value}`);
-    const fields = values.fieldsOf(type).map(({ name, written }) =>
+    const fields = Array.from(values.fieldsOf(type).values(), ({ name, written }) =>
       `${isMessage(written) ? short(written) : written} ${name}`);
     return { type, text: [...constants, ...fields].join("\n") };
   });
@@ -67,7 +67,7 @@ export function typeNamed(values, given) {
 function nested(values, root) {
   const found = new Set([root]);
   for (const type of found) { // the set grows during the loop
-    for (const { type: { base } } of values.fieldsOf(type)) if (isMessage(base)) found.add(base);
+    for (const { type: { base } } of values.fieldsOf(type).values()) if (isMessage(base)) found.add(base);
   }
   return [...found];
 }

@@ -143,13 +143,12 @@ QoSCheckCompatibleResult qos_check_compatible(
     offered.durability() == DurabilityPolicy::Volatile &&
     requested.durability() == DurabilityPolicy::TransientLocal,
     "Volatile publisher and transient local subscription");
-  const auto none = detail::kInfinite;
   const auto deadlines = std::make_pair(limit(offered.deadline()), limit(requested.deadline()));
   check(
-    deadlines.first == none && deadlines.second != none,
+    deadlines.first == detail::kInfinite && deadlines.second != detail::kInfinite,
     "Subscription has a deadline, but publisher does not");
   check(
-    deadlines.first != none && deadlines.second < deadlines.first,
+    deadlines.first != detail::kInfinite && deadlines.second < deadlines.first,
     "Subscription deadline is less than publisher deadline");
   check(
     offered.liveliness() == LivelinessPolicy::Automatic &&
@@ -158,10 +157,10 @@ QoSCheckCompatibleResult qos_check_compatible(
   const auto leases = std::make_pair(
     limit(offered.liveliness_lease_duration()), limit(requested.liveliness_lease_duration()));
   check(
-    leases.first == none && leases.second != none,
+    leases.first == detail::kInfinite && leases.second != detail::kInfinite,
     "Subscription has a liveliness lease duration, but publisher does not");
   check(
-    leases.first != none && leases.second < leases.first,
+    leases.first != detail::kInfinite && leases.second < leases.first,
     "Subscription liveliness lease duration is less than publisher");
   if (!reason.empty()) {return {QoSCompatibility::Error, reason};}
   reason = warnings(offered.get_rmw_qos_profile(), requested.get_rmw_qos_profile());

@@ -2,7 +2,9 @@
 #include <memory>
 #include <thread>
 
+#include "components/shape.hpp"
 #include "example_interfaces/action/fibonacci.hpp"
+#include "pluginlib/class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_action/rclcpp_action.hpp"
 #include "rclcpp_components/register_node_macro.hpp"
@@ -25,6 +27,10 @@ public:
       this, "fibonacci", std::bind(&FibonacciServer::handle_goal, this, _1, _2),
       std::bind(&FibonacciServer::handle_cancel, this, _1),
       std::bind(&FibonacciServer::handle_accepted, this, _1));
+    pluginlib::ClassLoader<Shape> shapes("components", "components::Shape");
+    for (const auto & name : shapes.getDeclaredClasses()) {
+      RCLCPP_INFO(rclcpp::get_logger("shapes"), "there is %s", name.c_str());
+    }
   }
 
 private:

@@ -1,4 +1,6 @@
 // Waits for transforms in each of the ways that there are.
+#include <Eigen/Core>  // comes with tf2_geometry_msgs
+
 #include <chrono>
 #include <memory>
 #include <string>

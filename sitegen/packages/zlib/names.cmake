@@ -1,0 +1,1 @@
+sitegen_named(ZLIB::ZLIB zlib::z)
