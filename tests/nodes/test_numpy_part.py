@@ -94,14 +94,14 @@ print([round(angle, 9) for angle in euler_from_matrix(euler_matrix(0.5, -0.25, 1
 # Text that numpy writes with and without exponents, on one line and on several.
 SHAPES = ((3,), (4, 4), (3, 3), (6, 6), (2, 8), (9,), (1, 1), (30,))
 NUMBERS: tuple[Callable[[random.Random], float], ...] = (
-    lambda any: any.uniform(-1, 1),
-    lambda any: any.choice([0.0, 1.0, -1.0]),
-    lambda any: any.uniform(-1, 1) * 10.0 ** any.randint(-160, 160),
-    lambda any: any.uniform(-1, 1) * 10.0 ** any.randint(-9, 9),
-    lambda any: round(any.uniform(-200, 200), 2),
-    lambda any: any.choice([0.0, -0.0, 6.123e-17, 1.0]),
-    lambda any: any.choice([math.inf, math.nan, -math.inf, 1.5, 2.25]),
-    lambda any: float(any.randint(-1000, 1000)),
+    lambda of: of.uniform(-1, 1),
+    lambda of: of.choice([0.0, 1.0, -1.0]),
+    lambda of: of.uniform(-1, 1) * 10.0 ** of.randint(-160, 160),
+    lambda of: of.uniform(-1, 1) * 10.0 ** of.randint(-9, 9),
+    lambda of: round(of.uniform(-200, 200), 2),
+    lambda of: of.choice([0.0, -0.0, 6.123e-17, 1.0]),
+    lambda of: of.choice([math.inf, math.nan, -math.inf, 1.5, 2.25]),
+    lambda of: float(of.randint(-1000, 1000)),
 )
 OF_ONE = sorted(arrays.NUMBERS - arrays.CONSTANTS - {"arctan2", "clip", "hypot"})
 
@@ -190,6 +190,11 @@ CALCULATED: tuple[Callable[[Any, Any, Any], Any], ...] = (
     lambda np, a, b: (2 * a + 1 - b / 4) * a[3],
     lambda np, a, b: -a.T[1:, :2] + [[1, 2], [3, 4], [5, 6]],
     lambda np, a, b: np.dot(a, 2) * 3.0,
+    lambda np, a, b: np.dot(a, [1.0, 2.0, 3.0, 1.0]),
+    lambda np, a, b: np.dot((1, 2, 3, 1), a) + a.dot([1, 0, 0, 2]),
+    lambda np, a, b: a @ [1, 2, 3, 1],
+    lambda np, a, b: [[1, 2, 3, 4]] @ b,
+    lambda np, a, b: np.matmul([1, 2, 3, 1], [b[0, 0], 1, 1, 1]),
     lambda np, a, b: a.copy().dot(b).transpose()[::-1, ::2],
     lambda np, a, b: 1 - a[-1, -1] * b[0][1],
     lambda np, a, b: list(a[1]) + a[2:].tolist() + [a.shape, a[0].shape, a.ndim, a.size, len(b)],
@@ -246,7 +251,7 @@ def test_what_numpy_refuses_is_refused(wrong: Callable[[Any, Any], Any]) -> None
         lambda a: a[a],
         lambda a: a == a,
         lambda a: a < 1,
-        lambda a: a @ [1, 2, 3, 4],
+        lambda a: a @ 2,
         lambda a: a + "1",
         lambda a: a + a[:, :1],
     ],

@@ -115,9 +115,8 @@ class Matrix:
         """Return the product of matrices, or that with a number."""
         return dot(self, other)
 
-    def __matmul__(self, other: object) -> Any:
-        if not isinstance(other, Matrix):
-            raise TypeError(f"'{type(other).__name__}' is no matrix: {ADVICE}")
+    def __matmul__(self, given: object) -> Any:
+        other = _matrix(given)
         rows = self if self.ndim == 2 else [self]
         columns = other.T if other.ndim == 2 else [other]
         inner, length = self.shape[-1], other.shape[0]
@@ -128,6 +127,9 @@ class Matrix:
         found = [_sum_of_products(row, column) for row in rows for column in columns]
         shape = self.shape[:-1] + other.shape[1:]
         return _made(found, shape) if shape else Number(found[0])
+
+    def __rmatmul__(self, given: object) -> Any:
+        return _matrix(given) @ self
 
     def __neg__(self) -> Matrix:
         return _made([-value for value in self._values()], self.shape)
@@ -187,13 +189,18 @@ def _number(value: object) -> float:
     return float(value)
 
 
+def _matrix(value: Any) -> Matrix:
+    if not isinstance(value, Matrix | list | tuple):
+        raise TypeError(f"'{type(value).__name__}' is no matrix: {ADVICE}")
+    return value if isinstance(value, Matrix) else matrix_of(value)
+
+
 def _spread(value: Any, shape: tuple[int, ...]) -> list[float]:
     """Return the numbers of a matrix, a row, lists or one number for each place of `shape`."""
     rows, columns = shape if len(shape) == 2 else (1, *shape)
-    given = value if isinstance(value, Matrix | list | tuple) else None
-    if given is None:
+    if not isinstance(value, Matrix | list | tuple):
         return [_number(value)] * (rows * columns)
-    matrix = given if isinstance(given, Matrix) else matrix_of(given)
+    matrix = _matrix(value)
     if matrix.shape == shape:
         return matrix._values()
     if matrix.ndim == 1 and matrix.shape == shape[1:]:
@@ -234,12 +241,13 @@ def identity(size: int) -> Matrix:
     return eye(size)
 
 
-def matmul(first: Matrix, second: Matrix) -> Any:
+def matmul(first: Any, second: Any) -> Any:
     """Return the product of matrices."""
-    return first @ second
+    return _matrix(first) @ second
 
 
 def dot(first: Any, second: Any) -> Any:
     """Return the product of matrices, or of a matrix and a number."""
-    both = isinstance(first, Matrix) and isinstance(second, Matrix)
-    return first @ second if both else first * second
+    if isinstance(first, int | float) or isinstance(second, int | float):
+        return first * second
+    return matmul(first, second)
