@@ -28,6 +28,7 @@ from bench import (
     python,
     rowe,
     scene,
+    scripts,
     terminals,
 )
 from bench.counts import FULL, SMALLEST, Counts
@@ -47,6 +48,7 @@ PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "large-bag": large_bag.large_bag,
     "scene": scene.scene,
     "start": pages.start,
+    "scripts": scripts.scripts,
     "terminal": terminals.terminals,
     "python": python.python,
     "notebooks": notebooks.notebooks,

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from statistics import median
 
-import brotli  # type: ignore[import-untyped]
+import brotli
 from playwright.sync_api import Browser
 
 from bench.browser import Progress, chromium, serving, serving_site

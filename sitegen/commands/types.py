@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
-from sitegen.build import make
+from sitegen.build import Made, make
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import SiteError, relative
 from sitegen.interfaces.catalogue import catalogue
@@ -15,6 +17,8 @@ from sitegen.report import Report
 from sitegen.site.ownpanels import KIND, uses_client
 
 NAME = "ros.d.ts"
+# How the files begin.
+MARK = "// Written by `sitegen types`"
 
 
 def write_types(folder: Path, report: Report) -> list[str]:
@@ -26,21 +30,7 @@ def write_types(folder: Path, report: Report) -> list[str]:
     Raises: SiteError if the site cannot be built, or has no such panel and no script.
     """
     made = make(folder, report, options=Options(draft=True, engines=("jspi",)))
-    found: dict[Path, dict[str, object]] = {}
-    for page in made.site.pages:
-        panels = [part for part in page.leaves if isinstance(part, Widget) and part.kind == KIND]
-        for panel in panels:
-            types = found.setdefault((made.site.root / str(panel.options["file"])).parent, {})
-            for node in page.nodes.values():
-                types |= made.programs[node.program].types(node)
-    scripts = {(made.site.root / page.script).parent for page in made.site.pages if page.script}
-    for page in made.site.pages:
-        panels = [part for part in page.leaves if isinstance(part, Widget) and part.kind == KIND]
-        modules = (made.site.root / str(panel.options["file"]) for panel in panels)
-        scripts |= {file.parent for file in modules if uses_client(file.read_bytes())}
-    for place in scripts:
-        all_types = catalogue(made.site, cache=cache_folder())
-        found[place] = {**found.get(place, {}), **all_types}
+    found = declared(made, lambda _: True)
     if not found:
         raise SiteError(
             [
@@ -48,12 +38,53 @@ def write_types(folder: Path, report: Report) -> list[str]:
                 "content, or 'script: scripts/mine.js' to the page"
             ]
         )
-    written = []
-    for place, types in sorted(found.items()):
-        files = {NAME: declarations(types)}  # type: ignore[arg-type]
-        if place in scripts:
-            files[CLIENT.name] = CLIENT.read_text(encoding="utf-8")
-        for name, text in files.items():
-            (place / name).write_text(text, encoding="utf-8")
-            written.append(relative(place / name, made.site.root))
-    return written
+    for file, text in found.items():
+        file.write_text(text, encoding="utf-8")
+    return [relative(file, made.site.root) for file in found]
+
+
+def outdated(made: Made) -> dict[Path, str]:
+    """Return the present text of each file that `write_types` wrote with another one before.
+
+    Raises: SiteError if definitions of the workspace are wrong.
+    """
+    found = declared(made, lambda file: _read(file).startswith(MARK))
+    return {file: text for file, text in found.items() if text != _read(file)}
+
+
+def declared(made: Made, wanted: Callable[[Path], bool]) -> dict[Path, str]:
+    """Return the text of those files with types for a site that are `wanted`.
+
+    Raises: SiteError if definitions of the workspace are wrong.
+    """
+    panels: dict[Path, dict[str, object]] = {}
+    pages = made.site.pages
+    scripts = {(made.site.root / name).parent for page in pages for name in page.scripts}
+    for page in pages:
+        for part in page.leaves:
+            if not isinstance(part, Widget) or part.kind != KIND:
+                continue
+            file = made.site.root / str(part.options["file"])
+            types = panels.setdefault(file.parent, {})
+            for node in page.nodes.values():
+                types |= made.programs[node.program].types(node)
+            if uses_client(file.read_bytes()):
+                scripts.add(file.parent)
+    everything = cache(lambda: catalogue(made.site, cache=cache_folder()))
+    texts = {}
+    for place in sorted({*panels, *scripts}):
+        if wanted(place / NAME):
+            own = panels.get(place, {})
+            types = {**own, **everything()} if place in scripts else own
+            texts[place / NAME] = declarations(types)  # type: ignore[arg-type]
+        if place in scripts and wanted(place / CLIENT.name):
+            texts[place / CLIENT.name] = CLIENT.read_text(encoding="utf-8")
+    return texts
+
+
+def _read(file: Path) -> str:
+    """Return the text of a file, or nothing if it cannot be read."""
+    try:
+        return file.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError):
+        return ""

@@ -53,8 +53,6 @@ def _fault(page: Page, other: Page | None, known: Mapping[str, Page], written: s
         mine = page.nodes.get(name)
         if mine and (mine.program, mine.location) != (node.program, node.location):
             return f"'{written}' and this page have different nodes '{name}'; rename one of them"
-    if page.script and other.script and page.script != other.script:
-        return f"'{written}' and this page have different scripts; keep one of them"
     if page.launch and other.launch:
         return f"'{written}' and this page have a launch file each; keep one of them"
     return ""
@@ -69,7 +67,7 @@ def _joined(page: Page, other: Page, lab: Widget) -> Page:
         page,
         content=tuple(_placed(content, shown, lab)),
         nodes={**other.nodes, **page.nodes},
-        script=page.script or other.script,
+        scripts=tuple(dict.fromkeys([*other.scripts, *page.scripts])),
         launch=page.launch or other.launch,
         connect=page.connect or other.connect,
     )

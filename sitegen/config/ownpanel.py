@@ -9,7 +9,7 @@ from pathlib import Path
 
 from sitegen.config.document import Value
 from sitegen.config.files import locate
-from sitegen.config.section import Section, check, conforms
+from sitegen.config.section import check, conforms
 from sitegen.config.widgetkeys import WIDGETS
 from sitegen.errors import Problems
 from sitegen.model import Widget
@@ -45,16 +45,22 @@ def own_panel(value: Value, problems: Problems, page: Path) -> Widget | None:
     return Widget(KIND, "", {"file": name, "title": title, "options": options}, value.location)
 
 
-def own_script(page: Section, problems: Problems, folder: Path) -> str:
-    """Return the path of the script of a page below the site's folder, or nothing."""
-    given = page.get("script")
-    file = locate(given, problems, page=folder) if given else None
-    if not given or not file:
-        return ""
-    if file.suffix not in SUFFIXES:
-        message = f"'{given.text}' is not a module; name a '.js' file"
-        problems.add(given.location, given.label, message)
-    return file.relative_to(problems.root.resolve()).as_posix()
+def own_scripts(
+    one: Value | None, several: Value | None, problems: Problems, folder: Path
+) -> tuple[str, ...]:
+    """Return the paths of the scripts of a page below the site's folder, each once.
+
+    They are the values of `script` and `scripts`.
+    """
+    found = []
+    for each in [*([one] if one else []), *(several.items() if several else [])]:
+        file = locate(each, problems, page=folder)
+        if file and file.suffix not in SUFFIXES:
+            message = f"'{each.text}' is not a module; name a '.js' file"
+            problems.add(each.location, each.label, message)
+        elif file:
+            found.append(file.relative_to(problems.root.resolve()).as_posix())
+    return tuple(dict.fromkeys(found))
 
 
 def data_of(value: Value, problems: Problems) -> object:

@@ -20,7 +20,7 @@ from sitegen.config.files import locate
 from sitegen.config.folder import files, in_language
 from sitegen.config.launchfile import LaunchFile
 from sitegen.config.nodes import Declared, declare, present
-from sitegen.config.ownpanel import own_script
+from sitegen.config.ownpanel import own_scripts
 from sitegen.config.paths import path_fault
 from sitegen.config.schema import FRONT_MATTER, PAGE
 from sitegen.config.section import Section, check
@@ -44,10 +44,10 @@ OF_ONE = (
 )
 
 # Keys that it can set for them.
-OF_ALL = ("layout", "theme", "start_from_links", "script", "connect")
+OF_ALL = ("layout", "theme", "start_from_links", "script", "scripts", "connect")
 
 # Keys of a page that its translations keep.
-KEPT = ("level", "nodes", "layout", "theme", "start_from_links", "script", "connect")
+KEPT = ("level", "nodes", "layout", "theme", "start_from_links", "script", "scripts", "connect")
 LAYOUTS = ("page", "dashboard")
 
 
@@ -217,9 +217,10 @@ class PageReader:
         shown = [name for widget in widgets for name in (widget.target, *widget.runs) if name]
         theme = _giver("theme", page, front)
         tags = _giver("tags", page, front).option("tags")
-        script = own_script(_giver("script", page, front), self.problems, folder)
-        # A script may use them without a widget.
-        scripted = own if script else []
+        one, several = (_giver(key, page, front).get(key) for key in ("script", "scripts"))
+        scripts = own_scripts(one, several, self.problems, folder)
+        # Scripts may use them without a widget.
+        scripted = own if scripts else []
         links = _giver("start_from_links", page, front)
         used = _with_needed([*started, *others, *shown, *scripted], nodes)
         return Page(
@@ -240,7 +241,7 @@ class PageReader:
             start_from_links=present(links.get("start_from_links"), used, self.problems),
             layout=self._layout(_giver("layout", page, front)),
             launch=launch.launch(others) if started else None,
-            script=script,
+            scripts=scripts,
             connect=joined,
         )
 

@@ -334,11 +334,17 @@ PAGE = (
         "[JavaScript module](javascript.md) that runs on the page",
         "script: scripts/drive.js",
     ),
+    Key(
+        "scripts",
+        "list of text",
+        "several of them, which run in order",
+        "scripts: [scripts/map.js, scripts/drive.js]",
+    ),
 )
 
 IN_FILE = (
     *("title", "description", "level", "nodes", "launch", "launch_arguments", "environment"),
-    *("tags", "date", "layout", "theme", "start_from_links", "script", "connect"),
+    *("tags", "date", "layout", "theme", "start_from_links", "script", "scripts", "connect"),
 )
 FRONT_MATTER = tuple(key for key in PAGE if key.name in IN_FILE)
 

@@ -19,6 +19,7 @@ from sitegen.config.files import locate
 from sitegen.config.look import look
 from sitegen.config.nav import NavReader
 from sitegen.config.nodes import Declared, check_package, declare, with_description, with_kind
+from sitegen.config.ownpanel import KIND as OWN
 from sitegen.config.page import PageReader
 from sitegen.config.pyodide import pyodide
 from sitegen.config.schema import FILE, PAGE, SITE
@@ -26,7 +27,7 @@ from sitegen.config.section import Section, check
 from sitegen.config.setupnotes import note_setups
 from sitegen.config.themes import Themes
 from sitegen.errors import Location, Problems, SiteError
-from sitegen.model import Package, Page, Site
+from sitegen.model import Package, Page, Site, Widget
 
 # A host name or an address, and a port.
 ORIGIN = re.compile(r"https?://([a-z0-9-]+(\.[a-z0-9-]+)*|\[[0-9a-f:]+\])(:[1-9]\d*)?", re.I)
@@ -82,7 +83,9 @@ def _site(file: Section, problems: Problems) -> Site:
     reader = PageReader(problems, declared, themes, languages, scanned, joined)
     pages = tuple(page for item in _page_items(file, problems) for page in reader.pages(item))
     pages = with_pages_beside(pages, problems)
-    packages = _packages(scanned, reader.declared, problems) if folder else {}
+    # Scripts and panels may use interfaces that no node does.
+    wanted = folder and (reader.declared or any(map(_has_modules, pages)))
+    packages = _packages(scanned, reader.declared, problems) if wanted else {}
     if settings:
         check_settings(settings, scanned(), problems)
     if folder and reader.declared:
@@ -212,13 +215,16 @@ def _workspace(file: Section, problems: Problems) -> Path | None:
     return None if file.value.has("workspace") else problems.root
 
 
+def _has_modules(page: Page) -> bool:
+    panels = (part for part in page.leaves if isinstance(part, Widget) and part.kind == OWN)
+    return bool(page.scripts) or any(panels)
+
+
 def _packages(
     scanned: Callable[[], Mapping[str, Package]],
     declared: Sequence[Declared],
     problems: Problems,
 ) -> Mapping[str, Package]:
-    if not declared:
-        return {}
     packages: Mapping[str, Package] = workspace.with_shipped(
         scanned(), (node.package for node, _ in declared)
     )

@@ -23,6 +23,8 @@ TYPES = {
     **{17: "string", 18: "wstring", 21: "string", 22: "wstring"},
 }
 BOUNDED = (21, 22)
+# A byte: a number as others, but of its own type in Python.
+OCTET = 16
 # The kind of array that a type number stands for, which is the number divided by 48.
 ARRAYS = ("", "[{}]", "[<={}]", "[]")
 # IDL has no empty messages: rosidl adds this field, and the page's reader expects it.
@@ -52,6 +54,21 @@ def types(names: Iterable[str], prefixes: Iterable[Path]) -> dict[str, MessageTy
     return found
 
 
+def without_hashes(found: Mapping[str, MessageType]) -> dict[str, MessageType]:
+    """Return the same types without their hashes, which few pages need and nothing can compress."""
+    return {
+        name: {key: value for key, value in one.items() if key != "hash"}
+        for name, one in found.items()
+    }
+
+
+def hashes_of(found: Mapping[str, MessageType]) -> dict[str, str]:
+    """Return the hashes of message types and services, by name."""
+    return {
+        name.removesuffix("_Request"): one["hash"] for name, one in found.items() if "hash" in one
+    }
+
+
 def _describe(
     name: str, file: Path, packages: Mapping[str, Path], found: dict[str, MessageType]
 ) -> None:
@@ -78,7 +95,9 @@ def _describe(
 
 
 def _field(field: Mapping[str, Any], defaults: Mapping[str, Any]) -> dict[str, Any]:
-    entry = {"name": field["name"], "type": _type(field["type"])}
+    entry: dict[str, Any] = {"name": field["name"], "type": _type(field["type"])}
+    if field["type"]["type_id"] % typesupport.SCALARS == OCTET:
+        entry["octet"] = True
     default = defaults.get(field["name"])
     if default is not None:
         entry["default"] = default

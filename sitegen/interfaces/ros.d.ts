@@ -1,4 +1,4 @@
-// Written by `sitegen types`: what a panel of this site can use. Write it again when the nodes have changed.
+// Written by `sitegen types`: what a panel of this site can use. `sitegen serve` writes it again when that changes.
 //
 // In a panel:  /** @type {import("./ros").Mount} */
 //              export const mount = (element, ros, options) => { … };
@@ -84,6 +84,9 @@ export interface Qos {
   keepAll: boolean;
   deadline: number;
   lifespan: number;
+  /** Whether a publisher asserts its liveliness itself, and how long that lasts. */
+  manual: boolean;
+  lease: number;
 }
 
 /** A message to send: fields may be missing, and arrays of numbers may be plain ones. */

@@ -38,7 +38,7 @@ class Page:
     `theme` is None for the theme of the site. `original` is the path of the page that this one
     translates, or its own path; `date` is a day like 2026-11-21. `base` is the URL that addresses
     in the page are relative to; when empty, they are relative to the page. `layout` is "page" or
-    "dashboard". `script` is the path of a module below the site's folder, or empty.
+    "dashboard". `scripts` are paths of modules below the site's folder, in order.
     """
 
     path: str
@@ -59,7 +59,7 @@ class Page:
     start_from_links: tuple[str, ...] = ()
     layout: str = "page"
     launch: Launch | None = None
-    script: str = ""
+    scripts: tuple[str, ...] = ()
     connect: Connect | None = None
 
     @property

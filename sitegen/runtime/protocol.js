@@ -4,7 +4,7 @@
  * page.json, written by the generator; every path in it is relative to page.json itself.
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
  *   types?: Record<string, MessageType>, startFromLinks?: string[], isolate?: string,
- *   launch?: Launch, script?: {file: string, module: string}, interfaces?: string,
+ *   launch?: Launch, scripts?: {file: string, module: string}[], interfaces?: string,
  *   messagesFrom?: string[]}} PageEntry `types` if a widget or a script
  *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
  *   that may use the graph; shared links start the nodes in `startFromLinks` without asking;
@@ -100,8 +100,9 @@
  *
  * The definition of a message type ("std_msgs/msg/String", "std_srvs/srv/SetBool_Request"). The types of fields are
  * written as in .msg files, with the full names of nested types: "float64[3]", "string<=10[<=5]",
- * "geometry_msgs/msg/Point[]". Defaults and constants are as in JSON; 64-bit integers are decimal texts.
- * @typedef {{fields: {name: string, type: string, default?: any}[],
+ * "geometry_msgs/msg/Point[]"; a `byte` is an "uint8" with `octet`. Defaults and constants are as in JSON; 64-bit
+ * integers are decimal texts.
+ * @typedef {{fields: {name: string, type: string, octet?: boolean, default?: any}[],
  *   constants: {name: string, type: string, value: any}[]}} MessageType
  *
  * A program of the page. `arguments` are those of its next start, which `override` replaces if the program is

@@ -5,7 +5,7 @@ import { Graph } from "./page/graph.js";
 import { Instances } from "./page/instances.js";
 import { noteIsolation } from "./page/isolated.js";
 import { NodeProcess } from "./page/nodeProcess.js";
-import { runScript } from "./page/script.js";
+import { runScripts } from "./page/script.js";
 import { Sharing } from "./page/sharing.js";
 import { Widgets } from "./page/widgets.js";
 import { WorkerGroups } from "./page/workerGroup.js";
@@ -103,7 +103,7 @@ sharing.restore();
 sharing.ask(nodes);
 await Promise.all([
   ...page.widgets.map((widget) => widgets.mount(widget, ros)),
-  ...(page.script ? [runScript(page.script, link.href)] : []),
+  ...(page.scripts ? [runScripts(page.scripts, link.href)] : []),
 ]);
 if (page.messagesFrom) (await import(place("rosbridge/rosbridge.js"))).listen(page.messagesFrom);
 

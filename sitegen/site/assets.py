@@ -25,12 +25,12 @@ OUTSIDE = "rosbridge/outside.js"
 
 def is_live(page: Page) -> bool:
     """Return whether `page` runs something."""
-    return bool(page.script) or any(True for _ in _widgets([page]))
+    return bool(page.scripts) or any(True for _ in _widgets([page]))
 
 
 def takes_part(site: Site, page: Page) -> bool:
     """Return whether `page` itself is a participant of the graph."""
-    if page.script or site.messages_from:
+    if page.scripts or site.messages_from:
         return is_live(page)
     return any(widget.kind not in PLAIN for widget in _widgets([page]))
 
@@ -55,7 +55,7 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     names = {name for page in site.pages for name in _start(site, page)}
     if not names:
         return []
-    # Loaded for those who come by a shared link, or when the script of a page fails.
+    # Loaded for those who come by a shared link, or when a script of a page fails.
     names.add("page/notice.js")
     kinds = {kind for page in site.pages for kind in shown_kinds(page)}
     if kinds & CELLS:

@@ -20,11 +20,12 @@ def serving(tmp_path: Path) -> Iterator[Callable[[Path], Serving]]:
 
     def start(folder: Path) -> Serving:
         serving = Serving(folder)
+        edits = changes(folder)
         serving.live.rebuild()
         servers.append(serving.server.__enter__())
 
         def follow() -> None:
-            for changed in changes(folder):
+            for changed in edits:
                 serving.live.rebuild(changed)
 
         threading.Thread(target=follow, daemon=True).start()

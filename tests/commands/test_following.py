@@ -12,7 +12,7 @@ import pytest
 from browser import WITHOUT_JSPI
 from panel import Panel
 from paths import ROOT
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 from served import SITE, TEXT, Serving, edited_site
 from waiting import until
 
@@ -46,6 +46,24 @@ def test_an_edited_page_is_shown_at_once(
     served.write("index.md", "# Welcome\n\nThe third text.\n")
     expect(tab.locator("main")).to_contain_text("The third text.")
     assert tab.evaluate("window.still")
+
+
+def test_an_edit_while_a_page_loads_is_shown(
+    tab: Page, site: Path, serving: Callable[[Path], Serving]
+) -> None:
+    served = serving(site)
+    edits = ["Edited while it loads."]
+
+    def late(route: Route) -> None:
+        if edits:
+            before = served.live.builds
+            served.write("index.md", f"# Welcome\n\n{edits.pop()}\n")
+            until(lambda: served.live.builds > before)
+        route.continue_()
+
+    tab.route("**/_sitegen/follow.js", late)
+    tab.goto(served.url)
+    expect(tab.locator("main")).to_contain_text("Edited while it loads.", timeout=20_000)
 
 
 def test_a_broken_edit_is_told_and_the_last_good_page_stays(

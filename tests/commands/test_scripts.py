@@ -31,7 +31,7 @@ import { ros } from "sitegen";
 import { transportFactory } from "sitegen/rosbridge";
 
 const chatter = ros.topic("/chatter", "std_msgs/msg/String");
-for await (const { data } of chatter.messages()) console.log(data.length);
+for await (const { data } of chatter) console.log(data.length);
 chatter.publish({ data: "a" });
 const { sum } = await ros.service("/add", "example_interfaces/srv/AddTwoInts").call({ a: 1n });
 /** @type {bigint} */
@@ -39,10 +39,18 @@ const checked = sum;
 const goal = await ros.action("/f", "example_interfaces/action/Fibonacci").send({ order: 3 });
 for await (const { sequence } of goal.feedback()) console.log(sequence[0], checked);
 const { translation } = await ros.tf.lookup("world", "map", { time: { sec: 1, nanosec: 0 } });
+const node = ros.node("/mine", { parameters: { speed: 1 }, signal: AbortSignal.timeout(9) });
+const speed = node.declare("speed", 0.5, { type: "double", accept: (value) => value > 0 });
+const names = node.declare("names", undefined, { type: "string_array" });
+node.timer(100, ({ sec }) => node.log.info(`${sec}: ${speed.value} ${names.value}`));
+for await (const value of speed.changes()) speed.value = Number(value) + 1;
+node.topic("~/state", "std_msgs/msg/String", "sensor_data").advertise();
+chatter.subscribe(() => {}, { qos: { reliability: "best_effort", depth: 1 } });
 export default [translation.x, (await goal.result()).sequence, transportFactory];
 """
 WRONG = {
     "import { ros } from 'sitegn';": "'sitegn' is not a path",
+    "import '/roslib.js';": "copy the library into this site and import './roslib.js'",
     "import { ros } from 'sitegen/ros';": "no module 'sitegen/ros'; did you mean 'sitegen",
     "import 'https://x.org/a.js';": "'https://x.org/a.js' is on another site",
     "const a = ;": "syntax error",
@@ -81,6 +89,56 @@ def test_the_key_names_a_module(site: Path, written: str, fault: str) -> None:
     with pytest.raises(SiteError) as error:
         config.load(site / "site.yaml")
     assert error.value.lines[0].startswith(fault)
+
+
+MORE = """\
+site: {title: Mine}
+pages:
+  - path: /
+    title: Mine
+    scripts:
+      - scripts/mine.js
+      - WRITTEN
+    content: [{markdown: Text}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("written", "fault"),
+    [
+        ("scripts/mime.js", "no file 'scripts/mime.js'; did you mean 'scripts/mine.js'?"),
+        ("site.yaml", "'site.yaml' is not a module; name a '.js' file"),
+    ],
+)
+def test_each_of_a_list_is_a_module(site: Path, written: str, fault: str) -> None:
+    (site / "site.yaml").write_text(MORE.replace("WRITTEN", written))
+    with pytest.raises(SiteError) as error:
+        config.load(site / "site.yaml")
+    assert error.value.lines == [f"site.yaml:7: pages[0].scripts[1]: {fault}"]
+
+
+def test_a_list_keeps_its_order(site: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """In front matter, too, where paths are also relative to the page."""
+    (site / "scripts/first.js").write_text("\nconst a = ;\n")
+    front = "scripts: [mine.js, scripts/first.js, scripts/mine.js]"
+    (site / "scripts/page.md").write_text(f"---\ntitle: Mine\n{front}\n---\nText\n")
+    (site / "site.yaml").write_text(
+        "site: {title: Mine}\npages: [{path: /, file: scripts/page.md}]\n"
+    )
+    [page] = config.load(site / "site.yaml").pages
+    assert page.scripts == ("scripts/mine.js", "scripts/first.js")
+    assert main(["check", str(site)]) == 1
+    assert "scripts/first.js:2: script: syntax error" in capsys.readouterr().err
+
+
+def test_all_scripts_have_types(site: Path) -> None:
+    (site / "more").mkdir()
+    (site / "more/map.js").write_text('import "sitegen";\n')
+    (site / "site.yaml").write_text(MORE.replace("WRITTEN", "more/map.js"))
+    assert main(["types", str(site)]) == 0
+    names = {file.relative_to(site).as_posix() for file in site.glob("*/*.d.ts")}
+    files = ("ros.d.ts", "sitegen.d.ts")
+    assert names == {f"{folder}/{file}" for folder in ("more", "scripts") for file in files}
 
 
 @pytest.mark.parametrize(
@@ -138,6 +196,10 @@ def test_scripts_have_types(site: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert "Property 'date' does not exist on type '{ data: string; }'" in checked()
     script.write_text(SCRIPT.replace("{ a: 1n }", "{ a: 1 }"))
     assert "Type 'number' is not assignable to type 'bigint'" in checked()
+    script.write_text(SCRIPT.replace('"sensor_data"', '"sensors"'))
+    assert "'\"sensors\"' is not assignable to parameter of type 'Qos" in checked()
+    script.write_text(SCRIPT.replace("speed.value = Number(value)", 'speed.value = "a"'))
+    assert "Type 'string' is not assignable to type 'number | bigint'" in checked()
 
 
 def test_an_edited_script_runs_in_the_open_page(
@@ -149,3 +211,9 @@ def test_an_edited_script_runs_in_the_open_page(
     tab.wait_for_selector("body[data-said=first]")
     served.write("scripts/mine.js", "document.body.dataset.said = 'second';\n")
     tab.wait_for_selector("body[data-said=second]")
+    # One more, which is then edited, too.
+    (site / "scripts/more.js").write_text("document.body.dataset.said += ' third';\n")
+    served.write("site.yaml", MORE.replace("WRITTEN", "scripts/more.js"))
+    tab.wait_for_selector("body[data-said='second third']")
+    served.write("scripts/more.js", "document.body.dataset.said += ' fourth';\n")
+    tab.wait_for_selector("body[data-said='second fourth']")

@@ -55,6 +55,19 @@ def test_what_stands_around_the_lab_stays(tmp_path: Path) -> None:
     assert isinstance(below, Widget) and below.kind == "graph"
 
 
+def test_the_scripts_of_both_run(tmp_path: Path) -> None:
+    for name in ("a.js", "b.js", "c.js"):
+        (tmp_path / name).write_text("")
+    front = "---\ntitle: Demo\nscripts: [a.js, b.js]\n---\n"
+    (tmp_path / "demo.md").write_text(front + "```ros\n- topics:\n```\n")
+    page = lab(
+        tmp_path,
+        "jupyter: {notebooks: notebooks, page: demo}\n    script: c.js\n    scripts: [b.js]\n"
+        "  - {path: demo/, file: demo.md}",
+    )
+    assert page.scripts == ("a.js", "b.js", "c.js")
+
+
 @pytest.mark.parametrize(
     ("written", "message"),
     [

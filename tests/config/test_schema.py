@@ -35,6 +35,14 @@ def test_every_site_of_ours_conforms(schema: Draft202012Validator, file: Path) -
     assert [problem.message for problem in problems] == []
 
 
+def test_scripts_are_one_path_or_several(schema: Draft202012Validator) -> None:
+    both = [("script", "a.js"), ("scripts", ["a.js", "b.js"])]
+    wrong = [("script", ["a.js"]), ("scripts", "a.js"), ("scripts", [1])]
+    for key, value, sound in [*((*one, True) for one in both), *((*one, False) for one in wrong)]:
+        page: dict[str, object] = {"path": "/", key: value, "content": []}
+        assert schema.is_valid({"site": {"title": "A"}, "pages": [page]}) is sound
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

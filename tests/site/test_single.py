@@ -129,6 +129,19 @@ def test_meshes_and_what_is_loaded_later_are_in_the_file(alone: Page, tmp_path: 
     expect(width).to_have_value("0.05")
 
 
+def test_scripts_are_in_the_file(alone: Page, tmp_path: Path) -> None:
+    site = tmp_path / "site"
+    site.mkdir()
+    page = "{path: /, title: A, scripts: [a.js, b.js], content: [{markdown: Text}]}"
+    (site / "site.yaml").write_text(f"site: {{title: A}}\npages: [{page}]\n")
+    (site / "a.js").write_text("document.body.dataset.said = 'a';\n")
+    (site / "b.js").write_text("document.body.dataset.said += 'b';\n")
+    file = tmp_path / "file.html"
+    assert main(["build", str(site), "--single-file", "/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    alone.wait_for_selector("body[data-said=ab]")
+
+
 def test_a_bag_is_in_the_file(alone: Page, tmp_path: Path) -> None:
     site = tmp_path / "site"
     write_bag(site / "drive.mcap", drive())

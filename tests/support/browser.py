@@ -148,6 +148,7 @@ class _Folder:
 
     base = "/"
     isolated = False
+    builds = 1
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -159,7 +160,7 @@ class _Folder:
     def place(self, text: str) -> tuple[Path, int] | None:
         return None
 
-    def news(self, engine: str) -> Iterator[str]:
+    def news(self, engine: str, builds: int) -> Iterator[str]:
         # There is none, which is waited for as long as the page is open.
         while True:
             yield ":\n\n"

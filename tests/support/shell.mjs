@@ -33,7 +33,7 @@ const screen = {
   keys: () => () => {},
 };
 const bags = { names: async () => [], recordings: async () => [], find: async () => undefined, file: async () => undefined, remove: async () => false };
-const interfaces = { hashes, load: async () => {}, text: async (name) => texts[name] };
+const interfaces = { hashes: async () => hashes, load: async () => {}, text: async (name) => texts[name] };
 const shell = new Shell(ros, screen, new Map([ROS2, ...BUILTINS, ...FILTERS].map((one) => [one.name, one])), new Map(), bags, interfaces);
 
 /** A node with two topics and services. */

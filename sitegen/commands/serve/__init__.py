@@ -14,18 +14,21 @@ __all__ = ["serve"]
 
 
 def serve(folder: Path, *, port: int, report: Report, debug: bool = False) -> None:
-    """Serve the site of `folder` on this computer until Ctrl-C; nothing is written to it.
+    """Serve the site of `folder` on this computer until Ctrl-C.
 
-    With `debug`, its C++ nodes report source lines.
+    Only the files of `sitegen types` are written to it, if there are some. With `debug`, its C++
+    nodes report source lines.
 
     Raises: SiteError if the folder has no site.yaml.
     """
     config.check_exists(folder / "site.yaml")
     live = LiveSite(folder, report, debug=debug)
+    # Edits during the first build, which may take minutes, count.
+    edits = changes(folder)
     live.rebuild()
     with Server(live, port) as server:
         if server.port != port:
             report.say(f"port {port} is in use")
         report.say(f"{server.url} (press Ctrl-C to stop)")
-        for changed in changes(folder):
+        for changed in edits:
             live.rebuild(changed)

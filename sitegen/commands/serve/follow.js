@@ -4,7 +4,7 @@
 // Text, widgets and nodes change in the open page, and style sheets are exchanged; only what is none of these loads
 // the page anew, in the state that it has.
 
-import { entryOf, rosMain, served, updateNodes, updateText } from "./update.js";
+import { buildsOf, entryOf, rosMain, served, updateNodes, updateText } from "./update.js";
 
 // A build that takes longer than this (ms) is announced.
 const SOON = 400;
@@ -31,9 +31,11 @@ status.setAttribute("role", "status");
 status.hidden = true;
 document.body.append(box, status);
 
-let page = await served();
 let entry = await entryOf();
+let page = await served();
 forgetKept();
+// The site was built again while this page was loading.
+if (buildsOf(page) !== buildsOf(document)) await reload();
 
 /** Edits are taken one after another. @type {Promise<unknown>} */
 let work = Promise.resolve();
@@ -41,7 +43,8 @@ let work = Promise.resolve();
 let soon;
 
 // A page with nodes names the engine of this browser; only this build of C++ nodes is made.
-const news = new EventSource(`/_sitegen/news?${document.documentElement.dataset.engine ?? ""}`);
+const asked = { engine: document.documentElement.dataset.engine ?? "", builds: buildsOf(page) };
+const news = new EventSource(`/_sitegen/news?${new URLSearchParams(asked)}`);
 let lost = false;
 news.onerror = () => {
   lost = true;

@@ -16,6 +16,7 @@ from urllib.parse import urlsplit
 
 from sitegen.build import Made, make
 from sitegen.commands.serve.edited import edited
+from sitegen.commands.serve.keptypes import KeptTypes
 from sitegen.errors import SiteError
 from sitegen.model import BROWSERS, Artifact
 from sitegen.options import Options
@@ -34,6 +35,7 @@ class LiveSite:
     def __init__(self, folder: Path, report: Report, *, debug: bool = False) -> None:
         self._folder = folder
         self._report = report
+        self._types = KeptTypes(report)
         # Programs are built for the browsers that are open; most of them have JSPI.
         self._options = Options(live=True, draft=True, debug=debug, engines=("jspi",))
         # Held while the site is built.
@@ -52,14 +54,16 @@ class LiveSite:
     def rebuild(self, changed: Sequence[Path] = ()) -> None:
         """Build the site; if anything is wrong, keep the last good build and show the error."""
         with self._building:
-            self._rebuild(changed)
+            authored = [file for file in changed if not self._types.wrote(file)]
+            if authored or not changed:
+                self._rebuild(authored)
 
     def _rebuild(self, changed: Sequence[Path]) -> None:
         self._tell("building", ())
         begun = time.monotonic()
         try:
-            made = edited(self._made, changed) if self._made else None
-            made = made or self._make()
+            same = edited(self._made, changed) if self._made else None
+            made = same or self._make()
         except SiteError as error:
             for line in error.lines:
                 self._report.say(line)
@@ -84,6 +88,9 @@ class LiveSite:
         seconds = time.monotonic() - begun
         self._report.say(f"{cause}built in {seconds:.1f} s, {count(len(different), 'file')} new")
         self._tell("built", sorted(known))
+        if not same:
+            # After the pages, which need not wait for an editor.
+            self._types.renew(made)
 
     def _make(self) -> Made:
         return make(self._folder, self._report, options=self._options)
@@ -109,18 +116,25 @@ class LiveSite:
         path = (root / named["file"]).resolve()
         return (path, int(named["line"])) if path.is_relative_to(root) and path.is_file() else None
 
-    def news(self, engine: str) -> Iterator[str]:
-        """Yield server-sent events from now on; first the current error, if there is one.
+    @property
+    def builds(self) -> int:
+        """How often the site was built without an error."""
+        with self._changed:
+            return len(self._built())
+
+    def _built(self) -> list[int]:
+        """Return the position after each build in the news."""
+        return [after for after, (kind, _) in enumerate(self._news, 1) if kind == "built"]
+
+    def news(self, engine: str, builds: int) -> Iterator[str]:
+        """Yield server-sent events after so many builds: a page may be older than the site now.
 
         If `engine` is new, the C++ nodes are built for it, too.
         """
         with self._changed:
-            seen = len(self._news)
+            seen = [0, *self._built()][min(builds, len(self._built()))]
         if engine in BROWSERS and engine not in self._options.engines:
             threading.Thread(target=self._add, args=(engine,), daemon=True).start()
-        with self._changed:
-            if self._news and self._news[-1][0] == "wrong":
-                seen -= 1
         yield "retry: 500\n\n"
         while True:
             with self._changed:

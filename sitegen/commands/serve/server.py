@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import hashlib
+import re
 import sys
 import threading
 from collections.abc import Iterator
@@ -12,7 +13,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Protocol, Self
-from urllib.parse import quote, unquote, urlsplit
+from urllib.parse import parse_qsl, quote, unquote, urlsplit
 
 from sitegen import pagepath
 from sitegen.commands.serve.editor import NoEditorError, open_editor
@@ -30,9 +31,11 @@ NEWS = f"{PREFIX}news"
 OPEN = f"{PREFIX}open"
 OWN = {f"{PREFIX}{name}": HERE / name for name in ("follow.js", "follow.css", "update.js")}
 OWN[f"{PREFIX}idiomorph.js"] = RUNTIME / "vendor" / "idiomorph.js"
+BUILDS = re.compile(r"[0-9]{1,9}")
 # The maximum size of a request for an editor (bytes).
 LONGEST = 4096
-FOLLOW = f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
+FOLLOW = '<meta name="sitegen-builds" content="{builds}">'
+FOLLOW += f'<script type="module" src="/{PREFIX}follow.js"></script>\n</head>'
 WORKER = "sw.js"
 # Browsers keep these files and ask whether they have changed: workers fetch modules that their
 # page has loaded already. All else is not kept: going back in the history would show it unasked.
@@ -52,14 +55,18 @@ class Served(Protocol):
     # Whether its pages are isolated.
     isolated: bool
 
+    @property
+    def builds(self) -> int:
+        """How often it was built."""
+
     def file(self, path: str) -> Artifact | None:
         """Return the file at `path` of the site."""
 
     def place(self, text: str) -> tuple[Path, int] | None:
         """Return the file and the line of the problem whose message begins with `text`, if any."""
 
-    def news(self, engine: str) -> Iterator[str]:
-        """Yield server-sent events from now on, for a browser with `engine`."""
+    def news(self, engine: str, builds: int) -> Iterator[str]:
+        """Yield server-sent events after so many builds, for a browser with `engine`."""
 
 
 class Server:
@@ -111,6 +118,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def __init__(self, live: Served, *args: object) -> None:
         self._live = live
+        self._builds = 0
         super().__init__(*args)  # type: ignore[arg-type]
 
     def do_GET(self) -> None:
@@ -122,8 +130,10 @@ class _Handler(BaseHTTPRequestHandler):
             self._redirect("/" + path.removeprefix(self._live.base))
             return
         path = path.removeprefix("/")
+        # Before the file is read: of a build meanwhile, the page is told.
+        self._builds = self._live.builds
         if path == NEWS:
-            self._send_news(urlsplit(self.path).query)
+            self._send_news(dict(parse_qsl(urlsplit(self.path).query)))
         elif path in OWN:
             self._send(path, OWN[path].read_bytes())
         else:
@@ -192,7 +202,8 @@ class _Handler(BaseHTTPRequestHandler):
     def _send(self, path: str, content: bytes, status: HTTPStatus = HTTPStatus.OK) -> None:
         suffix = Path(path).suffix
         if suffix == ".html":
-            content = content.replace(b"</head>", FOLLOW.encode(), 1)
+            follow = FOLLOW.replace("{builds}", str(self._builds))
+            content = content.replace(b"</head>", follow.encode(), 1)
         tag = self._tag(content) if status == HTTPStatus.OK and path.startswith(KEPT) else ""
         unchanged = tag and self.headers.get("If-None-Match") == tag
         self.send_response(HTTPStatus.NOT_MODIFIED if unchanged else status)
@@ -216,7 +227,9 @@ class _Handler(BaseHTTPRequestHandler):
         digest = hashlib.sha256(content).hexdigest()
         return f'"{digest}{"-isolated" if self._live.isolated else ""}"'
 
-    def _send_news(self, engine: str) -> None:
+    def _send_news(self, asked: dict[str, str]) -> None:
+        builds = asked.get("builds", "")
+        after = int(builds) if BUILDS.fullmatch(builds) else self._live.builds
         self.send_response(HTTPStatus.OK)
         self.send_header("Content-Type", "text/event-stream")
         self.send_header("Cache-Control", "no-store")
@@ -224,7 +237,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.close_connection = True
         try:
-            for event in self._live.news(engine):
+            for event in self._live.news(asked.get("engine", ""), after):
                 self.wfile.write(event.encode())
         except OSError:
             pass  # the page was closed

@@ -19,6 +19,11 @@ export async function served() {
   return new DOMParser().parseFromString(text, "text/html");
 }
 
+/** Return the number of builds before a page was served. @param {Document} page */
+export function buildsOf(page) {
+  return page.querySelector('meta[name="sitegen-builds"]')?.getAttribute("content") ?? "";
+}
+
 /** Return page.json, if the page has one. @returns {Promise<PageEntry | undefined>} */
 export async function entryOf() {
   const link = /** @type {HTMLLinkElement | null} */ (document.getElementById("ros-page"));
@@ -69,7 +74,7 @@ export function updateNodes(old, fresh, { ros, editing }) {
   const types = Object.entries(old.types ?? {}).filter(([name, type]) => name in (fresh.types ?? {}) &&
     different(type, fresh.types?.[name]));
   // A script has run, and cannot be undone.
-  const given = /** @type {const} */ (["script", "interfaces", "messagesFrom"]);
+  const given = /** @type {const} */ (["scripts", "interfaces", "messagesFrom"]);
   if (given.some((key) => different(old[key], fresh[key]))) return undefined;
   // What a launch file does has begun, too.
   const acting = (/** @type {PageEntry} */ { launch }) => launch?.handlers && launch;

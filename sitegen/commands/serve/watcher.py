@@ -9,6 +9,7 @@ from pathlib import Path
 
 from watchdog.events import EVENT_TYPE_CLOSED, FileSystemEvent, FileSystemEventHandler
 from watchdog.observers import Observer
+from watchdog.observers.api import BaseObserver
 
 from sitegen.ignored import is_ignored
 
@@ -19,12 +20,16 @@ CHANGES = {"created", "modified", "moved", "deleted", EVENT_TYPE_CLOSED}
 
 
 def changes(folder: Path) -> Iterator[list[Path]]:
-    """Yield the files below `folder` that changed since the last time, once there are some."""
+    """Watch `folder` from now on; yield the files that changed since the last time, if any."""
     root = folder.resolve()
     changed: queue.Queue[Path] = queue.Queue()
     observer = Observer()
     observer.schedule(_Listener(root, changed), str(root), recursive=True)
     observer.start()
+    return _together(changed, observer)
+
+
+def _together(changed: queue.Queue[Path], observer: BaseObserver) -> Iterator[list[Path]]:
     try:
         while True:
             files = {changed.get()}

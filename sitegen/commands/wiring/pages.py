@@ -53,9 +53,9 @@ def _look_at(
     page: Page, site: Site, known: dict[tuple[str, str], Program], problems: Problems
 ) -> None:
     own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
-    # The author's script, and what is beyond a gateway, may be the other side of anything.
+    # The author's scripts, and what is beyond a gateway, may be the other side of anything.
     # What a visitor may type into a terminal is unknown, but not what the texts say of the page.
-    unclear = bool(page.script or page.connect)
+    unclear = bool(page.scripts or page.connect)
     some_unknown = some_unknown or unclear
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False

@@ -3,6 +3,7 @@
 
 import { ActionClient } from "../messages/actionClient.js";
 import { say } from "../ui/words.js";
+import { endingWith } from "./ending.js";
 import { ActionServer, STATUS } from "./actionServer.js";
 import { Goal } from "./goal.js";
 
@@ -53,7 +54,7 @@ export class Action {
   }
 
   /**
-   * Send a goal, when there is a server.
+   * Send a goal, when there is a server. Aborting `signal` later cancels the goal.
    * @param {any} [request] @param {{timeout?: number, signal?: AbortSignal}} [options]
    */
   async send(request = {}, { timeout = 5000, signal } = {}) {
@@ -61,7 +62,9 @@ export class Action {
     const checked = this.type && this.#read(this.type, "Goal", request);
     await this.wait({ timeout, signal });
     const client = this.#connected();
-    return new Goal(client, client.send(checked || this.#read(this.type, "Goal", request)));
+    const goal = new Goal(client, client.send(checked || this.#read(this.type, "Goal", request)));
+    goal.cancelWith(signal);
+    return goal;
   }
 
   /**
@@ -69,17 +72,26 @@ export class Action {
    * feedback and returns the result. A goal whose `signal` was aborted by then is canceled; one that throws, or whose
    * feedback or result does not fit the type, is aborted.
    * @param {(task: Task) => any} execute @param {{accept?: (request: any) => boolean,
-   *   cancel?: (task: Task) => boolean}} [options] both may refuse
+   *   cancel?: (task: Task) => boolean, signal?: AbortSignal}} [options] the first two may refuse; `signal` ends it
    * @returns {() => void} end
    */
-  serve(execute, { accept = () => true, cancel = () => true } = {}) {
+  serve(execute, { accept = () => true, cancel = () => true, signal: ending } = {}) {
+    this.#surroundings.closed.throwIfAborted();
     const { type } = this;
     if (!type) throw new Error(say("give {} a type: the graph has no such action", this.name));
     this.#surroundings.check(this.name, type, "_SendGoal_Request");
+    if (ending?.aborted) return () => {};
     /** @type {Map<ServedGoal, {task: Task, abort: AbortController}>} */
     const running = new Map();
     const server = new ActionServer(this.#raw, this.name, type, {
-      accepted: ({ request }) => accept(request),
+      accepted: (goal) => {
+        const { id, request } = goal;
+        if (!accept(request)) return false;
+        const abort = new AbortController();
+        const publish = (/** @type {any} */ feedback) => goal.publish(this.#read(type, "Feedback", feedback ?? {}));
+        running.set(goal, { task: { id, request, signal: abort.signal, publish }, abort });
+        return true;
+      },
       cancel: (goal) => {
         const one = running.get(goal);
         if (!one || !cancel(one.task)) return false;
@@ -87,26 +99,24 @@ export class Action {
         return true;
       },
       execute: async (goal) => {
-        const abort = new AbortController();
-        const { id, request } = goal;
-        const publish = (/** @type {any} */ feedback) => goal.publish(this.#read(type, "Feedback", feedback ?? {}));
-        const task = { id, request, signal: abort.signal, publish };
-        running.set(goal, { task, abort });
+        const { task } = /** @type {{task: Task}} */ (running.get(goal));
+        const { signal } = task;
         try {
-          const result = await resultOf(execute(task), publish);
+          // It may be canceled before it begins.
+          const result = signal.aborted ? {} : await resultOf(execute(task), task.publish);
           const checked = this.#read(type, "Result", result ?? {});
-          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.succeeded, checked);
+          goal.finish(signal.aborted ? STATUS.canceled : STATUS.succeeded, checked);
         } catch (error) {
-          if (!abort.signal.aborted) console.error(error);
-          goal.finish(abort.signal.aborted ? STATUS.canceled : STATUS.aborted, {});
+          if (!signal.aborted) console.error(error);
+          goal.finish(signal.aborted ? STATUS.canceled : STATUS.aborted, {});
         }
         running.delete(goal);
       },
     });
-    return () => {
+    return endingWith([ending, this.#surroundings.closed], () => {
       for (const { abort } of running.values()) abort.abort(new Error(say("closed")));
       server.close();
-    };
+    });
   }
 
   /** @param {string} type @param {"Goal" | "Feedback" | "Result"} part @param {any} given */

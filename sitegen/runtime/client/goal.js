@@ -3,6 +3,7 @@
 
 import { isFinal } from "../messages/actionClient.js";
 import { say } from "../ui/words.js";
+import { endingWith, unlessAborted } from "./ending.js";
 import { Stream } from "./stream.js";
 
 /** @import { ActionClient, Goal as Known } from "../messages/actionClient.js" */
@@ -73,16 +74,41 @@ export class Goal {
     }, options);
   }
 
-  /** Resolve with the result; reject with a GoalError if the goal did not succeed. @returns {Promise<any>} */
-  async result() {
-    await this.#known.ended;
+  /**
+   * Resolve with the result; reject with a GoalError if the goal did not succeed, or with the reason of `signal`.
+   * @param {{signal?: AbortSignal}} [options] @returns {Promise<any>}
+   */
+  async result({ signal } = {}) {
+    await unlessAborted([signal], this.#known.ended);
     const { state, result, fault } = this.#known;
     if (state === "succeeded") return result;
     throw new GoalError(fault || say("the goal was {}", state), state, result);
   }
 
-  /** Ask the server to cancel the goal. Reject if it refuses. */
-  cancel() {
-    return this.#client.cancel(this.#known);
+  /** Ask the server to cancel the goal. Reject if it refuses. @param {{signal?: AbortSignal}} [options] */
+  cancel({ signal } = {}) {
+    return unlessAborted([signal], this.#answered().then(() => this.#client.cancel(this.#known)));
+  }
+
+  /** Cancel the goal when `signal` aborts. @param {AbortSignal | undefined} signal */
+  cancelWith(signal) {
+    const end = endingWith([signal], () => {
+      // The server may refuse, or be gone: the result tells how the goal ended.
+      if (!isFinal(this.state)) this.cancel().catch(() => {});
+    });
+    this.#known.ended.then(end);
+  }
+
+  /** Resolve when the server has accepted or rejected the goal: before, it could not find it. @returns {Promise<void>} */
+  #answered() {
+    return new Promise((resolve) => {
+      const look = () => {
+        if (this.state === "sending") return;
+        this.#client.removeEventListener("change", look);
+        resolve();
+      };
+      this.#client.addEventListener("change", look);
+      look();
+    });
   }
 }

@@ -7,9 +7,13 @@ const NAME = /^(\/[A-Za-z_]\w*)+$/;
 const LONGEST = 255;
 const TYPE = /^([a-z]\w*)\/(?:(msg|srv|action)\/)?([A-Za-z]\w*)$/;
 
-/** Return the full name of a topic, service, action or node. @param {string} name @param {string} [node] for "~" */
+/**
+ * Return the full name of a topic, service, action or node.
+ * @param {string} name relative ones are in the namespace of `node`, and "~" stands for its name @param {string} [node]
+ */
 export function fullName(name, node = "") {
-  const full = name.startsWith("~") ? `${node}${name.slice(1)}` : name.startsWith("/") ? name : `/${name}`;
+  const namespace = node.slice(0, Math.max(0, node.lastIndexOf("/")));
+  const full = name.startsWith("~") ? `${node}${name.slice(1)}` : name.startsWith("/") ? name : `${namespace}/${name}`;
   if (!NAME.test(full) || full.length > LONGEST) {
     throw new Error(say("'{}' is not a valid name in ROS", String(name).slice(0, 200)));
   }

@@ -11,6 +11,8 @@ import { Stream } from "./stream.js";
 
 const SRV = "rcl_interfaces/srv";
 const [BOOL, LISTS] = [1, 4];
+const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
+/** @typedef {{timeout?: number, signal?: AbortSignal}} WaitOptions `timeout` in ms, for the node and for its answer */
 /** The fields of rcl_interfaces/msg/ParameterValue, by type. */
 const FIELDS = ["", "bool_value", "integer_value", "double_value", "string_value", "byte_array_value",
   "bool_array_value", "integer_array_value", "double_array_value", "string_array_value"];
@@ -26,43 +28,50 @@ export class Parameters {
     this.node = node;
   }
 
-  /** Return the names of all parameters. @returns {Promise<string[]>} */
-  async names() {
-    const { result } = await this.#call("list_parameters", "ListParameters", { prefixes: [], depth: 0n });
+  /** Return the names of all parameters. @param {WaitOptions} [options] @returns {Promise<string[]>} */
+  async names(options) {
+    const { result } = await this.#call("list_parameters", "ListParameters", { prefixes: [], depth: 0n }, options);
     return result.names;
   }
 
-  /** Return the value of a parameter, undefined if it is not set. @param {string} name @returns {Promise<any>} */
-  async get(name) {
-    const [value] = await this.#values([name]);
+  /**
+   * Return the value of a parameter, undefined if it is not set.
+   * @param {string} name @param {WaitOptions} [options] @returns {Promise<any>}
+   */
+  async get(name, options) {
+    const [value] = await this.#values([name], options);
     return value && plainParameter(value);
   }
 
-  /** Return all parameters by name. @returns {Promise<Record<string, any>>} */
-  async all() {
-    const names = await this.names();
-    const values = await this.#values(names);
+  /** Return all parameters by name. @param {WaitOptions} [options] @returns {Promise<Record<string, any>>} */
+  async all(options) {
+    const names = await this.names(options);
+    const values = await this.#values(names, options);
     return Object.fromEntries(names.map((name, index) => [name, plainParameter(values[index])]));
   }
 
   /**
-   * Set a parameter, or several together: `set({ speed: 2, name: "a" })`. A number becomes an integer or a double as the
-   * parameter is. Reject with the reason if the node refuses.
-   * @param {string | Record<string, any>} name @param {any} [value]
+   * Set a parameter, `set("speed", 2, options)`, or several together, `set({ speed: 2, name: "a" }, options)`. A number
+   * becomes an integer or a double as the parameter is. Reject with the reason if the node refuses.
+   * @param {string | Record<string, any>} name @param {any} [value] @param {WaitOptions} [last]
    */
-  async set(name, value) {
-    const wanted = typeof name === "string" ? { [name]: value } : name;
+  async set(name, value, last) {
+    const [wanted, options] = typeof name === "string" ? [{ [name]: value }, last] : [name, value];
     const names = Object.keys(wanted);
-    const now = await this.#values(names);
+    const now = await this.#values(names, options);
     const parameters = names.map((one, index) => ({ name: one, value: parameterOf(wanted[one], now[index]?.type) }));
-    const fault = await set(/** @type {Ros} */ (/** @type {unknown} */ ({ call: this.#raw.call.bind(this.#raw) })),
-      this.node, parameters);
+    const call = (/** @type {string} */ service, /** @type {string} */ type, /** @type {any} */ request) =>
+      this.#ask(service, type, request, options);
+    const fault = await set(/** @type {Ros} */ (/** @type {unknown} */ ({ call })), this.node, parameters);
     if (fault) throw new Error(say("{} refused: {}", this.node, fault));
   }
 
-  /** Return the rcl_interfaces/msg/ParameterDescriptor of a parameter. @param {string} name @returns {Promise<any>} */
-  async describe(name) {
-    const { descriptors } = await this.#call("describe_parameters", "DescribeParameters", { names: [name] });
+  /**
+   * Return the rcl_interfaces/msg/ParameterDescriptor of a parameter.
+   * @param {string} name @param {WaitOptions} [options] @returns {Promise<any>}
+   */
+  async describe(name, options) {
+    const { descriptors } = await this.#call("describe_parameters", "DescribeParameters", { names: [name] }, options);
     return descriptors[0];
   }
 
@@ -80,17 +89,24 @@ export class Parameters {
     }, { reliable: true, depth: 1000 }), options, this.#surroundings.closed);
   }
 
-  /** @param {string[]} names @returns {Promise<any[]>} */
-  async #values(names) {
-    return (await this.#call("get_parameters", "GetParameters", { names })).values;
+  /** @param {string[]} names @param {WaitOptions} [options] @returns {Promise<any[]>} */
+  async #values(names, options) {
+    return (await this.#call("get_parameters", "GetParameters", { names }, options)).values;
   }
 
-  /** @param {string} service @param {string} type @param {any} request */
-  async #call(service, type, request) {
+  /** @param {string} service @param {string} type @param {any} request @param {WaitOptions} [options] */
+  async #call(service, type, request, options) {
     const name = `${this.node}/${service}`;
-    await this.#surroundings.when(() => (this.#surroundings.serversOf(name).length ? true : undefined), 5000,
-      say("{} has no parameters, or is not running", this.node));
-    return this.#raw.call(name, `${SRV}/${type}`, request);
+    const { timeout = 5000, signal } = options ?? {};
+    await this.#surroundings.when(() => (this.#surroundings.serversOf(name).length ? true : undefined), timeout,
+      say("{} has no parameters, or is not running", this.node), signal);
+    return this.#ask(name, `${SRV}/${type}`, request, options);
+  }
+
+  /** @param {string} name @param {string} type @param {any} request @param {WaitOptions} [options] */
+  #ask(name, type, request, { timeout = 5000, signal } = {}) {
+    const { closed } = this.#surroundings;
+    return this.#raw.call(name, type, request, timeout, signal ? AbortSignal.any([signal, closed]) : closed);
   }
 }
 
@@ -112,6 +128,8 @@ export function parameterOf(plain, type = 0) {
   const scalar = items.length ? kind : [1, 2, 3, 4][kind - 1] ?? STRING;
   const field = FIELDS[list ? scalar + LISTS + 1 : scalar] ?? "";
   const values = scalar === INTEGER ? items.map((item) => BigInt(item)) : items;
+  const large = values.find((one) => typeof one === "bigint" && (one < SMALLEST || one > LARGEST));
+  if (large !== undefined) throw new RangeError(say("{} does not fit into 64 bits", String(large)));
   return { type: list ? scalar + LISTS + 1 : scalar, [field]: list ? values : values[0] };
 }
 

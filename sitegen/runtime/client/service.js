@@ -2,6 +2,7 @@
 // A service, as scripts use it.
 
 import { say } from "../ui/words.js";
+import { endingWith } from "./ending.js";
 
 /** @import { PageNode } from "../protocol.js" */
 /** @import { Surroundings } from "./surroundings.js" */
@@ -10,8 +11,7 @@ export class Service {
   #raw;
   #surroundings;
   #type;
-  /** @type {(() => void) | undefined} */
-  #end;
+  #end = () => {};
 
   /** @param {PageNode} raw @param {Surroundings} surroundings @param {string} name @param {string} type */
   constructor(raw, surroundings, name, type) {
@@ -55,16 +55,19 @@ export class Service {
   /**
    * Serve it: `answer` returns the response to a request, or a promise of it. If it throws, or what it returns does not
    * fit the type, the client gets no response.
-   * @param {(request: any) => any} answer @returns {() => void} end
+   * @param {(request: any) => any} answer @param {{signal?: AbortSignal}} [options] `signal` ends it, too
+   * @returns {() => void} end
    */
-  serve(answer) {
+  serve(answer, { signal } = {}) {
+    this.#surroundings.closed.throwIfAborted();
     const { type } = this;
     if (!type) throw new Error(say("give {} a type: the graph has no such service", this.name));
     this.#surroundings.check(this.name, type, "_Request");
-    this.#end?.();
+    this.#end();
+    if (signal?.aborted) return () => {};
     const { checker } = this.#surroundings;
-    this.#end = this.#raw.serve(this.name, type, async (request) =>
-      checker.read(`${type}_Response`, (await answer(request)) ?? {}, this.name));
+    this.#end = endingWith([signal], this.#raw.serve(this.name, type, async (request) =>
+      checker.read(`${type}_Response`, (await answer(request)) ?? {}, this.name)));
     return this.#end;
   }
 

@@ -39,10 +39,15 @@ export class Surroundings {
    * @param {string} name @returns {{reliable: boolean, transientLocal: boolean, known: boolean}}
    */
   qosOf(name) {
-    const publishers = this.#ros.graph.endpoints().filter((one) => one.kind === "publisher" && one.name === name);
+    const publishers = this.publishersOf(name);
     const all = (/** @type {"reliable" | "transientLocal"} */ key) =>
       publishers.length > 0 && publishers.every(({ qos }) => qos[key]);
     return { reliable: all("reliable"), transientLocal: all("transientLocal"), known: publishers.length > 0 };
+  }
+
+  /** The publishers of a topic. @param {string} name */
+  publishersOf(name) {
+    return this.#ros.graph.endpoints().filter((one) => one.kind === "publisher" && one.name === name);
   }
 
   /** The nodes that serve a service. @param {string} name */

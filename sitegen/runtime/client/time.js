@@ -5,7 +5,11 @@ import { now } from "../protocol.js";
 
 /** The time now, as builtin_interfaces/msg/Time. */
 export function stamp() {
-  const ms = now();
+  return timeOfMs(now());
+}
+
+/** Return a time in ms as builtin_interfaces/msg/Time. @param {number} ms since 1970 */
+export function timeOfMs(ms) {
   const sec = Math.floor(ms / 1000);
   return { sec, nanosec: Math.min(999_999_999, Math.round((ms - sec * 1000) * 1e6)) };
 }

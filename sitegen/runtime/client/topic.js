@@ -3,9 +3,12 @@
 
 import { say } from "../ui/words.js";
 import { adapted } from "./adapted.js";
+import { endingWith } from "./ending.js";
+import { qosOf } from "./qos.js";
 import { Stream } from "./stream.js";
 
 /** @import { MessageInfo, PageNode, Publisher, Qos } from "../protocol.js" */
+/** @import { GivenQos } from "./qos.js" */
 /** @import { Surroundings } from "./surroundings.js" */
 
 export class Topic {
@@ -16,7 +19,7 @@ export class Topic {
   #publisher;
   /** What the publisher has. */
   #published = "";
-  #stop = () => {};
+  #end = () => {};
   #qos;
 
   /**
@@ -39,14 +42,25 @@ export class Topic {
   /**
    * Call `callback` with each message, and return a function that ends the subscription. If no type was given, it begins
    * when the graph has the topic.
-   * @param {(message: any, info: MessageInfo) => void} callback @param {Partial<Qos>} [qos]
-   * @returns {() => void}
+   * @param {(message: any, info: MessageInfo) => void} callback
+   * @param {{qos?: GivenQos, signal?: AbortSignal}} [options] `signal` ends it, too @returns {() => void}
    */
-  subscribe(callback, qos) {
+  subscribe(callback, { qos, signal, ...others } = {}) {
+    const [odd] = Object.keys(others);
+    if (odd) throw new Error(say("{}: unknown option '{}'; known are qos and signal", this.name, odd));
+    const wanted = { ...this.#qos, ...qosOf(qos) };
+    this.#surroundings.closed.throwIfAborted();
+    return signal?.aborted ? () => {} : endingWith([signal], this.#begin(callback, wanted));
+  }
+
+  /**
+   * @param {(message: any, info: MessageInfo) => void} callback @param {Partial<Qos>} qos @returns {() => void} end
+   */
+  #begin(callback, qos) {
     return this.#surroundings.whenTyped("topics", this.name, this.#type, (type) => {
       this.#surroundings.check(this.name, type);
       const stop = this.#surroundings.compare(this.name, type);
-      const end = adapted(this.#surroundings, this.name, { ...this.#qos, ...qos }, (best, isNew) =>
+      const end = adapted(this.#surroundings, this.name, qos, (best, isNew) =>
         this.#raw.subscribe(this.name, type, (message, info) => {
           if (isNew(info)) callback(message, info);
         }, best));
@@ -57,13 +71,20 @@ export class Topic {
     });
   }
 
+  /** Iterate over the messages: `for await (const message of topic)`. */
+  [Symbol.asyncIterator]() {
+    return this.messages();
+  }
+
   /**
-   * Iterate over the messages: `for await (const message of topic.messages())`.
-   * @param {{most?: number, signal?: AbortSignal, qos?: Partial<Qos>}} [options] of the messages that the loop has not
-   *   come to, the newest `most` are kept
+   * Iterate over the messages: `for await (const message of topic.messages({ signal }))`.
+   * @param {{most?: number, signal?: AbortSignal, qos?: GivenQos}} [options] of the messages that the loop has not come
+   *   to, the newest `most` are kept
    */
   messages({ qos, ...options } = {}) {
-    return new Stream((push) => this.subscribe((message) => push(message), qos), options, this.#surroundings.closed);
+    const begin = (/** @type {(message: any) => void} */ push) =>
+      this.subscribe((message) => push(message), qos === undefined ? {} : { qos });
+    return new Stream(begin, options, this.#surroundings.closed);
   }
 
   /** Resolve with the next message. @param {{signal?: AbortSignal}} [options] */
@@ -77,6 +98,7 @@ export class Topic {
    * @param {any} message its fields, or all of it in CDR
    */
   publish(message) {
+    this.#surroundings.closed.throwIfAborted();
     const type = this.#publisher ? this.#published : this.#known();
     const bytes = message instanceof Uint8Array;
     const checked = bytes ? message : this.#surroundings.checker.read(type, message, this.name);
@@ -84,16 +106,17 @@ export class Topic {
     this.#publisher?.publish(checked);
   }
 
-  /** Announce the publisher before its first message. */
-  advertise() {
+  /** Announce the publisher before its first message. @param {{signal?: AbortSignal}} [options] `signal` ends it */
+  advertise({ signal } = {}) {
+    this.#surroundings.closed.throwIfAborted();
+    if (signal?.aborted) return;
     if (!this.#publisher) this.#announce(this.#known());
+    this.#end = endingWith([signal], this.#end);
   }
 
   /** End the publisher. */
   unadvertise() {
-    this.#stop();
-    this.#publisher?.close();
-    this.#publisher = undefined;
+    this.#end();
   }
 
   /** Return the type, which the page has to know. */
@@ -108,7 +131,13 @@ export class Topic {
   #announce(type) {
     if (this.#publisher) return;
     this.#published = type;
-    this.#stop = this.#surroundings.compare(this.name, type);
-    this.#publisher = this.#raw.advertise(this.name, type, this.#qos);
+    const stop = this.#surroundings.compare(this.name, type);
+    const publisher = this.#raw.advertise(this.name, type, this.#qos);
+    this.#publisher = publisher;
+    this.#end = () => {
+      stop();
+      publisher.close();
+      this.#publisher = undefined;
+    };
   }
 }

@@ -1,17 +1,11 @@
 // @ts-check
 // Quality of service, as clients write it.
 
+import { POLICIES } from "../client/qos.js";
 import { Mistake } from "./mistake.js";
 import { MOST_QUEUE } from "./limits.js";
 
 /** @import { Qos } from "../protocol.js" */
-
-/** @type {Record<string, Record<string, Partial<Qos>>>} */
-const POLICIES = {
-  history: { keep_last: { keepAll: false }, keep_all: { keepAll: true } },
-  reliability: { reliable: { reliable: true }, best_effort: { reliable: false }, best_available: {} },
-  durability: { transient_local: { transientLocal: true }, volatile: { transientLocal: false }, best_available: {} },
-};
 
 /** @param {any} given @returns {Partial<Qos>} */
 export function qosOf(given) {

@@ -5,51 +5,56 @@
 import { place } from "../place.js";
 
 /** @import { MessageType } from "../protocol.js" */
+/**
+ * The addresses of files: the definitions of all interfaces, their texts, and the hashes of types.
+ * @typedef {{interfaces: string, texts: string, hashes: string}} Files
+ */
 
 export class Interfaces {
   #types;
-  #file;
-  #textsFile;
+  #files;
   /** @type {Promise<void> | undefined} */
   #loading;
-  /** @type {Promise<Record<string, string>> | undefined} */
-  #texts;
-  /** The hashes of types, by name. @type {Record<string, string>} */
-  hashes = {};
+  /** What was read, by address. @type {Map<string, Promise<Record<string, string>>>} */
+  #read = new Map();
 
-  /** @param {Record<string, MessageType>} types of the page, which get the others @param {string} file @param {string} texts */
-  constructor(types, file, texts) {
+  /** @param {Record<string, MessageType>} types of the page, which get the others @param {Files} files */
+  constructor(types, files) {
     this.#types = types;
-    this.#file = file;
-    this.#textsFile = texts;
+    this.#files = files;
   }
 
   /** Load the definitions, unless they are there. Without a connection, those of the nodes remain. */
   load() {
-    this.#loading ??= this.#read().catch((error) => {
+    this.#loading ??= fetched(this.#files.interfaces).then((found) => {
+      for (const [name, type] of Object.entries(found)) this.#types[name] ??= type;
+    }).catch((error) => {
       this.#loading = undefined;
       console.warn(error);
     });
     return this.#loading;
   }
 
-  async #read() {
-    const found = await fetched(this.#file);
-    for (const [name, { hash, ...type }] of Object.entries(found)) {
-      if (hash) this.hashes[name.replace(/_Request$/, "")] = hash;
-      this.#types[name] ??= type;
-    }
-  }
-
   /** Return the text of the file of an interface, if it has one. @param {string} name */
   async text(name) {
-    this.#texts ??= fetched(this.#textsFile).catch((error) => {
-      this.#texts = undefined;
+    const texts = await this.#once(this.#files.texts);
+    return Object.hasOwn(texts, name) ? texts[name] : undefined;
+  }
+
+  /** Return the hashes of types, by name. Pages that only use interfaces do not need them. */
+  hashes() {
+    return this.#once(this.#files.hashes);
+  }
+
+  /** Read a file, unless it was read. @param {string} file @returns {Promise<Record<string, string>>} */
+  #once(file) {
+    const reading = this.#read.get(file) ?? fetched(file).catch((error) => {
+      this.#read.delete(file);
       console.warn(error);
       return {};
     });
-    const texts = await this.#texts;
-    return Object.hasOwn(texts, name) ? texts[name] : undefined;
+    this.#read.set(file, reading);
+    return reading;
   }
 }
 

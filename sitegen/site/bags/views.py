@@ -49,7 +49,7 @@ def with_views(site: Site) -> Site:
 
 def _page(site: Site, page: Page) -> Page:
     others = [part for part in page.leaves if not isinstance(part, Markdown)]
-    alone = len(others) == 1 and not page.nodes and not page.script
+    alone = len(others) == 1 and not page.nodes and not page.scripts
     return replace(page, content=tuple(_filled(site, page, page.content, alone=alone)))
 
 

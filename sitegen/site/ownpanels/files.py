@@ -49,7 +49,7 @@ class OwnPanels:
 def own_panels(
     site: Site, page: Page, problems: Problems, interfaces: Callable[[], bytes]
 ) -> OwnPanels:
-    """Return the files of the panels and the script of `page`, and report faulty ones.
+    """Return the files of the panels and the scripts of `page`, and report faulty ones.
 
     All of them are in a folder whose name depends on their content, so that browsers can keep them,
     and panels that import the same module share it. `interfaces` returns the definitions of all
@@ -60,9 +60,9 @@ def own_panels(
     found = _Files(site.root.resolve(), problems)
     for name in files:
         found.add_panel(name)
-    if page.script:
-        found.add_script(page.script)
-        files.setdefault(page.script, page.location)
+    for name in page.scripts:
+        found.add_script(name)
+        files.setdefault(name, page.location)
     digest = hashlib.sha256()
     for name, content in sorted(found.contents.items()):
         digest.update(f"{name}\0{len(content)}\0".encode() + content)
@@ -220,5 +220,5 @@ def _foreign(name: str) -> str:
         return f"no module '{name}'; {nearest(name, CLIENTS)}"
     if "://" in name or name.startswith("//"):
         return f"'{name}' is on another site; copy the file into this one"
-    like = name.rpartition("/")[2] or name
+    like = (name.rpartition("/")[2] or name).removesuffix(".js")
     return f"'{name}' is not a path; copy the library into this site and import './{like}.js'"

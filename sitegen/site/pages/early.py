@@ -33,7 +33,7 @@ def modules(
     workers = (programs[page.nodes[name].program].worker for name in started)
     paths = [*(f"runtime/workers/{worker}.js" for worker in workers), *assets.preloads(site, page)]
     own = [widget["options"].get("module") for widget in entry["widgets"]]
-    own.append(entry.get("script", {}).get("module"))
+    own += (script["module"] for script in entry.get("scripts", ()))
     return [*(address(page, path) for path in dict.fromkeys(paths)), *filter(None, own)]
 
 

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from sitegen import workspace
+from sitegen.interfaces.messages import hashes_of, without_hashes
 from sitegen.launch.written import launch_entry
 from sitegen.model import Launch, Node, Page, Prebuilt, Programs, Site, Widget
 from sitegen.site import assets
@@ -95,14 +96,15 @@ def page_entry(
             for widget, slot in slots_of(page)
         ],
     }
-    if page.script in own.modules:
-        entry["script"] = {"file": page.script, "module": link(own.modules[page.script])}
+    scripts = [name for name in page.scripts if name in own.modules]
+    if scripts:
+        entry["scripts"] = [{"file": name, "module": link(own.modules[name])} for name in scripts]
     if own.interfaces:
         entry["interfaces"] = link(own.interfaces)
     if site.messages_from:
         entry["messagesFrom"] = list(site.messages_from)
     if assets.takes_part(site, page):
-        entry["types"] = {name: _without_hash(one) for name, one in types.items()}
+        entry["types"] = without_hashes(types)
     if page.launch:
         entry["launch"] = launch_entry(page.launch, pressed)
     if page.start_from_links:
@@ -139,10 +141,7 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
     if joined is None:
         return {}
     given = {name: value for name, value in asdict(joined).items() if value not in (None, "", {})}
-    hashes = {
-        name.removesuffix("_Request"): one["hash"] for name, one in types.items() if "hash" in one
-    }
-    return {"connect": given, "hashes": hashes}
+    return {"connect": given, "hashes": hashes_of(types)}
 
 
 def _definitions(widget: Widget, paths: Mapping[str, str]) -> Mapping[str, str]:
@@ -150,10 +149,6 @@ def _definitions(widget: Widget, paths: Mapping[str, str]) -> Mapping[str, str]:
     if widget.kind in assets.CELLS:
         return {"interfaces": paths["interfaces"]}
     return paths if widget.kind == TERMINAL else {}
-
-
-def _without_hash(one: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: value for name, value in one.items() if name != "hash"}
 
 
 def _bag(widget: Widget) -> str:

@@ -16,6 +16,7 @@ from sitegen.cache.folder import cache_folder
 from sitegen.config.ipynb import SUFFIX as NOTEBOOK
 from sitegen.errors import Problems, nearest
 from sitegen.interfaces.catalogue import as_artifact, as_json, catalogue, texts
+from sitegen.interfaces.messages import MessageType, hashes_of, without_hashes
 from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site import assets
 from sitegen.site.bags import bags
@@ -87,21 +88,29 @@ class Renderer:
         return changed_days(self.site)
 
     @cached_property
+    def _catalogue(self) -> Mapping[str, MessageType]:
+        return catalogue(self.site, cache=cache_folder())
+
+    @cached_property
     def _interfaces(self) -> bytes:
-        return as_json(catalogue(self.site, cache=cache_folder()))
+        return as_json(without_hashes(self._catalogue))
 
     @cached_property
     def _texts(self) -> bytes:
         return as_json(texts(self.site, cache=cache_folder()))
 
     def _definitions(self, page: Page) -> dict[str, Artifact]:
-        """Return what terminals and panels below cells load: all interfaces, and their texts."""
+        """Return what terminals and panels below cells load: all interfaces.
+
+        Terminals show their texts and hashes, too.
+        """
         kinds = assets.shown_kinds(page)
         found = {}
         if kinds & {TERMINAL, *assets.CELLS}:
             found["interfaces"] = as_artifact(self._interfaces)
         if TERMINAL in kinds:
             found["texts"] = as_artifact(self._texts)
+            found["hashes"] = as_artifact(as_json(hashes_of(self._catalogue)))
         return found
 
     def every_page(self) -> list[Rendered]:
@@ -140,7 +149,7 @@ class Renderer:
         shown = list(flat(parts))
         entry = None
         notes: tuple[str, ...] = ()
-        if page.script or any(panel.slots for block in shown for panel in block.panels):
+        if page.scripts or any(panel.slots for block in shown for panel in block.panels):
             files = edited(self.site, page, problems)
             # A page opened as a file has no service worker.
             site = replace(self.site, isolate=None) if alone else self.site

@@ -227,15 +227,15 @@ class _Writer(HTMLParser):
             for name, address in widget["options"].get("bags", {}).items():
                 meshes.append(self._path(address) or "")
                 widget["options"]["bags"][name] = f"sitegen:{meshes[-1]}"
-            for name in {"interfaces", "texts"} & widget["options"].keys():
+            for name in {"interfaces", "texts", "hashes"} & widget["options"].keys():
                 meshes.append(self._path(widget["options"][name]) or "")
                 widget["options"][name] = f"sitegen:{meshes[-1]}"
             if "module" in widget["options"]:
                 own.append(self._path(widget["options"]["module"]) or "")
                 widget["options"]["module"] = f"sitegen:{own[-1]}"
-        if "script" in run:
-            own.append(self._path(run["script"]["module"]) or "")
-            run["script"]["module"] = f"sitegen:{own[-1]}"
+        for script in run.get("scripts", ()):
+            own.append(self._path(script["module"]) or "")
+            script["module"] = f"sitegen:{own[-1]}"
         if "interfaces" in run:
             meshes.append(self._path(run["interfaces"]) or "")
             run["interfaces"] = f"sitegen:{meshes[-1]}"

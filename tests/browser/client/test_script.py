@@ -68,11 +68,56 @@ def test_a_script_that_fails_is_named(browser: Browser, serve: Serve, site: Path
     expect(tab.get_by_role("region", name="Heard")).to_contain_text("Hello, world!")
 
 
+def test_scripts_run_in_order_each_after_the_one_before(
+    browser: Browser, serve: Serve, site: Path
+) -> None:
+    said = "document.body.dataset.said = (document.body.dataset.said ?? '') + "
+    # The first ends last if they are not waited for.
+    first = f"await new Promise(requestAnimationFrame);\n{said}'first ';\n"
+    (site / "first.js").write_text(first)
+    (site / "last.js").write_text(f"{said}'last';\n")
+    (site / "site.yaml").write_text(
+        SITE.replace("script: mine.js", "scripts: [first.js, mine.js, last.js]")
+    )
+    dist = build(site, "throw new RangeError('too far');\n")
+    scripts = json.loads((dist / "page.json").read_text())["scripts"]
+    assert [script["file"] for script in scripts] == ["first.js", "mine.js", "last.js"]
+    html = (dist / "index.html").read_text()
+    # Those that come later are not requested later.
+    assert all(f'<link rel="modulepreload" href="{one["module"]}"' in html for one in scripts)
+    tab = browser.new_page()
+    tab.goto(serve(dist))
+    tab.wait_for_selector("body[data-said='first last']")
+    expect(tab.locator(".ros-word")).to_contain_text("mine.js: RangeError: too far")
+    Panel(tab, "talker").wait_for("Publishing")
+
+
+def test_all_scripts_together_are_waited_for_as_long_as_one(
+    browser: Browser, serve: Serve, site: Path
+) -> None:
+    never = "await new Promise(() => {});\n"
+    for name in ("first", "last"):
+        (site / f"{name}.js").write_text(f"document.body.dataset.{name} = 'yes';\n{never}")
+    (site / "site.yaml").write_text(
+        SITE.replace("script: mine.js", "scripts: [first.js, mine.js, last.js]")
+    )
+    tab = browser.new_page()
+    tab.clock.install()
+    tab.goto(serve(build(site, never)))
+    tab.wait_for_selector("body[data-first]")
+    # From now on, time passes only here: what one script is waited for.
+    tab.clock.pause_at(tab.evaluate("Date.now() + 1"))
+    tab.clock.run_for(3000)
+    tab.wait_for_selector("body[data-last]")
+    tab.clock.resume()
+    Panel(tab, "talker").wait_for("Publishing")
+
+
 def test_only_pages_with_a_script_load_what_it_needs(tab: Tab, serve: Serve, site: Path) -> None:
     dist = build(site, "document.body.dataset.done = 'yes';\n")
     entry, plain = (json.loads((dist / f"{path}page.json").read_text()) for path in ("", "plain/"))
-    assert {"script", "interfaces", "types"} <= set(entry)
-    assert not {"script", "interfaces", "types", "messagesFrom"} & set(plain)
+    assert {"scripts", "interfaces", "types"} <= set(entry)
+    assert not {"scripts", "interfaces", "types", "messagesFrom"} & set(plain)
     assert not (dist / "runtime/rosbridge").exists()
     tab.goto(serve(dist))
     tab.wait_for_selector("body[data-done]")

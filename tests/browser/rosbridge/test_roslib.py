@@ -172,7 +172,7 @@ def test_parameters_are_set_and_read(page: Page) -> None:
             sim: [await set("/robot:use_sim_time", true), await get("robot:use_sim_time")],
             names: await until((resolve) => link.getParams(resolve)),
             wrong: await set("/robot:count", "x"), none: await get("/robot:none"),
-              odd: await get("odd"),
+              odd: await get("no name"),
           };
         }"""
     )
@@ -185,7 +185,7 @@ def test_parameters_are_set_and_read(page: Page) -> None:
         "label": "first",
         "sim": [fine, True],
         "none": {"error": "parameter /robot:none is not set"},
-        "odd": {"error": "'odd' is not the name of a parameter; write '/node:parameter'"},
+        "odd": {"error": "'no name' is not the name of a parameter; write '/node:parameter'"},
     }
 
 

@@ -1,39 +1,47 @@
 // @ts-check
-// Parameters, as rosapi has them: "/node:parameter", with values in JSON.
+// Parameters, as rosapi has them: "/node:parameter", or a name alone, as programs for ROS 1 write it; values are in JSON.
 
 import { fullName } from "../../client/names.js";
 import { Parameters } from "../../client/parameters.js";
 import { nodesOf } from "../../messages/parameters/node.js";
+import { LONGEST_NAME } from "../limits.js";
 import { Mistake, textOf } from "../mistake.js";
+import { Kept } from "./kept.js";
 
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Session } from "../session.js" */
+/** @typedef {{get(name: string): any, set(name: string, value: any): any}} Holder a node, or what the client keeps */
 
 const OK = { successful: true, reason: "" };
 
 export class ParameterServices {
   #session;
+  /** Parameters that no node has. */
+  #kept = new Kept();
+  /** @type {Promise<unknown>} */
+  #last = Promise.resolve();
 
   /** @param {Session} session */
   constructor(session) {
     this.#session = session;
   }
 
-  /** The services, by name. @type {Record<string, (request: any) => any>} */
-  services = {
-    get_param: async ({ name, default_value: other = "", default: old = other }) => {
+  /** What the services do, by name. @type {Record<string, (request: any) => Promise<any>>} */
+  #done = {
+    get_param: async ({ name, default_value, default: given }) => {
+      const otherwise = given || default_value;
       try {
         const value = await this.#get(name);
         if (value !== undefined) return { value: jsonOf(value), ...OK };
       } catch (error) {
-        return { value: String(old), successful: false, reason: textOf(error) };
+        return { value: otherwise, successful: false, reason: textOf(error) };
       }
-      if (old !== "") return { value: String(old), ...OK };
-      return { value: "", successful: false, reason: `parameter ${String(name).slice(0, 200)} is not set` };
+      if (otherwise) return { value: otherwise, ...OK };
+      return { value: "", successful: false, reason: `parameter ${name.slice(0, 200)} is not set` };
     },
     set_param: async ({ name, value }) => this.#changed(async () => {
-      const [parameters, own] = this.#find(name);
-      await parameters.set(own, parsed(value));
+      const [holder, own] = await this.#find(name);
+      await holder.set(own, parsed(value));
     }),
     has_param: async ({ name }) => {
       try {
@@ -43,41 +51,71 @@ export class ParameterServices {
       }
     },
     delete_param: async ({ name }) => this.#changed(async () => {
-      const [parameters, own] = this.#find(name);
-      await parameters.set(own, undefined);
+      const [holder, own] = await this.#find(name);
+      await holder.set(own, undefined);
     }),
     get_param_names: async () => {
-      const { raw, graph, surroundings } = this.#session;
-      const nodes = nodesOf(/** @type {Ros} */ (/** @type {unknown} */ ({ graph })));
-      const all = nodes.map(async (node) => {
-        try {
-          return (await new Parameters(raw, surroundings, node).names()).map((name) => `${node}:${name}`);
-        } catch {
-          return []; // the node ended meanwhile
-        }
-      });
-      return { names: (await Promise.all(all)).flat() };
+      const all = await this.#ofAll(async (parameters) =>
+        (await parameters.names()).map((name) => `${parameters.node}:${name}`));
+      return { names: [...all.flat(), ...this.#kept.names()] };
     },
   };
 
-  /** @param {string} name */
-  async #get(name) {
-    const [parameters, own] = this.#find(name);
-    return parameters.get(own);
+  /** The services, by name. @type {Record<string, (request: any) => any>} */
+  services = Object.fromEntries(Object.entries(this.#done).map(([name, answer]) =>
+    [name, (/** @type {any} */ request) => this.#inTurn(() => answer(request))]));
+
+  /** Answer after the requests before: what was set is what is read. @param {() => Promise<any>} answer */
+  #inTurn(answer) {
+    // Each takes a limited time, as calls do.
+    const own = this.#last.then(answer);
+    this.#last = own.catch(() => {});
+    return own;
   }
 
-  /** @param {unknown} name @returns {[Parameters, string]} the node, and the parameter's name there */
-  #find(name) {
-    const [, node, own] = /^([^:]+):(.+)$/.exec(String(name)) ?? [];
-    if (!node || !own) {
-      throw new Mistake(`'${String(name).slice(0, 200)}' is not the name of a parameter; write '/node:parameter'`);
-    }
+  /** @param {string} name */
+  async #get(name) {
+    const [holder, own] = await this.#find(name);
+    return holder.get(own);
+  }
+
+  /** @param {string} name @returns {Promise<[Holder, string]>} who has the parameter, and its name there */
+  async #find(name) {
+    const [, node, own] = /^([^:]+):(.+)$/.exec(name) ?? [];
+    if (!node || !own) return this.#findAlone(name);
     const { raw, surroundings } = this.#session;
     const full = fullName(node);
     if (!surroundings.serversOf(`${full}/get_parameters`).length) {
       throw new Mistake(`there is no node ${full} with parameters`);
     }
     return [new Parameters(raw, surroundings, full), own];
+  }
+
+  /** @param {string} name without a node @returns {Promise<[Holder, string]>} */
+  async #findAlone(name) {
+    const own = name.replace(/^\//, "");
+    if (!/^[^\s:]+$/.test(own) || own.length > LONGEST_NAME) {
+      throw new Mistake(`'${name.slice(0, 200)}' is not the name of a parameter; write '/node:parameter'`);
+    }
+    const all = await this.#ofAll(async (parameters) => ((await parameters.get(own)) === undefined ? [] : [parameters]));
+    const [found, ...others] = all.flat();
+    if (found && others.length) {
+      const nodes = [found, ...others].map(({ node }) => node).join(", ");
+      throw new Mistake(`${nodes} have a parameter '${own}'; write '${found.node}:${own}'`);
+    }
+    return [found ?? this.#kept, own];
+  }
+
+  /**
+   * Ask all nodes that have parameters, and leave out those that do not answer.
+   * @template Answer
+   * @param {(parameters: Parameters) => Promise<Answer[]>} ask
+   */
+  #ofAll(ask) {
+    const { raw, graph, surroundings } = this.#session;
+    const nodes = nodesOf(/** @type {Ros} */ (/** @type {unknown} */ ({ graph })));
+    return Promise.all(nodes.map((node) =>
+      ask(new Parameters(raw, surroundings, node)).catch(() => /** @type {Answer[]} */ ([]))));
   }
 
   /** @param {() => Promise<void>} change */
@@ -91,9 +129,8 @@ export class ParameterServices {
   }
 }
 
-/** @param {unknown} text */
+/** @param {string} text */
 function parsed(text) {
-  if (typeof text !== "string") throw new Mistake("the value of a parameter is a text in JSON");
   try {
     return JSON.parse(text);
   } catch {

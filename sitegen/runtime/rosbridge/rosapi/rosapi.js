@@ -4,7 +4,8 @@
 import { stamp } from "../../client/time.js";
 import { isHidden } from "../../graphNames.js";
 import { actionsOf } from "../../messages/actionClient.js";
-import { fullText, PARTS, typedefs, typeNamed } from "./definitions.js";
+import { Mistake } from "../mistake.js";
+import { fullText, PARTS, typedefs, typeNamed, withoutPackage } from "./definitions.js";
 import { ParameterServices } from "./parameters.js";
 
 /** @import { Ros } from "../../protocol.js" */
@@ -12,6 +13,8 @@ import { ParameterServices } from "./parameters.js";
 
 const NODE = "/rosapi";
 const DISTRIBUTION = "kilted";
+/** The fields that requests have. */
+const FIELDS = ["topic", "service", "action", "node", "type", "name", "value", "default", "default_value"];
 /** The types of the services, after rosapi_msgs/srv/. @type {Record<string, string>} */
 const TYPES = {
   topics: "Topics", interfaces: "Interfaces", topics_for_type: "TopicsForType", topics_and_raw_types: "TopicsAndRawTypes",
@@ -42,10 +45,14 @@ export class Rosapi {
     };
   }
 
-  /** Return what answers a service of rosapi, if it is one. @param {string} name */
+  /**
+   * Return what answers a service of rosapi, if it is one.
+   * @param {string} name @returns {((request: any) => any) | undefined}
+   */
   serviceOf(name) {
     const own = name.startsWith(`${NODE}/`) ? name.slice(NODE.length + 1) : "";
-    return Object.hasOwn(this.#services, own) ? this.#services[own] : undefined;
+    const answer = Object.hasOwn(this.#services, own) ? this.#services[own] : undefined;
+    return answer && ((request) => answer(textsOf(request)));
   }
 
   /** @returns {Record<string, (request: any) => any>} */
@@ -62,10 +69,11 @@ export class Rosapi {
       topics_and_raw_types: () => {
         const all = listed();
         const texts = all.types.map((type) =>
-          (type && values.knows(type) ? fullText(values, raw.types, type) : `# this page has no definition of ${type}`));
+          (type && values.knows(type) ? fullText(values, raw.types, type)
+            : `# failed to get full definition text for ${type}: this page has no definition of it`));
         return { ...all, typedefs_full_text: texts };
       },
-      topic_type: ({ topic }) => ({ type: found(topic)?.types[0] ?? "" }),
+      topic_type: ({ topic }) => ({ type: topics().find(({ name }) => name === topic)?.types[0] ?? "" }),
       publishers: ({ topic }) => ({ publishers: once(found(topic)?.publishers) }),
       subscribers: ({ topic }) => ({ subscribers: once(found(topic)?.subscriptions) }),
     };
@@ -85,7 +93,7 @@ export class Rosapi {
       services_for_type: ({ type }) => ({
         services: services().filter(({ types }) => same(types[0], type)).map(({ name }) => name),
       }),
-      service_type: ({ service }) => ({ type: found(service)?.types[0] ?? "" }),
+      service_type: ({ service }) => ({ type: services().find(({ name }) => name === service)?.types[0] ?? "" }),
       service_node: ({ service }) => ({ node: found(service)?.servers[0] ?? "" }),
       service_providers: ({ service }) => ({
         providers: once([...(found(service)?.servers ?? []),
@@ -101,27 +109,37 @@ export class Rosapi {
   /** @returns {Record<string, (request: any) => any>} */
   #aboutNodes() {
     const { graph } = this.#session;
+    const nodes = () => once([...graph.nodes().filter((name) => !isHidden(name)), NODE]);
+    const shown = (/** @type {{name: string}[]} */ all) => all.map(({ name }) => name).filter((name) => !isHidden(name));
     return {
-      nodes: () => ({ nodes: once([...graph.nodes().filter((name) => !isHidden(name)), NODE]) }),
-      node_details: ({ node }) => ({
-        subscribing: graph.topics().filter(({ subscriptions }) => subscriptions.includes(node)).map(({ name }) => name),
-        publishing: graph.topics().filter(({ publishers }) => publishers.includes(node)).map(({ name }) => name),
-        services: node === NODE ? Object.keys(TYPES).map((name) => `${NODE}/${name}`)
-          : graph.services().filter(({ servers }) => servers.includes(node)).map(({ name }) => name),
-      }),
+      nodes: () => ({ nodes: nodes() }),
+      node_details: ({ node }) => {
+        if (!nodes().includes(node)) throw new Mistake(`there is no node '${node.slice(0, 200)}'`);
+        return {
+          subscribing: shown(graph.topics().filter(({ subscriptions }) => subscriptions.includes(node))),
+          publishing: shown(graph.topics().filter(({ publishers }) => publishers.includes(node))),
+          services: node === NODE ? Object.keys(TYPES).map((name) => `${NODE}/${name}`)
+            : shown(graph.services().filter(({ servers }) => servers.includes(node))),
+        };
+      },
     };
   }
 
   /** @returns {Record<string, (request: any) => any>} */
   #aboutTypes() {
     const { values, raw: { types } } = this.#session;
-    const described = (/** @type {unknown} */ type, part = "") =>
-      ({ typedefs: typedefs(values, types, typeNamed(values, `${type}${part}`)) });
+    const described = (/** @type {string} */ type, part = "") =>
+      ({ typedefs: typedefs(values, types, typeNamed(values, type + part)) });
     return {
       interfaces: () => ({
         interfaces: once(Object.keys(types).map((name) => (name.includes("/msg/") ? name : name.replace(PARTS, "$1")))).sort(),
       }),
-      message_details: ({ type }) => described(type),
+      message_details: ({ type }) => {
+        const simple = withoutPackage(type);
+        if (simple) return { typedefs: simple };
+        // Unlike those of services and actions, an unknown message is not a mistake.
+        return values.knows(typeNamed(values, type)) ? described(type) : { typedefs: [] };
+      },
       service_request_details: ({ type }) => described(type, "_Request"),
       service_response_details: ({ type }) => described(type, "_Response"),
       service_typedescs: ({ type }) => ({
@@ -141,6 +159,15 @@ export class Rosapi {
 function same(a, b) {
   const plain = (/** @type {unknown} */ name) => String(name).replace(/\/(msg|srv|action)\//, "/");
   return plain(a) === plain(b);
+}
+
+/** The fields of a request, all of which are texts; those that are missing are empty. @param {any} request */
+function textsOf(request) {
+  return Object.fromEntries(FIELDS.map((key) => {
+    const value = request[key] ?? "";
+    if (typeof value !== "string") throw new Mistake(`'${key}' is a ${typeof value}; it must be a string`);
+    return [key, value];
+  }));
 }
 
 /** @param {string[]} [names] */

@@ -83,9 +83,10 @@ const info = {
     if (!service) return `Unknown service '${name}'`;
     const { types, clients, servers } = service;
     const end = verbose ? "\n\n" : "\n";
+    const hashes = verbose ? await shell.interfaces.hashes() : {};
     const described = async (/** @type {"client" | "service"} */ kind) => {
       if (!verbose) return;
-      for (const one of endpoints(ros, { kind, name })) await out(`${endpointInfo(one, "Service", shell.interfaces.hashes)}${end}`);
+      for (const one of endpoints(ros, { kind, name })) await out(`${endpointInfo(one, "Service", hashes)}${end}`);
     };
     await out(`Type: ${types.length === 1 ? types[0] : `[${types.map((one) => `'${one}'`).join(", ")}]`}\n`);
     await out(`Clients count: ${clients.length}${end}`);

@@ -12,6 +12,7 @@ import { Interfaces } from "../../terminal/interfaces.js";
 import { History } from "../../terminal/line/history.js";
 import { Session } from "../../terminal/session.js";
 
+/** @import { Files } from "../../terminal/interfaces.js" */
 /** @import { Ros } from "../../protocol.js" */
 /** @import { Icon } from "../../ui/toolbar.js" */
 
@@ -33,9 +34,9 @@ function turned(icon, degrees) {
 }
 
 /**
- * `run` is the first line; `bags` are the addresses of the bags that the page plays, by path; `interfaces` and `texts`
- * are those of the definitions of all interfaces.
- * @typedef {{run?: string, bags?: Record<string, string>, interfaces: string, texts: string}} Options
+ * `run` is the first line; `bags` are the addresses of the bags that the page plays, by path; the others are those of all
+ * interfaces.
+ * @typedef {{run?: string, bags?: Record<string, string>} & Files} Options
  */
 
 /**
@@ -44,8 +45,8 @@ function turned(icon, degrees) {
  * @param {() => void} [emptied] called when a visitor closes the last terminal; without it, another one opens
  * @returns {Opened}
  */
-export function open(element, ros, { run, bags = {}, interfaces, texts }, emptied) {
-  const terminals = new Terminals(element, ros, new Bags(ros, bags), new Interfaces(ros.types, interfaces, texts), emptied);
+export function open(element, ros, { run, bags = {}, ...files }, emptied) {
+  const terminals = new Terminals(element, ros, new Bags(ros, bags), new Interfaces(ros.types, files), emptied);
   const first = terminals.add();
   if (run) first.enter(run);
   return terminals;

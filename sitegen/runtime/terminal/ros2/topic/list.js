@@ -49,7 +49,8 @@ export const info = {
     flag("verbose", ["--verbose", "-v"], "Prints detailed information like the node name, node namespace, topic type, topic type hash, GUID, and QoS Profile of the publishers and subscribers to this topic"),
   ],
   async run({ ros, out, shell }, { topic_name: name, verbose }) {
-    const described = (/** @type {ReturnType<typeof endpoints>[number]} */ one) => endpointInfo(one, "Topic", shell.interfaces.hashes);
+    const hashes = verbose ? await shell.interfaces.hashes() : {};
+    const described = (/** @type {ReturnType<typeof endpoints>[number]} */ one) => endpointInfo(one, "Topic", hashes);
     const topic = topics(ros, true).find((one) => one.name === name);
     if (!topic) return `Unknown topic '${name}'`;
     const end = verbose ? "\n\n" : "\n";

@@ -19,6 +19,25 @@ export const connections = {
   "{} refused: {}": "{} lehnte ab: {}",
   "a parameter is a boolean, a number, a text, or a list of one of these":
     "ein Parameter ist ein Wahrheitswert, eine Zahl, ein Text oder eine Liste davon",
+  "{} does not fit into 64 bits": "{} passt nicht in 64 Bit",
+  "parameter '{}' has already been declared": "der Parameter „{}“ ist schon deklariert",
+  "a parameter needs a name, which is a text": "ein Parameter braucht einen Namen, der ein Text ist",
+  "{}: a parameter needs a value or a type": "{}: ein Parameter braucht einen Wert oder einen Typ",
+  "{}: only integers and doubles can have a range": "{}: nur ganze Zahlen und Gleitkommazahlen können einen Bereich haben",
+  "{}: unknown option '{}'; known are {}": "{}: unbekannte Option „{}“; bekannt sind {}",
+  "{}: unknown type '{}'; known are {}": "{}: unbekannter Typ „{}“; bekannt sind {}",
+  "{}: unknown option '{}'; known are qos and signal": "{}: unbekannte Option „{}“; bekannt sind qos und signal",
+  "the page itself has no parameters; make a node with ros.node()":
+    "die Seite selbst hat keine Parameter; machen Sie eine Node mit ros.node()",
+  "a period must be a positive number of ms": "eine Periode muss eine positive Anzahl von ms sein",
+  "unknown log level '{}'; known are {}": "unbekannte Stufe des Protokolls „{}“; bekannt sind {}",
+  "qos must be the name of a profile, such as 'sensor_data', or an object of policies":
+    "qos muss der Name eines Profils sein, zum Beispiel 'sensor_data', oder ein Objekt mit Policies",
+  "qos: unknown {} '{}'; known are {}": "qos: {} „{}“ ist unbekannt; bekannt sind {}",
+  "qos: unknown policy '{}'; known are {}": "qos: unbekannte Policy „{}“; bekannt sind {}",
+  "qos: '{}' must be true or false": "qos: „{}“ muss true oder false sein",
+  "qos: '{}' must be a time in ms": "qos: „{}“ muss eine Zeit in ms sein",
+  "qos: '{}' must be a whole number": "qos: „{}“ muss eine ganze Zahl sein",
   // The connection to a gateway.
   "Connection": "Verbindung",
   "Gateway": "Gateway",

@@ -1,0 +1,130 @@
+// @ts-check
+// The time of a node, and what waits for it. As in ROS, a node uses the time on /clock if its parameter use_sim_time
+// says so; the page itself uses it while somebody publishes it, as panels do.
+
+import { now } from "../protocol.js";
+import { say } from "../ui/words.js";
+import { endingWith } from "./ending.js";
+import { Stream } from "./stream.js";
+import { timeOfMs } from "./time.js";
+
+/** @import { PageNode } from "../protocol.js" */
+/** @import { Surroundings } from "./surroundings.js" */
+
+const TYPE = "rosgraph_msgs/msg/Clock";
+// The longest time that browsers can wait (ms).
+const LONGEST = 2 ** 31 - 1;
+
+/** Emits `change` after each message on /clock that it uses, and when it begins or ends to use them. */
+export class Clock extends EventTarget {
+  #raw;
+  #surroundings;
+  /**
+   * The time on /clock, 0 before the first message, as in ROS; undefined if that of the computer counts.
+   * @type {{sec: number, nanosec: number} | undefined}
+   */
+  #simulated;
+  #unsubscribe = () => {};
+
+  /** @param {PageNode} raw @param {Surroundings} surroundings */
+  constructor(raw, surroundings) {
+    super();
+    this.#raw = raw;
+    this.#surroundings = surroundings;
+  }
+
+  /** Whether the time on /clock counts. */
+  get isSimulated() {
+    return this.#simulated !== undefined;
+  }
+
+  set isSimulated(wanted) {
+    if (wanted === this.isSimulated) return;
+    this.#unsubscribe();
+    this.#unsubscribe = () => {};
+    this.#simulated = wanted ? { sec: 0, nanosec: 0 } : undefined;
+    if (wanted) {
+      this.#surroundings.check("/clock", TYPE);
+      this.#unsubscribe = this.#raw.subscribe("/clock", TYPE, ({ clock }) => {
+        this.#simulated = clock;
+        this.dispatchEvent(new Event("change"));
+      }, { depth: 1 });
+    }
+    this.dispatchEvent(new Event("change"));
+  }
+
+  /** Use the time on /clock while it is published. */
+  follow() {
+    const look = () => {
+      this.isSimulated = this.#surroundings.publishersOf("/clock").length > 0;
+    };
+    look();
+    this.#surroundings.watch(look);
+  }
+
+  /** The time now in ms. */
+  get ms() {
+    return this.#simulated ? this.#simulated.sec * 1000 + this.#simulated.nanosec / 1e6 : now();
+  }
+
+  /** The time now, as builtin_interfaces/msg/Time. */
+  now() {
+    return this.#simulated ?? timeOfMs(now());
+  }
+
+  /**
+   * Call `callback` with the time each `period` ms, until the function that this returns is called. What was missed is
+   * left out, and after a jump into the past, the next call is a period later.
+   * @param {number} period @param {(time: {sec: number, nanosec: number}) => void} callback
+   * @param {{signal?: AbortSignal}} [options] @returns {() => void}
+   */
+  timer(period, callback, { signal } = {}) {
+    if (!(period > 0 && period < Infinity)) throw new RangeError(say("a period must be a positive number of ms"));
+    let due = this.ms + period;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    let waiting;
+    const look = () => {
+      clearTimeout(waiting);
+      const time = this.ms;
+      if (time < due - period) due = time + period;
+      const isDue = time >= due;
+      if (isDue) due += period * (1 + Math.floor((time - due) / period));
+      // With simulated time, the next message looks.
+      if (!this.isSimulated) waiting = setTimeout(look, Math.min(LONGEST, Math.ceil(due - time)));
+      if (isDue) run(callback, this.now());
+    };
+    this.addEventListener("change", look);
+    const end = endingWith([signal, this.#surroundings.closed], () => {
+      clearTimeout(waiting);
+      this.removeEventListener("change", look);
+    });
+    if (!signal?.aborted && !this.#surroundings.closed.aborted) look();
+    return end;
+  }
+
+  /**
+   * Iterate over the time, each `period` ms. What comes while the loop is busy is left out but for the newest.
+   * @param {number} period @param {{signal?: AbortSignal}} [options]
+   * @returns {Stream<{sec: number, nanosec: number}>}
+   */
+  ticks(period, { signal } = {}) {
+    return new Stream((push) => this.timer(period, push), { most: 1, signal }, this.#surroundings.closed);
+  }
+
+  /** Resolve after `ms`. @param {number} ms @param {{signal?: AbortSignal}} [options] @returns {Promise<void>} */
+  async sleep(ms, { signal } = {}) {
+    if (ms > 0) for await (const _ of this.ticks(ms, { signal })) return;
+    signal?.throwIfAborted();
+    this.#surroundings.closed.throwIfAborted();
+  }
+}
+
+/** @param {(time: any) => void} callback @param {any} time */
+function run(callback, time) {
+  try {
+    callback(time);
+  } catch (error) {
+    // The next call may succeed.
+    console.error(error);
+  }
+}
