@@ -173,8 +173,11 @@ export class Node {
     }
     const raw = this.#ros.node(full);
     const node = made(raw, () => new Node(this.#ros, raw, full, parameters));
-    const end = endingWith([signal], () => node.close());
-    node.#surroundings.closed.addEventListener("abort", end);
+    const { closed } = node.#surroundings;
+    const forget = endingWith([signal], () => {
+      if (!closed.aborted) node.close();
+    });
+    closed.addEventListener("abort", forget);
     return node;
   }
 

@@ -67,7 +67,8 @@ export class OwnParameters {
     const fault = given === undefined && override === undefined ? "" : refusal(one, value);
     if (fault) throw new Error(say("{} refused: {}", this.#node, fault));
     this.declared.set(name, one);
-    this.#changed([{ name, value }], NEW);
+    // It is new to others when it has a value.
+    if (value.type !== NOT_SET) this.#changed([{ name, value }], NEW);
     return one;
   }
 

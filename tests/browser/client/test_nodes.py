@@ -204,16 +204,19 @@ def test_a_script_declares_parameters_and_hears_of_changes(scripted: Page) -> No
           const own = await node.parameters("mine").get("speed");
           const { type } = await others.describe("speed");
           label.undeclare();
+          const later = node.declare("later", undefined, { type: "integer" });
+          const unset = later.value;
+          later.value = 5;
           const heardOf = [];
           const names = (list) => list.map(({ name }) => name).join();
           for await (const one of events) {
             if (one.node !== "/mine") continue;
             heardOf.push([names(one.new_parameters), names(one.changed_parameters),
               names(one.deleted_parameters)]);
-            if (one.deleted_parameters.length) break;
+            if (names(one.new_parameters) === "later") break;
           }
           const left = [...node.declared.keys()];
-          return { before, refusals, told, all, own, type, heardOf, left };
+          return { before, refusals, told, all, own, type, heardOf, left, unset };
         }"""
     )
     wrong = "parameter {speed} is of type {double}, setting it to {string} is not allowed."
@@ -235,8 +238,10 @@ def test_a_script_declares_parameters_and_hears_of_changes(scripted: Page) -> No
             ["", "speed", ""],
             ["", "speed,label", ""],
             ["", "", "label"],
+            ["later", "", ""],
         ],
-        "left": ["use_sim_time", "speed"],
+        "left": ["use_sim_time", "speed", "later"],
+        "unset": None,
     }
 
 
