@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from packages import Workspace
 from served import Serving
 from waiting import until
 
@@ -19,31 +20,14 @@ pages:
     script: scripts/mine.js
     content: [{panel: panels/mine.js}]
 """
-PACKAGE = """\
-<package format="3">
-  <name>my_interfaces</name>
-  <version>0.1.0</version>
-  <description>Interfaces</description>
-  <maintainer email="a@example.org">A</maintainer>
-  <license>Apache-2.0</license>
-  <buildtool_depend>rosidl_default_generators</buildtool_depend>
-  <member_of_group>rosidl_interface_packages</member_of_group>
-  <export><build_type>ament_cmake</build_type></export>
-</package>
-"""
 CMAKE = """\
-cmake_minimum_required(VERSION 3.8)
-project(my_interfaces)
 find_package(rosidl_default_generators REQUIRED)
 rosidl_generate_interfaces(my_interfaces {})
-ament_package()
 """
 FILES = {
     "site.yaml": SITE,
     "scripts/mine.js": 'import "sitegen";\n',
     "panels/mine.js": "export const mount = () => {};\n",
-    "src/my_interfaces/package.xml": PACKAGE,
-    "src/my_interfaces/CMakeLists.txt": CMAKE.format("msg/Speed.msg"),
     "src/my_interfaces/msg/Speed.msg": "float64 forward\n",
 }
 SPEED, TURN = "src/my_interfaces/msg/Speed.msg", "src/my_interfaces/msg/Turn.msg"
@@ -51,10 +35,17 @@ SPEED, TURN = "src/my_interfaces/msg/Speed.msg", "src/my_interfaces/msg/Turn.msg
 
 @pytest.fixture
 def site(tmp_path: Path) -> Path:
+    workspace = Workspace(tmp_path, tmp_path)
     for name, text in FILES.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text)
+        workspace.write(name, text)
+    describe(tmp_path, "msg/Speed.msg")
     return tmp_path
+
+
+def describe(site: Path, *definitions: str) -> None:
+    """Write a package of interfaces that consists of these."""
+    body = CMAKE.format(" ".join(definitions))
+    Workspace(site, site).package("my_interfaces", body)
 
 
 def builds(served: Serving) -> list[str]:
@@ -79,7 +70,7 @@ def test_types_follow_the_interfaces(site: Path, serving: Callable[[Path], Servi
     assert changed in types.read_text()
     # One that is new.
     (site / TURN).write_text("float64 angle\n")
-    served.write("src/my_interfaces/CMakeLists.txt", CMAKE.format("msg/Speed.msg msg/Turn.msg"))
+    describe(site, "msg/Speed.msg", "msg/Turn.msg")
     until(lambda: served.said.getvalue().count("wrote scripts/ros.d.ts") == 2)
     assert '"my_interfaces/msg/Turn": { angle: number };' in types.read_text()
     # What the server wrote is no edit: nothing was built for it, and so no build follows another.

@@ -49,6 +49,8 @@ class LiveSite:
         self._index: Callable[[], Sequence[Artifact]] = list
         self._digests: Mapping[str, str] = {}
         self._news: list[tuple[str, Sequence[str]]] = []
+        # The number of news after each build.
+        self._built: list[int] = []
         self._changed = threading.Condition()
 
     def rebuild(self, changed: Sequence[Path] = ()) -> None:
@@ -120,11 +122,7 @@ class LiveSite:
     def builds(self) -> int:
         """How often the site was built without an error."""
         with self._changed:
-            return len(self._built())
-
-    def _built(self) -> list[int]:
-        """Return the position after each build in the news."""
-        return [after for after, (kind, _) in enumerate(self._news, 1) if kind == "built"]
+            return len(self._built)
 
     def news(self, engine: str, builds: int) -> Iterator[str]:
         """Yield server-sent events after so many builds: a page may be older than the site now.
@@ -132,7 +130,7 @@ class LiveSite:
         If `engine` is new, the C++ nodes are built for it, too.
         """
         with self._changed:
-            seen = [0, *self._built()][min(builds, len(self._built()))]
+            seen = [0, *self._built][min(builds, len(self._built))]
         if engine in BROWSERS and engine not in self._options.engines:
             threading.Thread(target=self._add, args=(engine,), daemon=True).start()
         yield "retry: 500\n\n"
@@ -158,6 +156,8 @@ class LiveSite:
     def _tell(self, kind: str, what: Sequence[str]) -> None:
         with self._changed:
             self._news.append((kind, what))
+            if kind == "built":
+                self._built.append(len(self._news))
             self._changed.notify_all()
 
 

@@ -1,7 +1,7 @@
 // @ts-check
 // The server of an action: three services and two topics, and the states of its goals.
 
-import { nanoseconds, stamp } from "./time.js";
+import { nanoseconds, stamp } from "../messages/time.js";
 
 /** @import { PageNode, Publisher } from "../protocol.js" */
 /**

@@ -2,74 +2,24 @@
 // The time of a node, and what waits for it. As in ROS, a node uses the time on /clock if its parameter use_sim_time
 // says so; the page itself uses it while somebody publishes it, as panels do.
 
-import { now } from "../protocol.js";
+import { RosClock } from "../messages/rosClock.js";
 import { say } from "../ui/words.js";
 import { endingWith } from "./ending.js";
 import { Stream } from "./stream.js";
-import { timeOfMs } from "./time.js";
 
 /** @import { PageNode } from "../protocol.js" */
 /** @import { Surroundings } from "./surroundings.js" */
 
-const TYPE = "rosgraph_msgs/msg/Clock";
 // The longest time that browsers can wait (ms).
 const LONGEST = 2 ** 31 - 1;
 
-/** Emits `change` after each message on /clock that it uses, and when it begins or ends to use them. */
-export class Clock extends EventTarget {
-  #raw;
+export class Clock extends RosClock {
   #surroundings;
-  /**
-   * The time on /clock, 0 before the first message, as in ROS; undefined if that of the computer counts.
-   * @type {{sec: number, nanosec: number} | undefined}
-   */
-  #simulated;
-  #unsubscribe = () => {};
 
   /** @param {PageNode} raw @param {Surroundings} surroundings */
   constructor(raw, surroundings) {
-    super();
-    this.#raw = raw;
+    super(raw);
     this.#surroundings = surroundings;
-  }
-
-  /** Whether the time on /clock counts. */
-  get isSimulated() {
-    return this.#simulated !== undefined;
-  }
-
-  set isSimulated(wanted) {
-    if (wanted === this.isSimulated) return;
-    this.#unsubscribe();
-    this.#unsubscribe = () => {};
-    this.#simulated = wanted ? { sec: 0, nanosec: 0 } : undefined;
-    if (wanted) {
-      this.#surroundings.check("/clock", TYPE);
-      this.#unsubscribe = this.#raw.subscribe("/clock", TYPE, ({ clock }) => {
-        this.#simulated = clock;
-        this.dispatchEvent(new Event("change"));
-      }, { depth: 1 });
-    }
-    this.dispatchEvent(new Event("change"));
-  }
-
-  /** Use the time on /clock while it is published. */
-  follow() {
-    const look = () => {
-      this.isSimulated = this.#surroundings.publishersOf("/clock").length > 0;
-    };
-    look();
-    this.#surroundings.watch(look);
-  }
-
-  /** The time now in ms. */
-  get ms() {
-    return this.#simulated ? this.#simulated.sec * 1000 + this.#simulated.nanosec / 1e6 : now();
-  }
-
-  /** The time now, as builtin_interfaces/msg/Time. */
-  now() {
-    return this.#simulated ?? timeOfMs(now());
   }
 
   /**
@@ -94,12 +44,11 @@ export class Clock extends EventTarget {
       if (isDue) run(callback, this.now());
     };
     this.addEventListener("change", look);
-    const end = endingWith([signal, this.#surroundings.closed], () => {
+    look();
+    return endingWith([signal, this.#surroundings.closed], () => {
       clearTimeout(waiting);
       this.removeEventListener("change", look);
     });
-    if (!signal?.aborted && !this.#surroundings.closed.aborted) look();
-    return end;
   }
 
   /**

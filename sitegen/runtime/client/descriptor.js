@@ -1,7 +1,7 @@
 // @ts-check
 // What a parameter of a script's node may be: its rcl_interfaces/msg/ParameterDescriptor.
 
-import { BOOL, DOUBLE, INTEGER } from "../messages/parameters/value.js";
+import { BOOL, DOUBLE, INTEGER, LARGEST, NAMES, SMALLEST } from "../messages/parameters/value.js";
 import { say } from "../ui/words.js";
 import { parameterOf } from "./parameters.js";
 
@@ -12,10 +12,9 @@ import { parameterOf } from "./parameters.js";
  *   `constraints` in words; `dynamic` if the type may change; `accept` may refuse a value, with a reason
  */
 
-const TYPES = ["not set", "bool", "integer", "double", "string", "byte_array", "bool_array", "integer_array",
-  "double_array", "string_array"];
+// As error messages of rclcpp have them.
+const TYPES = NAMES.map((name) => name.replace(" array", "_array"));
 const OPTIONS = ["type", "description", "constraints", "readOnly", "dynamic", "min", "max", "step", "accept"];
-const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
 // How far a double may be off a step, relative to its size.
 const TOLERANCE = 1e-9;
 

@@ -2,6 +2,7 @@
 // The log of a node: lines on /rosout, and in the console of the browser.
 
 import { ROSOUT } from "../graphNames.js";
+import { ROSOUT_QOS } from "../messages/qos.js";
 import { say } from "../ui/words.js";
 
 /** @import { PageNode, Publisher } from "../protocol.js" */
@@ -10,8 +11,6 @@ import { say } from "../ui/words.js";
 /** @typedef {keyof typeof LEVELS} Level */
 
 const TYPE = "rcl_interfaces/msg/Log";
-/** As nodes have it: latecomers receive the latest lines. */
-const QOS = { depth: 1000, reliable: true, transientLocal: true };
 /** The constants of rcl_interfaces/msg/Log. */
 const LEVELS = Object.freeze({ debug: 10, info: 20, warn: 30, error: 40, fatal: 50 });
 
@@ -75,7 +74,7 @@ export class Log {
   announce() {
     if (this.#publisher) return this.#publisher;
     this.#surroundings.check(ROSOUT, TYPE);
-    return (this.#publisher = this.#raw.advertise(ROSOUT, TYPE, QOS));
+    return (this.#publisher = this.#raw.advertise(ROSOUT, TYPE, ROSOUT_QOS));
   }
 
   /** @param {Level} level @param {unknown} text */

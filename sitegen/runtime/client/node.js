@@ -192,7 +192,7 @@ export class Node {
   get #time() {
     if (this.#clock) return this.#clock;
     this.#clock = new Clock(this.#raw, this.#surroundings);
-    if (!this.name) this.#clock.follow();
+    if (!this.name) this.#clock.follow(this.#ros.graph);
     return this.#clock;
   }
 }

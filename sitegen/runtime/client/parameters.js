@@ -2,7 +2,7 @@
 // The parameters of a node, as scripts use them.
 
 import { set } from "../messages/parameters/node.js";
-import { DOUBLE, INTEGER, plainOf, STRING } from "../messages/parameters/value.js";
+import { BOOL, DOUBLE, fieldOf, INTEGER, LARGEST, listOf, plainOf, SMALLEST, STRING } from "../messages/parameters/value.js";
 import { say } from "../ui/words.js";
 import { Stream } from "./stream.js";
 
@@ -10,12 +10,7 @@ import { Stream } from "./stream.js";
 /** @import { Surroundings } from "./surroundings.js" */
 
 const SRV = "rcl_interfaces/srv";
-const [BOOL, LISTS] = [1, 4];
-const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
 /** @typedef {{timeout?: number, signal?: AbortSignal}} WaitOptions `timeout` in ms, for the node and for its answer */
-/** The fields of rcl_interfaces/msg/ParameterValue, by type. */
-const FIELDS = ["", "bool_value", "integer_value", "double_value", "string_value", "byte_array_value",
-  "bool_array_value", "integer_array_value", "double_array_value", "string_array_value"];
 
 export class Parameters {
   #raw;
@@ -126,11 +121,11 @@ export function parameterOf(plain, type = 0) {
   const items = list ? Array.from(/** @type {any} */ (plain)) : [plain];
   const kind = items.length ? kindOf(items, type) : Math.max(type, 6) - 5;
   const scalar = items.length ? kind : [1, 2, 3, 4][kind - 1] ?? STRING;
-  const field = FIELDS[list ? scalar + LISTS + 1 : scalar] ?? "";
   const values = scalar === INTEGER ? items.map((item) => BigInt(item)) : items;
   const large = values.find((one) => typeof one === "bigint" && (one < SMALLEST || one > LARGEST));
   if (large !== undefined) throw new RangeError(say("{} does not fit into 64 bits", String(large)));
-  return { type: list ? scalar + LISTS + 1 : scalar, [field]: list ? values : values[0] };
+  const found = list ? listOf(scalar) : scalar;
+  return { type: found, [fieldOf(found)]: list ? values : values[0] };
 }
 
 /** @param {any[]} items not empty @param {number} type the parameter's so far */
@@ -142,7 +137,7 @@ function kindOf(items, type) {
   if (![...kinds].every((kind) => kind === "number")) {
     throw new Error(say("a parameter is a boolean, a number, a text, or a list of one of these"));
   }
-  const double = type === DOUBLE || type === DOUBLE + LISTS + 1;
+  const double = type === DOUBLE || type === listOf(DOUBLE);
   return !double && items.every(Number.isSafeInteger) ? INTEGER : DOUBLE;
 }
 

@@ -1,29 +1,13 @@
 // @ts-check
 // Quality of service as scripts write it: the name of a profile, or policies with the names of ROS or of this API.
 
+import { POLICIES, PROFILES } from "../messages/qos.js";
 import { say } from "../ui/words.js";
 
 /** @import { Qos } from "../protocol.js" */
 /** @typedef {string | Record<string, any>} GivenQos */
 
-/** The policies of ROS with their values. @type {Record<string, Record<string, Partial<Qos>>>} */
-export const POLICIES = {
-  history: { keep_last: { keepAll: false }, keep_all: { keepAll: true } },
-  reliability: { reliable: { reliable: true }, best_effort: { reliable: false }, best_available: {} },
-  durability: { transient_local: { transientLocal: true }, volatile: { transientLocal: false }, best_available: {} },
-};
 const LIVELINESS = { automatic: { manual: false }, manual_by_topic: { manual: true } };
-/** The profiles of ROS, as far as they differ from what its name stands for there. @type {Record<string, Partial<Qos>>} */
-const PROFILES = {
-  default: { depth: 10, reliable: true, transientLocal: false },
-  system_default: {},
-  best_available: {},
-  sensor_data: { depth: 5, reliable: false, transientLocal: false },
-  services_default: { depth: 10, reliable: true, transientLocal: false },
-  parameters: { depth: 1000, reliable: true, transientLocal: false },
-  parameter_events: { depth: 1000, reliable: true, transientLocal: false },
-  action_status_default: { depth: 1, reliable: true, transientLocal: true },
-};
 const FLAGS = /** @type {const} */ (["reliable", "transientLocal", "keepAll", "manual"]);
 const TIMES = /** @type {const} */ (["deadline", "lifespan", "lease"]);
 const KEYS = ["profile", ...FLAGS, "depth", ...TIMES, ...Object.keys(POLICIES), "liveliness"];

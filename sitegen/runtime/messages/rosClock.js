@@ -1,56 +1,72 @@
 // @ts-check
-// The time of nodes: that of /clock while somebody publishes it, else that of the computer.
+// The time of ROS: that on /clock if it is simulated, else that of the computer.
 
-/** @import { Ros } from "../protocol.js" */
+import { now } from "../protocol.js";
+import { timeOfMs } from "./time.js";
+
+/** @import { GraphView, PageNode } from "../protocol.js" */
 
 const CLOCK = "rosgraph_msgs/msg/Clock";
 
-export class RosClock {
-  #ros;
-  /** The time on /clock. @type {{sec: number, nanosec: number} | undefined} */
+/** Emits `change` after each message on /clock that it uses, and when it begins or ends to use them. */
+export class RosClock extends EventTarget {
+  #node;
+  /**
+   * The time on /clock, 0 before the first message, as in ROS; undefined if that of the computer counts.
+   * @type {{sec: number, nanosec: number} | undefined}
+   */
   #simulated;
-  /** @type {(() => void) | undefined} */
-  #unsubscribe;
+  #unsubscribe = () => {};
 
-  /** @param {Ros} ros */
-  constructor(ros) {
-    this.#ros = ros;
+  /** @param {Pick<PageNode, "types" | "subscribe">} node that subscribes */
+  constructor(node) {
+    super();
+    this.#node = node;
   }
 
-  /** Follow the time until the returned function is called. @returns {() => void} */
-  begin() {
-    const { graph, types } = this.#ros;
+  /** Whether the time on /clock counts. */
+  get isSimulated() {
+    return this.#simulated !== undefined;
+  }
+
+  set isSimulated(wanted) {
+    if (wanted === this.isSimulated) return;
+    this.#unsubscribe();
+    this.#unsubscribe = () => {};
+    this.#simulated = wanted ? { sec: 0, nanosec: 0 } : undefined;
+    if (wanted) {
+      this.#unsubscribe = this.#node.subscribe("/clock", CLOCK, ({ clock }) => {
+        this.#simulated = clock;
+        this.dispatchEvent(new Event("change"));
+      }, { depth: 1 });
+    }
+    this.dispatchEvent(new Event("change"));
+  }
+
+  /**
+   * Use the time on /clock while somebody publishes it, until the returned function is called.
+   * @param {GraphView} graph @returns {() => void}
+   */
+  follow(graph) {
     const look = () => {
       const published = graph.topics().some(({ name, publishers }) => name === "/clock" && publishers.length > 0);
-      if (!published) this.#end();
-      else if (!this.#unsubscribe && types[CLOCK]) this.#listen();
+      this.isSimulated = published && this.#node.types[CLOCK] !== undefined;
     };
     look();
     graph.addEventListener("change", look);
     return () => {
       graph.removeEventListener("change", look);
-      this.#end();
+      this.isSimulated = false;
     };
   }
 
-  /** As builtin_interfaces/msg/Time. @returns {{sec: number, nanosec: number}} */
+  /** The time now in ms. */
+  get ms() {
+    return this.#simulated ? this.#simulated.sec * 1000 + this.#simulated.nanosec / 1e6 : now();
+  }
+
+  /** The time now, as builtin_interfaces/msg/Time. */
   now() {
-    if (this.#simulated) return this.#simulated;
-    const milliseconds = Date.now();
-    return { sec: Math.floor(milliseconds / 1000), nanosec: (milliseconds % 1000) * 1e6 };
-  }
-
-  #listen() {
-    // As nodes have it before the first message.
-    this.#simulated = { sec: 0, nanosec: 0 };
-    this.#unsubscribe = this.#ros.subscribe("/clock", CLOCK, ({ clock }) => {
-      this.#simulated = clock;
-    }, { depth: 1 });
-  }
-
-  #end() {
-    this.#unsubscribe?.();
-    this.#unsubscribe = undefined;
-    this.#simulated = undefined;
+    return this.#simulated ?? timeOfMs(now());
   }
 }

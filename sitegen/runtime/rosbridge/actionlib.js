@@ -4,7 +4,7 @@
 
 import { fullName } from "../client/names.js";
 import { STATUS } from "../client/actionServer.js";
-import { stamp } from "../client/time.js";
+import { stamp } from "../messages/time.js";
 import { Mistake, textOf } from "./mistake.js";
 import { LONGEST_ID, MOST_NAMES } from "./limits.js";
 

@@ -1,7 +1,7 @@
 // @ts-check
 // Quality of service, as clients write it.
 
-import { POLICIES } from "../client/qos.js";
+import { POLICIES } from "../messages/qos.js";
 import { Mistake } from "./mistake.js";
 import { MOST_QUEUE } from "./limits.js";
 

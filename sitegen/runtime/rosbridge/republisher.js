@@ -1,7 +1,7 @@
 // @ts-check
 // Transforms for TF clients, which ask tf2_web_republisher for them.
 
-import { stamp } from "../client/time.js";
+import { stamp } from "../messages/time.js";
 import { Tf } from "../client/tf.js";
 import { Mistake } from "./mistake.js";
 import { MOST_NAMES } from "./limits.js";

@@ -3,7 +3,7 @@
 
 import { adapted } from "../client/adapted.js";
 import { fullName, fullType } from "../client/names.js";
-import { stamp } from "../client/time.js";
+import { stamp } from "../messages/time.js";
 import { checkFields, Mistake } from "./mistake.js";
 import { MOST_NAMES, MOST_QUEUE } from "./limits.js";
 import { qosOf } from "./qos.js";

@@ -1,7 +1,7 @@
 // @ts-check
 // Messages as rosbridge has them in JSON, and as the codec has them.
 
-import { stamp } from "../client/time.js";
+import { stamp } from "../messages/time.js";
 import { Checker } from "../messages/checker.js";
 import { isFloat, isMessage } from "../messages/fieldType.js";
 import { Mistake } from "./mistake.js";

@@ -92,7 +92,7 @@ class Joints {
     const unsubscribe = this.#ros.subscribe(this.#source, STRING, ({ data }) => this.#describe(data), qos);
     this.#publisher = this.#ros.advertise(this.#topic, STATE);
     const timer = setInterval(() => this.#publish(), PERIOD);
-    const unfollow = this.#clock.begin();
+    const unfollow = this.#clock.follow(this.#ros.graph);
     return () => {
       clearInterval(timer);
       unfollow();

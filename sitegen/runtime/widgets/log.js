@@ -2,6 +2,7 @@
 // The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
+import { ROSOUT_QOS } from "../messages/qos.js";
 import { create, setText } from "../ui/elements.js";
 import { whileNear } from "../ui/looking.js";
 import { plain } from "../ui/plain.js";
@@ -17,8 +18,6 @@ import { Levels } from "./log/levels.js";
 /** @import { Entry } from "./log/entries.js" */
 
 const TYPE = "rcl_interfaces/msg/Log";
-/** The QoS of /rosout in ROS 2: latecomers receive the latest lines. */
-const QOS = { depth: 1000, reliable: true, transientLocal: true };
 
 /**
  * Show the log, of which `lines` entries are kept.
@@ -84,7 +83,7 @@ class Log {
       // A bag may bring the type later.
       if (!this.#ros.types[TYPE]) return;
       this.#ros.graph.removeEventListener("change", look);
-      unsubscribe = this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), QOS);
+      unsubscribe = this.#ros.subscribe(ROSOUT, TYPE, (message) => this.#add(readEntry(message)), ROSOUT_QOS);
     };
     this.#ros.graph.addEventListener("change", look);
     look();

@@ -97,7 +97,7 @@ class Teleop {
     if (this.#joy) this.#joyPublisher = this.#ros.advertise(this.#joy, JOY);
     const timer = setInterval(() => this.#send(), PERIOD);
     // A Twist has no stamp.
-    const unfollow = this.#type === STAMPED || this.#joy ? this.#clock.begin() : () => {};
+    const unfollow = this.#type === STAMPED || this.#joy ? this.#clock.follow(this.#ros.graph) : () => {};
     return () => {
       this.#seen = false;
       clearInterval(timer);

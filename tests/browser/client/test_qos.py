@@ -90,7 +90,7 @@ def test_subscriptions_take_policies_too(scripted: Page) -> None:
           const topic = ros.topic("/heard", "std_msgs/msg/String");
           const fault = (act) => { try { act(); } catch (error) { return error.message; } };
           return [
-            fault(() => topic.subscribe(() => {}, { qos: "sensors" }).slice(0)),
+            fault(() => topic.subscribe(() => {}, { qos: "sensors" })),
             fault(() => topic.subscribe(() => {}, { reliable: true })),
             fault(() => topic.messages({ qos: { dept: 1 } })),
             ros.topics().length,

@@ -17,15 +17,28 @@ const FIELDS = {
   8: ["double_array_value", "float64[]"],
   9: ["string_array_value", "string[]"],
 };
-const NAMES = ["not set", "bool", "integer", "double", "string", "byte array", "bool array", "integer array",
+/** The names of types by their numbers. */
+export const NAMES = ["not set", "bool", "integer", "double", "string", "byte array", "bool array", "integer array",
   "double array", "string array"];
 
 export const [NOT_SET, BOOL, INTEGER, DOUBLE, STRING] = [0, 1, 2, 3, 4];
 const [DOUBLE_ARRAY, STRING_ARRAY] = [8, 9];
+/** The limits of integers. */
+export const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
 
 /** The name of a type as ROS has it. @param {number} type */
 export function nameOf(type) {
   return NAMES[type] ?? say("type {}", type);
+}
+
+/** The field of rcl_interfaces/msg/ParameterValue that has a value of a type. @param {number} type */
+export function fieldOf(type) {
+  return FIELDS[type]?.[0] ?? "";
+}
+
+/** The type of lists of a type. @param {number} scalar */
+export function listOf(scalar) {
+  return scalar + STRING + 1;
 }
 
 /** Whether values of a type are lists. @param {number} type */
@@ -35,8 +48,8 @@ export function isList(type) {
 
 /** @param {any} value a ParameterValue @returns {any} a boolean, number, text or an array of these; undefined if not set */
 export function plainOf(value) {
-  const field = FIELDS[value.type]?.[0];
-  return field && value[field];
+  const field = fieldOf(value.type);
+  return field ? value[field] : undefined;
 }
 
 /** Return a value as it is typed into a field. @param {any} value a ParameterValue */
@@ -65,8 +78,7 @@ export function parse(text, type) {
 
 /** Return the ParameterValue of a number or a flag. @param {any} plain @param {number} type */
 export function valueOf(plain, type) {
-  const [field = ""] = FIELDS[type] ?? [];
-  return { type, [field]: type === INTEGER ? BigInt(Math.round(plain)) : plain };
+  return { type, [fieldOf(type)]: type === INTEGER ? BigInt(Math.round(plain)) : plain };
 }
 
 /** @param {any} plain @param {number} type */
@@ -102,7 +114,7 @@ export function guess(text) {
   const types = new Set(/["']/.test(trimmed) ? [STRING] : items.map((/** @type {any} */ { type }) => type));
   if (types.has(INTEGER) && types.has(DOUBLE)) types.delete(INTEGER);
   const [type = STRING] = types.size === 1 ? types : [STRING];
-  return parse(trimmed, items.length ? type + STRING + 1 : STRING_ARRAY);
+  return parse(trimmed, items.length ? listOf(type) : STRING_ARRAY);
 }
 
 /** @param {string} trimmed @param {string} text */

@@ -1,7 +1,7 @@
 // @ts-check
 // The services of rosapi, which tell clients what the graph has. They answer without being in the graph.
 
-import { stamp } from "../../client/time.js";
+import { stamp } from "../../messages/time.js";
 import { isHidden } from "../../graphNames.js";
 import { actionsOf } from "../../messages/actionClient.js";
 import { Mistake } from "../mistake.js";

@@ -1,6 +1,7 @@
 // @ts-check
 // The quality of service of the topics that verbs publish and subscribe to.
 
+import { PROFILES } from "../../messages/qos.js";
 import { DEFAULT_QOS } from "../../protocol.js";
 import { FLOAT, INT } from "../args/types.js";
 import { endpoints, option } from "./verb.js";
@@ -37,14 +38,6 @@ export function qosOptions(does, profile) {
     option("qos_lease", ["--qos-liveliness-lease-duration-seconds"], `${setting("liveliness lease duration")} ${overrides("liveliness lease duration")}`, { type: FLOAT, metavar: "QOS_LIVELINESS_LEASE_DURATION_SECONDS" }),
   ];
 }
-
-/** @type {Record<string, Partial<Qos>>} */
-const PROFILES = {
-  sensor_data: { depth: 5, reliable: false },
-  parameters: { depth: 1000 },
-  parameter_events: { depth: 1000 },
-  action_status_default: { depth: 1, transientLocal: true },
-};
 
 /** The QoS that the options of a publisher ask for. @param {any} args @returns {Qos} */
 export function qosOf(args) {

@@ -112,7 +112,7 @@ export class World {
       this.redraw();
     };
     this.ros.graph.addEventListener("change", look);
-    this.#ends.push(() => this.ros.graph.removeEventListener("change", look), this.clock.begin());
+    this.#ends.push(() => this.ros.graph.removeEventListener("change", look), this.clock.follow(this.ros.graph));
     look();
     return () => {
       this.#seen = false;

@@ -7,6 +7,7 @@ import { Endpoints } from "./endpoints.js";
 import { toLines, toLog } from "./log.js";
 import { absolute, ownOf, partOf } from "./names.js";
 import { Codec } from "../../messages/codec.js";
+import { ROSOUT_QOS } from "../../messages/qos.js";
 import { DEFAULT_QOS } from "../../protocol.js";
 
 /** @import { Ros2wasmEntry } from "../../protocol.js" */
@@ -38,8 +39,6 @@ const KINDS = new Map([
 ]);
 const ACTIONS = ["action_server", "action_client"];
 const LOG = "rcl_interfaces/msg/Log";
-// The QoS of /rosout in ROS 2: latecomers receive the latest lines.
-const LOG_QOS = { ...DEFAULT_QOS, depth: 1000, transientLocal: true };
 // A script requests a message every 10 ms until it finds one, and keeps only one per topic, which the next one
 // replaces, read or not. So requests that it sent before an answer arrived must not get another answer: after each
 // answer, requests for the topic are ignored for this time (ms).
@@ -249,7 +248,7 @@ export class Script {
     this.#node = node;
     if (this.#nodes.has(node)) return;
     this.#nodes.set(node, this.#participant.create("node", node, "", "", DEFAULT_QOS));
-    this.#log ||= this.#participant.create("publisher", node, ROSOUT, LOG, LOG_QOS);
+    this.#log ||= this.#participant.create("publisher", node, ROSOUT, LOG, { ...DEFAULT_QOS, ...ROSOUT_QOS });
   }
 
   /** Remove all nodes, because nothing is registered any more. */
