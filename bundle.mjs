@@ -20,7 +20,9 @@ const APART = ["widgets/dock.js", "widgets/launch.js", "widgets/terminal.js", "w
 const PARTS = ["page/pageClient.js", ...(await modulesIn("widgets", "widgets/robots"))].filter(
   (name) => ![...IN_START, ...APART].includes(name));
 // What few parts share, and is too large for the file that all of them load.
-const LARGE = ["ui/codeView.js"];
+const LARGE = ["ui/codeView.js", "ui/javascriptSyntax.js", "widgets/cell/view.js"];
+// What others import of CodeMirror, too, is in the first of these: it may exist only once.
+const CODEMIRROR = { "vendor/codemirror.js": "ui/codeView.js" };
 const ALONE = [
   ...APART,
   ...LARGE,
@@ -51,6 +53,7 @@ const ALONE = [
   "workers/cpp/stackTrace.js",
   "workers/environment.js",
   "workers/gateway/gatewayNode.js",
+  "workers/javascript/javascriptNode.js",
   "workers/launch/launchReader.js",
   "workers/python/pythonNode.js",
   "workers/python/pythonSync.js",
@@ -101,8 +104,9 @@ async function displays() {
 
 /** Write the bundles, and return what esbuild says about them. */
 async function bundled() {
-  const alone = await Promise.all([...START, ...ALONE].map((entry) =>
-    build({ ...OPTIONS, entryPoints: [entry], plugins: [keepPlaces(entry)] })));
+  const alone = await Promise.all([...START, ...ALONE].map((entry) => build({
+    ...OPTIONS, entryPoints: [entry], plugins: [...(LARGE.includes(entry) ? [apart(entry)] : []), keepPlaces(entry)],
+  })));
   const parts = await build({
     ...OPTIONS,
     entryPoints: PARTS.map((entry) => ({ in: `part:${entry}`, out: entry.replace(/\.js$/, "") })),
@@ -113,14 +117,16 @@ async function bundled() {
   return [...alone, parts].map(({ metafile }) => metafile);
 }
 
-/** Let parts import the modules of LARGE as they are. @returns {import("esbuild").Plugin} */
-function apart() {
+/** Let a module import those of LARGE as they are. @param {string} [entry] itself @returns {import("esbuild").Plugin} */
+function apart(entry) {
   return {
     name: "apart",
     setup({ onResolve }) {
       onResolve({ filter: /\.js$/ }, ({ path, resolveDir }) => {
         const name = relative(RUNTIME, join(resolveDir, path));
-        return LARGE.includes(name) ? { path, external: true } : undefined;
+        const within = CODEMIRROR[name];
+        if (entry && within && within !== entry) return { path: `./${posix.relative(dirname(entry), within)}`, external: true };
+        return LARGE.includes(name) && name !== entry ? { path, external: true } : undefined;
       });
     },
   };

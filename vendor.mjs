@@ -1,9 +1,9 @@
-// Bundle the third-party libraries that widgets use into sitegen/runtime/vendor/, each as one module,
+// Bundle the third-party libraries that widgets and scripts use into sitegen/runtime/vendor/, each as one module,
 // with their licences. Run by hatch_build.py when package-lock.json has changed.
 
 import { build } from "esbuild";
 import { copyFile, mkdir, readdir, readFile, writeFile } from "node:fs/promises";
-import { join, relative } from "node:path";
+import { dirname, join, posix, relative } from "node:path";
 
 const TARGET = "sitegen/runtime/vendor";
 
@@ -18,16 +18,23 @@ const BUNDLES = {
   dagre: 'export { Graph, layout } from "@dagrejs/dagre";',
   codemirror: `
     export { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-    export { python } from "@codemirror/lang-python";
-    export { bracketMatching, HighlightStyle, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
+    export { pythonLanguage } from "@codemirror/lang-python";
+    export {
+      bracketMatching, continuedIndent, delimitedIndent, flatIndent, foldInside, foldNodeProp, HighlightStyle,
+      indentNodeProp, indentOnInput, indentUnit, LRLanguage, syntaxHighlighting,
+    } from "@codemirror/language";
     export { EditorState, StateEffect, StateField } from "@codemirror/state";
     export { Decoration, drawSelection, EditorView, highlightActiveLine, keymap, lineNumbers } from "@codemirror/view";
-    export { tags } from "@lezer/highlight";`,
+    export { styleTags, tags } from "@lezer/highlight";
+    export { ContextTracker, ExternalTokenizer, LocalTokenGroup, LRParser } from "@lezer/lr";`,
+  // What it needs of CodeMirror is in that bundle.
+  javascript: 'export { javascriptLanguage } from "@codemirror/lang-javascript";',
   icons: `
     export {
       ArrowDown, ArrowUp, Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, ListFilter, LocateFixed, Map, MapPin, Maximize2, Pause,
       Play, Plus, RotateCcw, RotateCw, Ruler, Scan, SlidersHorizontal, X, ZoomIn, ZoomOut,
     } from "lucide";`,
+  inspect: 'export { format, inspect } from "node-inspect-extracted";',
   idiomorph: 'export { Idiomorph } from "idiomorph";',
   three: `
     export {
@@ -48,6 +55,8 @@ const BUNDLES = {
     export { OBJLoader } from "three/addons/loaders/OBJLoader.js";
     export { STLLoader } from "three/addons/loaders/STLLoader.js";
     export { default as URDFLoader } from "urdf-loader";`,
+  // For scripts of authors, as "sitegen/roslib": no module of the runtime imports it.
+  roslib: 'export * from "roslib";',
   uplot: 'export { default as uPlot } from "uplot";',
   minisearch: 'export { default as MiniSearch } from "minisearch";',
   xterm: `
@@ -69,8 +78,11 @@ const BUNDLES = {
     export { compress, init, program };`,
 };
 
-/** The types of bundles whose packages have none, or none of all of it. @type {Record<string, string>} */
+/** The types of bundles whose packages have none, none of all of it, or none that can be checked. @type {Record<string, string>} */
 const TYPES = {
+  inspect: `
+    export function format(...values: unknown[]): string;
+    export function inspect(value: unknown, options?: object): string;`,
   lz4: `
     export function create(options: object): Promise<any>;
     export const program: string;`,
@@ -79,6 +91,34 @@ const TYPES = {
     export function init(program: Uint8Array): Promise<void>;
     export const program: string;`,
 };
+
+/**
+ * The declarations of roslib and of what it imports, for editors: `sitegen types` adds them to sitegen.d.ts. Each file
+ * becomes a module with a name, because relative imports are not allowed inside a file that declares modules.
+ */
+async function roslibTypes() {
+  const folder = "node_modules/roslib/dist/src";
+  const files = (await readdir(folder, { recursive: true }))
+    .filter((name) => name.endsWith(".d.ts") && !name.endsWith("WebSocketTransport.d.ts"))
+    .map((name) => name.replaceAll("\\", "/"))
+    .sort();
+  const named = (/** @type {string} */ path) => `sitegen/roslib/${path.replace(/(\.d)?\.ts$/, "")}`;
+  const declared = (/** @type {string} */ name, /** @type {string} */ text) =>
+    `declare module "${name}" {\n${text.replace(/^(export )?declare /gm, "$1").trim()}\n}\n`;
+  const modules = await Promise.all(files.map(async (file) => {
+    const text = await readFile(join(folder, file), "utf8");
+    return declared(named(file), text.replace(/(from ["'])([^"']+)/g, (_, from, path) =>
+      from + named(path.startsWith(".") ? posix.join(dirname(file), path) : path)));
+  }));
+  const emitter = await readFile("node_modules/eventemitter3/index.d.ts", "utf8");
+  return [
+    declared("sitegen/roslib", 'export * from "sitegen/roslib/RosLib";'),
+    ...modules,
+    declared(named("eventemitter3"), emitter),
+    // In a browser, these are the browser's own.
+    declared(named("@xmldom/xmldom"), "export type Element = globalThis.Element;\nexport type Node = globalThis.Node;"),
+  ].join("\n");
+}
 
 /** The policy of pages forbids the <style> elements of xterm, whose text then becomes a constructed style sheet. */
 const WITHOUT_STYLES = {
@@ -95,8 +135,19 @@ const WITHOUT_STYLES = {
   },
 };
 
+/** Languages find CodeMirror, which may exist only once, in its own bundle. */
+const BESIDE_CODEMIRROR = {
+  name: "beside codemirror",
+  setup({ onResolve }) {
+    const parts = /^@(codemirror\/(autocomplete|language|state|view)|lezer\/(common|highlight|lr))$/;
+    onResolve({ filter: parts }, () => ({ path: "./codemirror.js", external: true, sideEffects: false }));
+  },
+};
+
 /** Python comes as it is: its parts find each other by their names. bytecode.mjs adds its library. */
 const PYTHON = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
+
+TYPES.roslib = await roslibTypes();
 
 const packages = new Set();
 for (const [name, contents] of Object.entries(BUNDLES)) {
@@ -112,7 +163,7 @@ for (const [name, contents] of Object.entries(BUNDLES)) {
     // The address that zstd-wasm would load its program from; modules of a single file have none.
     ...(name === "zstd" && { define: { "import.meta.url": '"file:///"' } }),
     legalComments: "none", // all licences are in one file
-    plugins: [WITHOUT_STYLES],
+    plugins: [WITHOUT_STYLES, ...(name === "javascript" ? [BESIDE_CODEMIRROR] : [])],
     metafile: true,
   });
   // For those who check the runtime.

@@ -16,8 +16,6 @@ from bench.messages import SIZES, p50
 
 ROOT = Path(__file__).parent.parent
 SITE = Path(__file__).parent / "scripts_site"
-# As docs/roslib.md tells authors to bundle it.
-BUNDLE = ["node_modules/.bin/esbuild", "roslib", "--bundle", "--format=esm", "--log-level=error"]
 WAYS = ("panel", "script", "roslib", "socket")
 # What a callback of `ros` may take, of the time of a panel's own.
 MOST = 1.2
@@ -29,11 +27,6 @@ def scripts(counts: Counts) -> list[Figure]:
     with serving_site(SITE, isolated=True) as url, chromium() as browser, _echo() as address:
         # The policy of the page lets it connect to no server.
         page = browser.new_page(bypass_csp=True)
-        roslib = subprocess.run(BUNDLE, cwd=ROOT, capture_output=True, check=True).stdout
-        page.route(
-            "**/roslib.js",
-            lambda route: route.fulfill(body=roslib, content_type="text/javascript"),
-        )
         for size in SIZES:
             page.goto(url)
             page.wait_for_selector("body[data-ready]")

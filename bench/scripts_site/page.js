@@ -1,6 +1,7 @@
 // Measures how long a message takes to a callback of a panel, of a script, of roslib, and over a WebSocket.
 import { ros } from "sitegen";
 import { transportFactory } from "sitegen/rosbridge";
+import { Ros, Topic } from "sitegen/roslib";
 
 const TYPE = "std_msgs/msg/UInt8MultiArray";
 // What rosbridge puts around a message in CBOR, in bytes.
@@ -21,7 +22,6 @@ const ways = {
     return heardBy("/script", send);
   },
   async roslib(size, heard) {
-    const { Ros, Topic } = await import(new URL("/roslib.js", location.href).href);
     const client = new Ros({ transportFactory });
     await client.connect("page:");
     const topic = new Topic({ ros: client, name: "/roslib", messageType: TYPE, compression: "cbor-raw" });

@@ -70,7 +70,8 @@ def _everywhere(site: Site, types: Collection[str]) -> set[str]:
     described = {name.partition("/")[0] for name in types}
     described |= {folder.name for folder in INTERFACES.iterdir()}
     known = {name.removesuffix(".py") for name in (*own, *bytecode.modules())}
-    return known | described | sys.stdlib_module_names | IN_THE_PAGE
+    of_python = sys.stdlib_module_names - dependencies.ABSENT
+    return known | described | of_python | IN_THE_PAGE
 
 
 def _of_ipython() -> set[str]:

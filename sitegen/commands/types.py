@@ -10,11 +10,11 @@ from sitegen.build import Made, make
 from sitegen.cache.folder import cache_folder
 from sitegen.errors import SiteError, relative
 from sitegen.interfaces.catalogue import catalogue
-from sitegen.interfaces.declarations import CLIENT, declarations
+from sitegen.interfaces.declarations import CLIENT, client_declarations, declarations
 from sitegen.model import Widget
 from sitegen.options import Options
 from sitegen.report import Report
-from sitegen.site.ownpanels import KIND, uses_client
+from sitegen.site.ownpanels import KIND, ROSLIB, uses_client
 
 NAME = "ros.d.ts"
 # How the files begin.
@@ -71,6 +71,7 @@ def declared(made: Made, wanted: Callable[[Path], bool]) -> dict[Path, str]:
             if uses_client(file.read_bytes()):
                 scripts.add(file.parent)
     everything = cache(lambda: catalogue(made.site, cache=cache_folder()))
+    roslib = any(artifact.path == ROSLIB for artifact in made.artifacts)
     texts = {}
     for place in sorted({*panels, *scripts}):
         if wanted(place / NAME):
@@ -78,7 +79,7 @@ def declared(made: Made, wanted: Callable[[Path], bool]) -> dict[Path, str]:
             types = {**own, **everything()} if place in scripts else own
             texts[place / NAME] = declarations(types)  # type: ignore[arg-type]
         if place in scripts and wanted(place / CLIENT.name):
-            texts[place / CLIENT.name] = CLIENT.read_text(encoding="utf-8")
+            texts[place / CLIENT.name] = client_declarations(roslib=roslib)
     return texts
 
 

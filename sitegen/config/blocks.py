@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-ROS = re.compile(r"(```|~~~)[`~ \t{.]*((ya?ml|python)[ \t]+)?ros", re.I)
+ROS = re.compile(r"(```|~~~)[`~ \t{.]*((ya?ml|python|js|javascript)[ \t]+)?ros", re.I)
 FENCE = re.compile(r" {0,3}(?P<fence>`{3,}|~{3,})[ \t]*(?P<info>.*?)[ \t]*$")
 # A fence at any depth: also in a list, a tab or a quotation.
 INNER_FENCE = re.compile(
@@ -17,8 +17,8 @@ NEARLY_ROS = re.compile(r"[{.]*\s*ros1?[\s}]*(?!\S)", re.I)
 # An example: YAML that the page shows, and the widgets that it describes. Options may follow.
 EXAMPLE = re.compile(r"yaml[ \t]+ros(?!\S)")
 NEARLY_EXAMPLE = re.compile(r"ya?ml\s+ros(?!\S)", re.I)
-# Python that visitors run.
-CELL = re.compile(r"python[ \t]+ros(?!\S)")
+# Code that visitors run.
+CELL = re.compile(r"(?P<language>python|js|javascript)[ \t]+ros(?!\S)")
 HEADING = re.compile(r" {0,3}#[ \t]+(?P<title>.*?)[ \t]*#*[ \t]*$")
 LINK = re.compile(r"!?\[([^]]*)\]\([^)]*\)")
 

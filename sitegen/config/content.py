@@ -88,13 +88,16 @@ class Reader:
             return
         info = block.info or ""
         if cell := CELL.match(info):
+            name = "Python" if cell["language"] == "python" else "JavaScript"
             if rest := info[cell.end() :].strip():
-                message = f"a cell must begin with 'python ros' alone, found '{rest}'; remove it"
+                message = f"a cell must begin with '{cell[0]}' alone, found '{rest}'; remove it"
                 self.problems.add(fence, "ros", message)
             elif not block.text.strip():
-                self.problems.add(fence, "ros", "this cell is empty; write Python into it")
-            else:
+                self.problems.add(fence, "ros", f"this cell is empty; write {name} into it")
+            elif name == "Python":
                 yield notebooks.cell(block.text, location)
+            else:
+                yield Widget(notebooks.JAVASCRIPT, "", {"text": block.text}, location)
             return
         example = EXAMPLE.match(info)
         if not example and info.split()[:1] != ["ros"]:

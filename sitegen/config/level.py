@@ -7,13 +7,16 @@ from collections.abc import Iterable
 from sitegen.model import Widget
 
 # Widgets with which visitors control everything that a program can do.
-FULL = ("prompt", "terminal", "editor", "parameters", "3d", "bag", "notebook", "jupyter")
+FULL = (
+    *("prompt", "terminal", "editor", "parameters", "3d", "bag", "notebook", "jupyter"),
+    "javascript",
+)
 LEVELS = {
     "I1": "consoles only",
     "I2": "buttons for one node",
     "I3": "buttons for several nodes",
     "I4": "panels for the whole graph",
-    "I5": "a prompt, a terminal, an editor, notebooks, parameters, a 3D view or a bag",
+    "I5": "a prompt, a terminal, an editor, cells, notebooks, parameters, a 3D view or a bag",
 }
 
 

@@ -22,6 +22,8 @@ KIND = "jupyter"
 # The widget above the cells of a page.
 CELLS = "notebook"
 CELL = "cell"
+# A cell of JavaScript, which runs alone.
+JAVASCRIPT = "javascript"
 # The node that runs the cells of notebooks; each notebook is a process of it.
 KERNEL = "notebook"
 # The node that the cells of a page share.
@@ -84,15 +86,17 @@ def notebook(value: Value, problems: Problems, page: Path) -> Iterator[Part]:
 
 
 def numbered(parts: Sequence[Part]) -> list[Part]:
-    """Return the parts of a page with its cells numbered, which all share one interpreter.
+    """Return the parts of a page with its cells numbered, those of each language from 1.
 
-    Cells that stand in the text of the page itself get the buttons above the first of them.
+    Cells of Python share one interpreter. If they stand in the text of the page itself, the first
+    of them gets buttons for all above it.
     """
     widgets = [one for one in leaves(parts) if isinstance(one, Widget)]
     cells = [one for one in widgets if one.kind == CELL]
-    if not cells:
+    alone = [one for one in widgets if one.kind == JAVASCRIPT]
+    if not cells and not alone:
         return [*parts]
-    numbers = {id(one): number for number, one in enumerate(cells, 1)}
+    numbers = {id(one): number for kind in (cells, alone) for number, one in enumerate(kind, 1)}
     bare = not any(one.kind == CELLS for one in widgets)
 
     def made(parts: Iterable[Part]) -> Iterator[Part]:
@@ -103,7 +107,7 @@ def numbered(parts: Sequence[Part]) -> list[Part]:
             elif isinstance(part, Widget) and part.kind == CELLS:
                 yield replace(part, options={**part.options, "cells": len(cells)})
             elif id(part) in numbers and isinstance(part, Widget):
-                if bare and numbers[id(part)] == 1:
+                if bare and part.kind == CELL and numbers[id(part)] == 1:
                     buttons = _buttons(part.location)
                     yield replace(buttons, options={**buttons.options, "cells": len(cells)})
                 yield replace(part, options={**part.options, "number": numbers[id(part)]})

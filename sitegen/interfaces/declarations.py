@@ -10,10 +10,13 @@ from typing import Any
 
 from sitegen.interfaces.messages import MessageType
 from sitegen.interfaces.values import EXACT_AS_TEXT
+from sitegen.shipped import VENDOR
 
 # The API itself, the same for all sites: of panels, and of the modules that they can import.
 API = Path(__file__).with_name("ros.d.ts")
 CLIENT = Path(__file__).with_name("sitegen.d.ts")
+# roslib's own declarations, far longer than the others: only for sites that use it.
+ROSLIB = VENDOR / "roslib.d.ts"
 FIELD = re.compile(r"([^[<]+)(?:<=\d+)?(\[(?:<=)?\d*\])?")
 TEXTS = {"bool": "boolean", "string": "string", "wstring": "string"}
 TYPED = {
@@ -21,6 +24,12 @@ TYPED = {
     **{"uint8": "Uint8", "uint16": "Uint16", "uint32": "Uint32"},
     **{"float32": "Float32", "float64": "Float64", "int64": "BigInt64", "uint64": "BigUint64"},
 }
+
+
+def client_declarations(*, roslib: bool) -> str:
+    """Return the text of `sitegen.d.ts`; with `roslib`, it also declares "sitegen/roslib"."""
+    files = [CLIENT, ROSLIB] if roslib else [CLIENT]
+    return "\n".join(file.read_text(encoding="utf-8") for file in files)
 
 
 def declarations(types: Mapping[str, MessageType]) -> str:

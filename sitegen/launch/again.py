@@ -10,6 +10,7 @@ import json
 from pathlib import Path
 
 from sitegen.errors import Problems
+from sitegen.launch.absent import elsewhere
 from sitegen.launch.evaluate import launched
 from sitegen.launch.written import launch_entry
 from sitegen.model import Launch, Package
@@ -30,7 +31,9 @@ def read_again(path: str, given: str, environment: str, share: Path = SHARE) -> 
     }
     problems, notes = Problems(root), Problems(root)
     variables = json.loads(environment)
-    found = launched(root / path, json.loads(given), packages, problems, notes, variables)
+    found = launched(
+        root / path, json.loads(given), packages, problems, notes, variables, elsewhere
+    )
     names = tuple(node.name for node in found.nodes)
     launch = Launch("", "", names, tuple(found.handlers), tuple(found.arguments))
     nodes = [

@@ -15,17 +15,22 @@ from sitegen.workspace import containers
 
 # Returns whether the conditions of an action hold.
 Holds = Callable[[Action, Scope], bool]
+# Returns whether an action is left out, because the workspace lacks the package that it names.
+Lacks = Callable[[Action, str], bool]
 
 
 class Components:
     """Collects the components of each container."""
 
-    def __init__(self, texts: Texts, holds: Holds) -> None:
+    def __init__(self, texts: Texts, holds: Holds, lacks: Lacks) -> None:
         self._texts = texts
         self._holds = holds
+        self._lacks = lacks
         # By the full name of a container, and by the id of its action: its node, and the components
         # loaded into it.
         self._loaded: dict[str, tuple[str, list[Component]]] = {}
+        # The components of containers that lack others.
+        self._incomplete: list[list[Component]] = []
 
     def contain(self, node: Node, action: Action, scope: Scope) -> None:
         """Note a container that `action` starts, with the components in it."""
@@ -47,8 +52,16 @@ class Components:
         self._load(self._loaded[full][1], action, scope)
 
     def finished(self, nodes: Sequence[Node]) -> list[Node]:
-        """Return the nodes, with all components loaded into their containers."""
+        """Return the nodes, with all components loaded into their containers.
+
+        A container whose components are all left out is left out, too.
+        """
         loaded = dict(self._loaded.values())
+        emptied = {
+            name
+            for name, components in loaded.items()
+            if not components and any(components is each for each in self._incomplete)
+        }
         return [
             replace(
                 node,
@@ -58,12 +71,17 @@ class Components:
             if loaded.get(node.name)
             else node
             for node in nodes
+            if node.name not in emptied
         ]
 
     def _load(self, loaded: list[Component], action: Action, scope: Scope) -> None:
         texts = self._texts
         for each in action.of_kind("composable_node"):
             if not self._holds(each, scope):
+                continue
+            package = texts.needed(each, "pkg", scope)
+            if self._lacks(each, package):
+                self._incomplete.append(loaded)
                 continue
             own = texts.text(each, "name", scope)
             namespace = joined(scope.namespace, texts.text(each, "namespace", scope))
@@ -73,7 +91,7 @@ class Components:
                 words += ["-p", f"{parameter}:={value}"]
             loaded.append(
                 Component(
-                    package=texts.needed(each, "pkg", scope),
+                    package=package,
                     plugin=texts.needed(each, "plugin", scope),
                     arguments=("--ros-args", *words) if words else (),
                     location=each.location,

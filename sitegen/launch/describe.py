@@ -161,6 +161,14 @@ def _told(error: BaseException, frames: Sequence[traceback.FrameSummary]) -> str
     return f"{type(error).__name__}: {error}"
 
 
+def _lacking(error: BaseException) -> Mapping[str, str]:
+    """Return the package and the module that an error is about, "" for others."""
+    return {
+        "absent": error.package if isinstance(error, PackageNotFoundError) else "",
+        "module": (error.name or "") if isinstance(error, ModuleNotFoundError) else "",
+    }
+
+
 def _answer(calls: Sequence[Sequence[Any]], performed: Sequence[Any] | None) -> Mapping[str, Any]:
     """Return what the launch file, or the last of `calls`, describes, or a substitution's value."""
     members = runpy.run_path(RUN.file)
@@ -186,7 +194,7 @@ def main() -> None:
     RUN.file = sys.argv[1]
     given = json.load(sys.stdin)
     RUN.folders, RUN.roots = given["folders"], given["roots"]
-    RUN.reading = given["reading"]
+    RUN.absent, RUN.reading = given["absent"], given["reading"]
     for name, value in given["environment"].items():
         if value is None:
             os.environ.pop(name, None)
@@ -210,7 +218,7 @@ def main() -> None:
         frames = traceback.extract_tb(error.__traceback__)
         lines = [frame.lineno for frame in frames if frame.filename == RUN.file]
         line = getattr(error, "lineno", None) or (lines[-1] if lines else RUN.line)
-        answer = {"error": _told(error, frames), "line": line}
+        answer = {"error": _told(error, frames), "line": line, **_lacking(error)}
     finally:
         tempfile.tempdir = outer
     json.dump(answer, output)

@@ -15,9 +15,18 @@ from sitegen.launch.tree import REFERENCE
 from sitegen.launch.xacro import printed
 
 # The launch file that runs, the line of the action whose function runs, the folders of the
-# packages, the folders that may be read, the number of this reading with that of its actions, and
-# the substitutions that it defines itself.
-RUN = SimpleNamespace(file="", line=1, folders={}, roots=[], reading=0, made=0, substitutions=[])
+# packages and of absent ones, the folders that may be read, the number of this reading with that
+# of its actions, and the substitutions that it defines itself.
+RUN = SimpleNamespace(
+    file="",
+    line=1,
+    folders={},
+    absent={},
+    roots=[],
+    reading=0,
+    made=0,
+    substitutions=[],
+)
 
 
 # The names of types in launch files, by those of Python.
@@ -235,15 +244,21 @@ def _is_one_text(value: Iterable[Any]) -> bool:
 class PackageNotFoundError(KeyError):
     """The workspace has no such package."""
 
-    def __str__(self) -> str:
+    @property
+    def package(self) -> str:
+        """The name of the package."""
         return str(self.args[0])
+
+    def __str__(self) -> str:
+        return f"no package '{self.package}' in the workspace"
 
 
 def share(package: str, *_: Any) -> str:
     """Return the share folder of a package of the workspace."""
-    if package not in RUN.folders:
-        raise PackageNotFoundError(f"no package '{package}' in the workspace")
-    return str(RUN.folders[package])
+    folder = RUN.folders.get(package) or RUN.absent.get(package)
+    if folder is None:
+        raise PackageNotFoundError(package)
+    return str(folder)
 
 
 def parameters(given: Iterable[Any]) -> list[Described]:

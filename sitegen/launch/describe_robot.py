@@ -31,10 +31,12 @@ def main() -> int:
     """Write the URDF of the file given as argument."""
     folders = json.load(sys.stdin)
     packages = types.ModuleType("ament_index_python.packages")
+    lacking: list[str] = []
 
     def share(package: str) -> str:
         if package not in folders:
-            raise LookupError(f"no package '{package}' in the workspace")
+            lacking.append(f"no package '{package}' in the workspace")
+            raise LookupError(lacking[0])
         return str(folders[package])
 
     vars(packages).update(get_package_share_directory=share, PackageNotFoundError=LookupError)
@@ -48,7 +50,8 @@ def main() -> int:
         document = described(file, **vars(options))
     except Exception as error:
         where = Path((xacro.filestack or [file])[-1] or file).name
-        text = " ".join(str(error).split()) or type(error).__name__
+        # xacro adds the types of exceptions, and their texts once more.
+        text = " ".join((*lacking, str(error))[0].split()) or type(error).__name__
         print(f"xacro: {where}: {text}", file=sys.stderr)
         return 1
     sys.stdout.write(document.toprettyxml(indent="  "))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
 from sitegen.launch import (
+    absent,
     attributes,
     loops,
     processes,
@@ -64,15 +65,18 @@ def launched(
     problems: Problems,
     notes: Problems | None = None,
     environment: Mapping[str, str] | None = None,
+    missing: Callable[[str], str] = absent.published,
 ) -> LaunchDescription:
     """Return what a launch file describes, and report what does not work on a page.
 
     It can read the variables in `environment`, and its nodes have them. Programs that open a window
-    without a counterpart are skipped, with a note in `notes`.
+    without a counterpart are skipped, with a note in `notes`, as is what needs a package that
+    `packages` lack, if `missing` returns a note about it.
     """
     with shares(packages) as folders, tempfile.TemporaryDirectory(prefix=MADE) as made:
         roots = [problems.root, *(package.path for package in packages.values())]
-        reader = python.Reader(folders, roots, Path(made).resolve())
+        lacking = absent.Absent(missing)
+        reader = python.Reader(folders, roots, Path(made).resolve(), lacking)
         launch = _Launch(packages, reader, problems, notes or Problems(problems.root))
         scope = Scope(file, dict(arguments), environment=Environment(environment))
         launch.run(scope, Location(file, 1))
@@ -97,7 +101,7 @@ class _Launch:
         self._read = self._readings = 0
         self.nodes: list[Node] = []
         self.windows: list[Window] = []
-        self._components = Components(self._texts, self._holds)
+        self._components = Components(self._texts, self._holds, self._lacks)
         self.events = Events(self._texts, notes)
         self._actions: dict[str, Callable[[Action, Scope], object]] = {
             "executable": self._process,
@@ -218,6 +222,9 @@ class _Launch:
         for given in action.of_kind("arg", "let"):
             let(given, scope, self._texts)
         resolved = file.resolve() if file.is_absolute() else file
+        if why := self._reader.absent.of(file):
+            self._notes.add(action.location, action.kind, f"{why} {absent.LEFT_OUT}")
+            return
         inner = replace(scope, file=resolved, depth=scope.depth + 1, calls=())
         self.file(inner, action.location)
         scope.restore(inner)
@@ -251,10 +258,21 @@ class _Launch:
             self.events.handlers.skipped(action)
             self._notes.add(action.location, action.kind, why)
             return
+        if self._lacks(action, package):
+            self.events.handlers.skipped(action)
+            return
         for why in without.parts(action):
             self._notes.add(action.location, action.kind, why)
         start = self._container if package == containers.PACKAGE else self._started
         start(action, scope)
+
+    def _lacks(self, action: Action, package: str) -> bool:
+        """Return whether `action` needs a package that is published, but not here, and note it."""
+        there = package in self._packages or package == containers.PACKAGE
+        why = "" if there else self._reader.absent.note(package)
+        if why:
+            self._notes.add(action.location, action.kind, f"{why} {absent.LEFT_OUT}")
+        return bool(why)
 
     def _managed(self, action: Action, scope: Scope) -> None:
         """Start a lifecycle node."""

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from sitegen.errors import Location
 from sitegen.launch import apart
+from sitegen.launch.absent import Absent
 from sitegen.launch.substitutions import SubstitutionError
 from sitegen.launch.tree import Action, Exact, UnreadableError
 
@@ -38,12 +39,14 @@ class Reader:
     """Reads Python launch files.
 
     `folders` are those of the packages of the workspace; the commands of a file read files in
-    `roots`. Temporary files that it leaves for the nodes are in `made`.
+    `roots`. Temporary files that it leaves for the nodes are in `made`. Packages that the workspace
+    lacks become `absent`.
     """
 
     folders: Mapping[str, Path]
     roots: Collection[Path]
     made: Path
+    absent: Absent
 
     def read(
         self,
@@ -88,6 +91,7 @@ class Reader:
     ) -> dict[str, Any]:
         given = {
             "folders": {name: str(path) for name, path in self.folders.items()},
+            "absent": {name: str(path) for name, path in self.absent.folders.items()},
             "roots": [*map(str, self.roots)],
             "made": str(self.made),
             "calls": calls,
@@ -95,6 +99,24 @@ class Reader:
             "environment": dict(environment),
             "performed": performed,
         }
+        answer = self._answer(file, given)
+        first = answer
+        # A file that handles the exception needs no folder, so that one is given only now.
+        while answer.get("absent", "") not in {"", *self.absent.folders}:
+            if not self.absent.folder(answer["absent"]):
+                break
+            absent = {name: str(path) for name, path in self.absent.folders.items()}
+            answer = self._answer(file, {**given, "absent": absent})
+        if "error" in answer:
+            if why := self.absent.named(answer["error"]):
+                answer = {**first, "error": why}
+            elif answer["module"] and (why := self.absent.note(answer["module"])):
+                answer["error"] = why
+            said = answer["error"].replace("\n", " ")
+            raise UnreadableError(Location(file, answer["line"]), said)
+        return answer
+
+    def _answer(self, file: Path, given: Mapping[str, Any]) -> dict[str, Any]:
         try:
             done = apart.run(DESCRIBE, [str(file)], json.dumps(given, default=str), LIMIT)
         except TimeoutError:
@@ -107,9 +129,6 @@ class Reader:
             raise UnreadableError(
                 Location(file, 1), "the launch file exited before it described anything"
             ) from None
-        if "error" in answer:
-            said = answer["error"].replace("\n", " ")
-            raise UnreadableError(Location(file, answer["line"]), said)
         return answer
 
 

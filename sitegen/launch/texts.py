@@ -109,6 +109,8 @@ class Texts:
     def file(self, name: str) -> Path:
         """Return a parameter file."""
         file = Path(name)
+        if why := self._reader.absent.of(file):
+            raise ValueError(why)
         folders = (self._root, self._reader.made)
         if not any(map(file.resolve().is_relative_to, folders)) or not file.is_file():
             raise ValueError(f"no file '{file}' below the folder of site.yaml")
@@ -162,7 +164,7 @@ class Texts:
         return self._performed[key]
 
     def _share(self, package: str) -> Path:
-        found = self._folders.get(package)
+        found = self._folders.get(package) or self._reader.absent.folder(package)
         if found is None:
             advice = nearest(package, self._folders)
             raise SubstitutionError(f"no package '{package}' in the workspace; {advice}")

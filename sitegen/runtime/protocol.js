@@ -27,8 +27,8 @@
  *   package: string, executable: string, arguments: string[], environment?: Record<string, string>,
  *   autostart: boolean, later?: boolean, needs?: string[], share?: string,
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
- *   ros2wasm?: Ros2wasmEntry, foreign?: boolean, fault?: string,
- * }} NodeEntry with one of `builds`, `python`, `ros2wasm` and `fault`, which says why there is no program; `foreign`
+ *   ros2wasm?: Ros2wasmEntry, javascript?: JavascriptEntry, foreign?: boolean, fault?: string,
+ * }} NodeEntry with one of `builds`, `python`, `ros2wasm`, `javascript` and `fault`, which says why there is no program; `foreign`
  *   if it is from an archive, or runs code of visitors or of links; `needs`
  *   names nodes without which it only waits, and with `later` the launch file starts it by itself; `share` lists the
  *   files of packages that a compiled program can open: see Listing in workers/cpp/packageFiles.js
@@ -41,6 +41,9 @@
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, the types of its topics and services, and the
  *   definitions of these types
+ * @typedef {{text: string, interfaces: string}} JavascriptEntry a program in JavaScript, which came as text, such as a
+ *   cell: a module, which names those of the runtime "sitegen:" and their path, and the address of the definitions of
+ *   all interfaces
  * @typedef {{kind: string, element: string, target: string, options: Record<string, any>}} WidgetEntry
  * @typedef {"jspi" | "asyncify"} Engine how a compiled node is suspended
  */
@@ -48,6 +51,7 @@
 /**
  * The ROS API of the page, for widgets and for scripts of the page.
  * @typedef {{
+ *   own?: string,
  *   nodes: Map<string, NodeHandle>,
  *   graph: GraphView,
  *   types: Record<string, MessageType>,
@@ -63,11 +67,11 @@
  *   keep(element: {id: string}, shape: Record<string, "string" | "boolean" | "number" | "object">,
  *     read: () => Shared, restore: (state: Shared, odd: () => void) => void | Promise<void>): void,
  *   link(): string,
- *   run(program: string | {package: string, executable: string},
+ *   run(program: string | {package: string, executable: string} | NodeEntry & {javascript: object},
  *     options?: {arguments?: string[], name?: string, environment?: Record<string, string>}): NodeHandle,
  *   join(file: string, told: (message: any) => void, failed: (error: string) => void): Companion,
- * }} Ros `run` starts a program of the page once more, as a new process, which is gone when it ends; `program` is the
- *   name of a node, or its package and executable. `join` starts a worker of the runtime that takes part in the graph,
+ * }} Ros `own` is the name of the hidden node, if it is not the page's. `run` starts a program of the page once more, as a new
+ *   process, which is gone when it ends; `program` is the name of a node, its package and executable, or an entry that is a text. `join` starts a worker of the runtime that takes part in the graph,
  *   and calls `told` with what it tells the page. `keep` makes the state of a widget part of shared links. `read`
  *   returns that state; empty values are left out. If the visitor came by a shared link, `restore` is called immediately
  *   with the values that have the `shape`; it calls `odd` for values that it cannot use. `link` returns the fragment of
@@ -153,6 +157,9 @@ export const DEFAULT_QOS = Object.freeze({
   deadline: Infinity, lifespan: Infinity, manual: false, lease: Infinity,
 });
 
+/** That of /rosout: latecomers receive the latest lines. */
+export const ROSOUT_QOS = { depth: 1000, reliable: true, transientLocal: true };
+
 /**
  * An endpoint of the graph as all participants know it; its `gid` is unique in the page.
  * @typedef {{gid: number, endpoint: Endpoint}} Neighbour
@@ -195,6 +202,7 @@ export const DEFAULT_QOS = Object.freeze({
  *   | {op: "join"}
  *   | Interpret
  *   | {op: "adopt", id: number, name: string, program: Ros2wasmEntry}
+ *   | {op: "evaluate", id: number, name: string, program: JavascriptEntry}
  *   | {op: "link", peer: number, port: MessagePort}
  *   | {op: "unlink", peer: number}
  *   | {op: "match", local: number, peer: number, remote: number, qos: Qos}

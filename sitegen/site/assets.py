@@ -11,7 +11,7 @@ from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
 from sitegen.site import bundles, launches
 
 # Widgets that only start programs and show their output; all others take part in the graph.
-PLAIN = {"buttons", "console", "editor", "prompt"}
+PLAIN = {"buttons", "console", "editor", "prompt", "javascript"}
 START = "rosMain.js"
 # The widgets whose cells can show panels, and the panels that the module jupyros describes.
 CELLS = {"jupyter", "notebook"}
@@ -19,6 +19,8 @@ IN_CELLS = (
     *("3d", "actions", "bag", "image", "joints", "parameters", "plot", "publish", "services"),
     *("tf", "topics"),
 )
+# Cells of JavaScript, and the worker that runs one.
+JAVASCRIPT, JAVASCRIPT_WORKER = "javascript", "workers/javascript/javascriptNode.js"
 # What other pages load to use the graph of one.
 OUTSIDE = "rosbridge/outside.js"
 
@@ -38,6 +40,9 @@ def takes_part(site: Site, page: Page) -> bool:
 def shown_kinds(page: Page) -> set[str]:
     """Return the kinds of the widgets of `page`, and of those that cells on it may show."""
     kinds = {widget.kind for widget in _widgets([page])}
+    if JAVASCRIPT in kinds:
+        # It looks like those of Python.
+        kinds.add("cell")
     return kinds | {*IN_CELLS} if kinds & CELLS else kinds
 
 
@@ -72,6 +77,8 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if kinds & {"bag", "terminal"}:
         # The player and the recorder, and what only recorders load.
         names |= {"workers/bag/bagNode.js", "bag/zstd.js"}
+    if JAVASCRIPT in kinds:
+        names.add(JAVASCRIPT_WORKER)
     if "connect" in kinds:
         names.add("workers/gateway/gatewayNode.js")
     if "console" in kinds:

@@ -39,9 +39,15 @@ def imports() -> Mapping[str, Sequence[str]]:
 
 
 def with_imports(names: Sequence[str]) -> list[str]:
-    """Return the bundles `names` and the bundles that they import, each once."""
-    known = bundles()
-    return list(dict.fromkeys(one for name in names for one in (name, *known[name].imports)))
+    """Return the bundles `names` and all that they import, each once."""
+    known, found = bundles(), dict[str, None]()
+    waiting = [*reversed(names)]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found[name] = None
+            waiting += reversed(known[name].imports)
+    return [*found]
 
 
 def refresh(report: Report) -> None:

@@ -46,8 +46,9 @@ class Listing:
     `sources` maps executables to source files, relative to the CMakeLists.txt of the package, and
     `components` to the classes of the nodes that they run.
     `installs` maps paths below the prefix to what is installed there unchanged. `finds` has the
-    packages that are not optional, `requires` those without which CMake fails; `plugins` has the
-    packages for which plugins are described.
+    packages that are not optional, `requires` those without which CMake fails; with
+    `finds_all`, it finds what package.xml names. `plugins` has the packages for which plugins are
+    described.
     """
 
     script: Script
@@ -59,6 +60,7 @@ class Listing:
     installs: list[Install] = field(default_factory=list)
     finds: list[str] = field(default_factory=list)
     requires: list[str] = field(default_factory=list)
+    finds_all: bool = False
     plugins: list[str] = field(default_factory=list)
     # The setup.cfg files whose programs ament_python_install_package() installs.
     configs: list[Path] = field(default_factory=list)
@@ -94,6 +96,8 @@ class Listing:
             self.finds += self.script.values(words[:1])
             if "REQUIRED" in words and self.script.unconditional:
                 self.requires += self.script.values(words[:1])
+        elif name == "ament_auto_find_build_dependencies" and self.script.unconditional:
+            self.finds_all = True
         elif name == "pluginlib_export_plugin_description_file":
             self.plugins += self.script.values(words[:1])
         elif name == "install":

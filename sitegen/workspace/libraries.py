@@ -10,6 +10,11 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from sitegen.shipped import CLIENTS
+
+# Headers that sitegen adds to those of the compiler.
+SYSTEM = CLIENTS / "cpp" / "system"
+
 
 @dataclass(frozen=True)
 class Library:
@@ -50,11 +55,24 @@ _QT = (
     "Charts Concurrent Core Gui LinguistTools Multimedia Network OpenGL OpenGLWidgets PrintSupport "
     "Qml Quick QuickWidgets SerialPort Sql Svg SvgWidgets Test UiTools WebSockets Widgets Xml"
 )
+# The libraries of Gazebo, each a package, a vendor package and one with a version in its name.
+_GZ = "cmake common fuel_tools gui launch math msgs physics plugin rendering sensors sim transport"
+_GZ_VERSIONS = (
+    "common5 common6 math7 math8 msgs9 msgs10 msgs11 plugin2 plugin3 sensors8 sensors9 sim7 sim8 "
+    "sim9 transport12 transport13 transport14"
+)
 _BOOST = (
     "asio atomic chrono container context contract coroutine date_time exception fiber filesystem "
     "graph headers iostreams json locale log log_setup math nowide program_options random regex "
     "serialization stacktrace_basic system test thread timer type_erasure unit_test_framework "
     "url wave wserialization"
+)
+
+_OF_ROS = (
+    "backward_ros cv_bridge image_geometry gazebo_dev gazebo_ros pcl_conversions pcl_ros "
+    "qt_gui_cpp rmw_fastrtps_cpp rosbag2_compression rosbag2_cpp rosbag2_storage "
+    "rosbag2_storage_mcap rosbag2_transport rqt_gui_cpp rttest rviz_common rviz_default_plugins "
+    "rviz_rendering rviz_visual_tools tlsf_cpp dynamixel_sdk"
 )
 
 # These are too large, or need hardware, a screen, a middleware or an interpreter.
@@ -79,26 +97,20 @@ UNAVAILABLE = (
             ("Qt6", "6.4.2", ""),
         )
     ),
-    *map(
-        _ros,
-        (
-            *("backward_ros", "cv_bridge", "image_geometry", "gazebo_dev", "gazebo_ros"),
-            *(
-                "pcl_conversions",
-                "pcl_ros",
-                "qt_gui_cpp",
-                "rmw_fastrtps_cpp",
-                "rosbag2_compression",
-            ),
-            *("rosbag2_cpp", "rosbag2_storage", "rosbag2_storage_mcap", "rosbag2_transport"),
-            *("rqt_gui_cpp", "rttest", "rviz_common", "rviz_default_plugins", "rviz_rendering"),
-            *("rviz_visual_tools", "tlsf_cpp"),
-        ),
-    ),
+    *map(_ros, _OF_ROS.split()),
     Library("Ogre", r"Ogre.*", _each("rviz_ogre_vendor", "rviz_ogre_vendor::OgreMain")),
     Library(
-        "Gazebo", "gazebo|gz|ignition|sdf", _each("gazebo gz-sim gz-transport ignition-gazebo6")
+        "Gazebo",
+        "gazebo(_plugins)?|gz|ignition|ros_gz_(bridge|image|sim)|sdf",
+        {
+            **_each("gazebo gazebo_plugins ignition-gazebo6 ros_gz_bridge ros_gz_image ros_gz_sim"),
+            **_each(" ".join(f"gz-{name}" for name in f"{_GZ} {_GZ_VERSIONS}".split())),
+            **_each(" ".join(f"gz_{name}_vendor" for name in _GZ.split()), ""),
+            **_each("sdformat_vendor", ""),
+        },
     ),
+    # A page has no devices.
+    Library("Linux drivers", r"bluetooth|gpiod\.hp{0,2}|i2c|libudev\.h|linux|pigpiod?_?\w*\.h", {}),
     Library("Ceres", "ceres", {"Ceres": "ceres Ceres::ceres"}, "2.1.0"),
     Library(
         "SuiteSparse",
@@ -361,6 +373,8 @@ COMPILED = (
 LIBRARIES = (*UNAVAILABLE, *HEADER_ONLY)
 # The packages that compile a library, by all of its names.
 COMPILED_BY = {name: one.package for one in COMPILED for name in (one.package, *one.names)}
+# The packages that no page can have.
+NEVER = frozenset(package for library in UNAVAILABLE for package in library.packages)
 # The names that find_package() finds.
 PACKAGES = {*COMPILED_BY, *(package for library in LIBRARIES for package in library.packages)}
 
@@ -372,6 +386,8 @@ def compiled(names: Iterable[str]) -> list[str]:
 
 def of_header(header: str) -> Library | None:
     """Return the library that a header, such as `opencv2/core.hpp`, is one of."""
+    if (SYSTEM / header).is_file():
+        return None
     first = header.partition("/")[0]
     found = (one for one in LIBRARIES if one.headers and re.fullmatch(one.headers, first))
     return next(found, None)

@@ -391,6 +391,13 @@ def test_what_is_beyond_the_page_may_be_the_other_side(beyond: str, tmp_path: Pa
     assert warnings(folder) == []
 
 
+def test_a_cell_of_javascript_may_be_the_other_side(tmp_path: Path) -> None:
+    listener = PYTHON.replace('"chatter"', '"chater"')
+    cell = '      - markdown: "```js ros\\n1;\\n```"\n'
+    assert warnings(write(tmp_path, listener=listener)) != []
+    assert warnings(write(tmp_path, site=SITE + cell, listener=listener)) == []
+
+
 @pytest.mark.parametrize("widget", ["3d:", "joints:", "teleop:", "parameters:", "tf:"])
 def test_a_panel_silences_nothing(widget: str, tmp_path: Path) -> None:
     listener = PYTHON.replace('"chatter"', '"chater"')

@@ -44,6 +44,37 @@ def test_packages_are_listed_with_what_to_do(
     ]
 
 
+def test_packages_that_ament_cmake_auto_finds_are_listed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cmake = "find_package(ament_cmake_auto REQUIRED)\nament_auto_find_build_dependencies()\n"
+    names = ("rclcpp", "filters", "libncurses-dev", "launch_ros", "acme_base")
+    package(tmp_path, "laser", cmake, *names)
+    assert main(["missing", str(tmp_path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line for line in lines if "needed by" in line] == [
+        "'filters', needed by 'laser': git clone -b ros2 https://github.com/ros/filters.git"
+    ]
+
+
+def test_packages_of_ros_1_are_named_and_need_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package(tmp_path, "old", "find_package(catkin REQUIRED)\n", "catkin")
+    file = tmp_path / "src/old/package.xml"
+    kind = "<export><build_type>catkin</build_type></export></package>"
+    file.write_text(file.read_text().replace("</package>", kind))
+    assert main(["missing", str(tmp_path)]) == 0
+    assert capsys.readouterr().out.splitlines() == ["no package is missing"]
+    package(
+        tmp_path, "new", "add_executable(new new.cpp)\ninstall(TARGETS new DESTINATION lib/new)\n"
+    )
+    (tmp_path / "src/new/new.cpp").write_text("int main() {}\n")
+    assert main(["init", str(tmp_path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "  old: is for ROS 1 (catkin); use its version for ROS 2" in lines
+
+
 def test_a_file_for_vcs_has_each_repository_once(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

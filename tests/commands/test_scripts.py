@@ -10,12 +10,14 @@ from pathlib import Path
 
 import pytest
 from paths import ROOT
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 from served import Serving
 
 from sitegen import config
 from sitegen.__main__ import main
+from sitegen.build import make
 from sitegen.errors import SiteError
+from sitegen.report import Report
 
 SITE = """\
 site: {title: Mine}
@@ -29,6 +31,7 @@ SCRIPT = """\
 // @ts-check
 import { ros } from "sitegen";
 import { transportFactory } from "sitegen/rosbridge";
+import { Ros, ROS2TFClient, Topic } from "sitegen/roslib";
 
 const chatter = ros.topic("/chatter", "std_msgs/msg/String");
 for await (const { data } of chatter) console.log(data.length);
@@ -46,12 +49,19 @@ node.timer(100, ({ sec }) => node.log.info(`${sec}: ${speed.value} ${names.value
 for await (const value of speed.changes()) speed.value = Number(value) + 1;
 node.topic("~/state", "std_msgs/msg/String", "sensor_data").advertise();
 chatter.subscribe(() => {}, { qos: { reliability: "best_effort", depth: 1 } });
+const link = new Ros({ transportFactory });
+link.on("connection", () => link.getTopics(({ topics }) => topics.map((name) => name.length)));
+/** @type {Topic<{ data: string }>} */
+const mine = new Topic({ ros: link, name: "/mine", messageType: "std_msgs/String" });
+mine.subscribe(({ data }) => mine.publish({ data: data.trim() }));
+new ROS2TFClient({ ros: link }).subscribe("map", (transform) => transform.translation.x);
 export default [translation.x, (await goal.result()).sequence, transportFactory];
 """
 WRONG = {
     "import { ros } from 'sitegn';": "'sitegn' is not a path",
     "import '/roslib.js';": "copy the library into this site and import './roslib.js'",
     "import { ros } from 'sitegen/ros';": "no module 'sitegen/ros'; did you mean 'sitegen",
+    "import { Ros } from 'sitegen/roslb';": "no module 'sitegen/roslb'; did you mean 'sitegen/ros",
     "import 'https://x.org/a.js';": "'https://x.org/a.js' is on another site",
     "const a = ;": "syntax error",
 }
@@ -200,6 +210,20 @@ def test_scripts_have_types(site: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert "'\"sensors\"' is not assignable to parameter of type 'Qos" in checked()
     script.write_text(SCRIPT.replace("speed.value = Number(value)", 'speed.value = "a"'))
     assert "Type 'string' is not assignable to type 'number | bigint'" in checked()
+    script.write_text(SCRIPT.replace("data: data.trim()", "data: 1"))
+    assert "Type 'number' is not assignable to type 'string'" in checked()
+
+
+def test_only_sites_that_use_roslib_have_its_module_and_its_types(site: Path) -> None:
+    types = site / "scripts/sitegen.d.ts"
+    for line, used in (('import "sitegen/rosbridge";\n', False), ('import "./more.js";\n', True)):
+        (site / "scripts/more.js").write_text('import "sitegen/roslib";\n')
+        (site / "scripts/mine.js").write_text(line)
+        paths = {artifact.path for artifact in make(site, Report()).artifacts}
+        assert ("runtime/vendor/roslib.js" in paths) == used
+        assert "runtime/vendor/licenses.txt" in paths
+        assert main(["types", str(site)]) == 0
+        assert ('declare module "sitegen/roslib" {' in types.read_text()) == used
 
 
 def test_an_edited_script_runs_in_the_open_page(
@@ -217,3 +241,31 @@ def test_an_edited_script_runs_in_the_open_page(
     tab.wait_for_selector("body[data-said='second third']")
     served.write("scripts/more.js", "document.body.dataset.said += ' fourth';\n")
     tab.wait_for_selector("body[data-said='second fourth']")
+    # It begins to use what the site did not have before.
+    roslib = 'import { REVISION } from "sitegen/roslib";\n'
+    served.write("scripts/more.js", f"{roslib}document.body.dataset.said += ` r${{REVISION}}`;\n")
+    tab.wait_for_selector("body[data-said='second r2.1.0']")
+
+
+def test_an_edited_cell_leaves_the_others_running(
+    tab: Page, tmp_path: Path, serving: Callable[[Path], Serving]
+) -> None:
+    text = (
+        "# Cells\n\n```js ros\nsetInterval(() => {}, 1000);\n```\n"
+        "\n```js ros\nconsole.log('first');\n```\n"
+    )
+    (tmp_path / "site.yaml").write_text("site: {title: A}\npages: [{path: /, file: page.md}]\n")
+    (tmp_path / "page.md").write_text(text)
+    served = serving(tmp_path)
+    tab.goto(served.url)
+    states = tab.locator(".ros-cell-state")
+    tab.get_by_role("button", name="Run JavaScript cell 1").click()
+    tab.get_by_role("button", name="Run JavaScript cell 2").click()
+    expect(states).to_have_text(["running", "done"])
+    served.write("page.md", text.replace("first", "second"))
+    expect(states).to_have_text(["running", "not run"])
+    tab.get_by_role("button", name="Run JavaScript cell 2").click()
+    expect(tab.get_by_text("second", exact=True)).to_be_visible()
+    # A program that the visitor runs is no node of the page, and goes on.
+    tab.get_by_role("button", name="Stop JavaScript cell 1").click()
+    expect(states).to_have_text(["stopped", "done"])

@@ -111,6 +111,9 @@ def test_cells_stand_in_the_text_of_a_page(tmp_path: Path) -> None:
     [
         ("```python ros later\n1\n```", "a cell must begin with 'python ros' alone, found 'later'"),
         ("```python ros\n```", "this cell is empty; write Python into it"),
+        ("```js ros later\n1\n```", "a cell must begin with 'js ros' alone, found 'later'"),
+        ("```javascript ros\n```", "this cell is empty; write JavaScript into it"),
+        ("- ```js ros\n  1\n  ```", "cannot stand in a list"),
         ("```python ros\n1", "this block is not closed"),
         ("> ```python ros\n> 1\n> ```", "cannot stand in a list"),
     ],

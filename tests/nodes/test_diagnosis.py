@@ -124,3 +124,17 @@ def test_a_package_of_the_workspace_comes_before_a_library(diagnosis: Diagnosis)
         f"src/arm/n.cpp:3: 'arm' includes '{header}', which was not found; "
         "package 'cv_bridge' has no such header"
     ]
+
+
+def test_libraries_that_the_compiler_would_download_are_named(tmp_path: Path) -> None:
+    said = (
+        "FAILED: CMakeFiles/joy.dir/src/joy.cpp.o \nTraceback (most recent call last):\n"
+        '  File "/usr/share/emscripten/em++.py", line 14, in <module>\n'
+        '  File "/usr/share/emscripten/tools/ports/__init__.py", line 364, in add_cflags\n'
+        "    port.get(Ports, settings, shared)\n"
+        '  File "/usr/share/emscripten/tools/ports/sdl2.py", line 23, in get\n'
+        "Exception: Attempt to lock the cache but FROZEN_CACHE is set\n"
+    )
+    package = Package("joy", tmp_path / "joy", "ament_cmake", (), None, ())
+    lines = Diagnosis(tmp_path, package).of_builds({"joy": said}, tmp_path, {})
+    assert lines == ["joy/CMakeLists.txt: 'joy' needs 'sdl2', which has no build for the page"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -171,6 +172,86 @@ def test_interfaces_that_are_missing_are_cloned() -> None:
         "git clone -b kilted https://github.com/ros-planning/navigation2.git"
     )
     assert "requirements.txt" in dependencies.unavailable("acme_msgs")
+
+
+def test_packages_of_ros_are_cloned_if_the_workspace_names_them() -> None:
+    clone = "clone its sources there: git clone -b kilted "
+    name = "nav2_simple_commander"
+    assert clone in dependencies.unavailable(name, {name})
+    assert "requirements.txt" in dependencies.unavailable(name)
+    assert "requirements.txt" in dependencies.unavailable("acme_tools", {"acme_tools"})
+    # pyserial on PyPI has the name of a package of ROS.
+    assert "requirements.txt" in dependencies.unavailable("serial", {"python3-serial"})
+
+
+@pytest.mark.parametrize("module", ["cv_bridge", "python_qt_binding", "rosbag2_py", "tkinter"])
+def test_packages_that_no_page_can_have_are_not_cloned(module: str) -> None:
+    said = f"needs '{module}', which has no build for the page"
+    assert dependencies.unavailable(module, {module}) == said
+
+
+def test_a_clone_is_advised_for_a_module_that_package_xml_names(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = folder / "src/camtools"
+    (package / "package.xml").write_text(
+        MANIFEST.replace("<depend>rclpy", "<depend>rosidl_runtime_py</depend><depend>rclpy")
+    )
+    (package / "camtools/grab.py").write_text("import rosidl_runtime_py\n\n\ndef main(): ...\n")
+    line = (
+        "src/camtools/camtools/grab.py:1: import rosidl_runtime_py: needs package "
+        "'rosidl_runtime_py', which is not in the workspace; clone its sources there: "
+        "git clone -b kilted https://github.com/ros2/rosidl_runtime_py.git "
+        "(left out: camtools/grab)"
+    )
+    assert main(["init", str(folder)]) == 0
+    assert f"  skipped: {line}" in capsys.readouterr().out.splitlines()
+    assert main(["build", str(folder)]) == 0
+    assert line in capsys.readouterr().out.splitlines()
+
+
+def test_programs_whose_modules_of_python_no_page_has_are_left_out(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    package = folder / "src/camtools/camtools"
+    (package / "grab.py").write_text("import tkinter\n\n\ndef main(): ...\n")
+    (package / "talker.py").write_text("import termios, tty, select\n\n\ndef main(): ...\n")
+    (package / "smooth.py").write_text(
+        "import sys\nif sys.platform == 'win32':\n    import msvcrt\n\n\ndef main(): ...\n"
+    )
+    assert main(["init", str(folder)]) == 0
+    lines = [line for line in capsys.readouterr().out.splitlines() if "skipped: " in line]
+    assert (
+        "  skipped: src/camtools/camtools/grab.py:1: import tkinter: needs 'tkinter', which has "
+        "no build for the page (left out: camtools/grab)"
+    ) in lines
+    assert not any("talker.py" in line or "smooth.py" in line for line in lines)
+
+
+def test_pyodide_has_none_of_the_modules_of_python_that_are_absent() -> None:
+    with zipfile.ZipFile(ROOT / "sitegen/runtime/vendor/pyodide/python_stdlib.zip") as archive:
+        there = {name.partition("/")[0].partition(".")[0] for name in archive.namelist()}
+    assert {"argparse", "json", "tty"} <= there
+    assert dependencies.ABSENT.isdisjoint(there)
+
+
+def test_packaging_comes_with_the_programs_that_import_it(
+    folder: Path, capsys: pytest.CaptureFixture[str], browser: Browser, serve: Serve
+) -> None:
+    talker = folder / "src/camtools/camtools/talker.py"
+    talker.write_text(
+        "import packaging.version\n\n\ndef main():\n"
+        "    print(packaging.version.parse('3.10') > packaging.version.parse('3.9'))\n"
+    )
+    assert main(["init", str(folder)]) == 0
+    (folder / "site.yaml").write_text(SITE)
+    assert main(["build", str(folder)]) == 0
+    assert "import packaging" not in capsys.readouterr().out
+    page = browser.new_page()
+    page.goto(serve(folder / "dist"))
+    expect(Panel(page, "talker").console).to_contain_text("True")
+    with zipfile.ZipFile(folder / "dist/nodes/packaging.zip") as archive:
+        assert any("LICENSE.BSD" in name for name in archive.namelist())
 
 
 def test_every_package_of_the_distribution_has_a_message() -> None:

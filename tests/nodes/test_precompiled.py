@@ -144,6 +144,39 @@ int first(std::vector<int> values) {{
     assert "standard.h" not in said
 
 
+PARTS = """#if defined(__linux__)
+{}
+#elif defined(_WIN32)
+#include <windows.h>
+#endif
+"""
+
+
+@pytest.mark.parametrize("where", ["the source", "a header of a header"])
+def test_a_source_with_parts_for_systems_is_compiled_as_on_linux(
+    compiler: Compiler, where: str
+) -> None:
+    part = PARTS.format("namespace robot { inline int wheels() {return 4;} }")
+    compiler.write("include/parts.hpp", part)
+    compiler.write("include/robot.hpp", '#include "parts.hpp"\nint w() {return robot::wheels();}\n')
+    top = part if where == "the source" else '#include "robot.hpp"\n'
+    source = compiler.write("src/parts.cpp", f"{top}int main() {{return robot::wheels();}}\n")
+    assert compiler.plain(source).returncode == 1
+    assert (compiler.run(source).returncode, compiler.run(source).stdout) == (0, "")
+
+
+def test_a_part_for_linux_that_needs_drivers_says_so(compiler: Compiler) -> None:
+    part = PARTS.format("#include <linux/serial.h>\nusing Port = serial_struct;")
+    source = compiler.write("src/port.cpp", f"{part}Port port;\n")
+    assert "'linux/serial.h' file not found" in compiler.run(source).stdout
+
+
+def test_other_errors_of_a_source_that_asks_for_linux_are_those_it_has(compiler: Compiler) -> None:
+    part = PARTS.format("int wheels;")
+    source = compiler.write("src/wrong.cpp", f"{part}int main() {{return legs;}}\n")
+    assert compiler.run(source).stdout == compiler.plain(source).stdout
+
+
 def test_what_headers_of_upstream_include_is_known(compiler: Compiler) -> None:
     logs = """\
 #include "rclcpp/qos.hpp"

@@ -133,6 +133,19 @@ def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
 
 
 @pytest.mark.firefox
+def test_a_script_has_its_modules_when_the_server_is_gone(host: Host, tab: Page) -> None:
+    script = 'import { REVISION } from "sitegen/roslib";\ndocument.body.dataset.said = REVISION;\n'
+    (host.folder / "mine.js").write_text(script)
+    edit(host, "title: More,", "title: More, script: mine.js,")
+    url = host.on()
+    tab.goto(url)
+    until(tab, READY)
+    host.off()
+    tab.goto(f"{url}more/")
+    tab.wait_for_selector("body[data-said='2.1.0']")
+
+
+@pytest.mark.firefox
 def test_what_somebody_else_wrote_into_the_cache_is_not_served(host: Host, tab: Page) -> None:
     """All pages of a server share its caches: a page without a policy would be served for good."""
     url = host.on()

@@ -7,6 +7,7 @@ import importlib.resources
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 from bags import drive, write_bag
@@ -89,6 +90,47 @@ def test_nodes_run_in_a_file_that_was_opened(alone: Page, tmp_path: Path) -> Non
     Panel(alone, "talker").stop()
     assert alone.get_by_role("button", name=re.compile("Share|Search|Pages")).count() == 0
     assert not alone.is_visible("#file-note")
+
+
+@pytest.mark.firefox
+def test_roslib_is_in_the_file_of_a_page_that_uses_it(alone: Page, tmp_path: Path) -> None:
+    file = tmp_path / "file.html"
+    assert main(["build", str(ROOT), "--single-file", "demo16/roslib/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    readings = alone.locator(".ros-readings")
+    expect(readings).to_contain_text("5.54, 5.54")
+    alone.get_by_role("application", name="Joystick").press("ArrowLeft", delay=500)
+    expect(readings).to_contain_text("Speed0.00")
+    expect(readings).not_to_contain_text("Heading0°")
+
+
+@pytest.mark.firefox
+def test_cells_run_in_the_file(alone: Page, tmp_path: Path) -> None:
+    (tmp_path / "site.yaml").write_text("site: {title: A}\npages: [{path: /, file: page.md}]\n")
+    cell = """\
+    # Cells
+
+    ```js ros
+    import { ros } from "sitegen";
+    import { transportFactory } from "sitegen/rosbridge";
+    import { Ros, Topic } from "sitegen/roslib";
+
+    const page = new Ros({ transportFactory });
+    page.connect("page:");
+    const chatter = ros.topic("/chatter", "std_msgs/msg/String");
+    const heard = new Topic({ ros: page, name: "/chatter", messageType: "std_msgs/String" });
+    heard.subscribe(({ data }) => console.log("roslib heard", data));
+    ros.timer(100, () => chatter.publish({ data: "a cell" }));
+    ```
+    """
+    (tmp_path / "page.md").write_text(dedent(cell))
+    file = tmp_path / "file.html"
+    assert main(["build", str(tmp_path), "--single-file", "/", "--output", str(file)]) == 0
+    alone.goto(file.as_uri())
+    alone.get_by_role("button", name="Run JavaScript cell 1").click()
+    expect(alone.get_by_role("log").get_by_text("roslib heard a cell").nth(2)).to_be_attached()
+    alone.get_by_role("button", name="Stop JavaScript cell 1").click()
+    expect(alone.locator(".ros-cell-state")).to_have_text("stopped")
 
 
 def test_without_jspi_too(browser: Browser, tmp_path: Path) -> None:

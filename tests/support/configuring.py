@@ -69,6 +69,12 @@ class Configuring:
         diagnosis = Diagnosis(self.folder, package)
         return diagnosis.of_build(program, self.compile(name, program), self._cmake.tree(package))
 
+    def lacking(self, name: str, program: str) -> list[str]:
+        """Compile like compile(), and return what the build says of headers that are missing."""
+        package = scan(self.folder)[name]
+        outputs = {program: self.compile(name, program)}
+        return Diagnosis(self.folder, package).of_builds(outputs, self._cmake.tree(package), {})
+
     def tree(self, name: str) -> Path:
         return self._cmake.tree(scan(self.folder, self.settings)[name])
 

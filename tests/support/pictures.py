@@ -39,6 +39,7 @@ SCENES: dict[str, tuple[list[str], str, str]] = {
     "demo13": (["Run all"], "y 5.", ".columns"),
     "demo14": (TUTORIAL, "linear_velocity", ".columns"),
     "demo15": (["Start", "configure", "activate"], "49.", ".columns"),
+    "demo16": ([], "Speed", ".columns"),
 }
 PROMPT = ['node = rclpy.create_node("web_node")', "node.get_name()"]
 
@@ -56,6 +57,13 @@ def take(tab: Page, demo: str, url: str) -> None:
         for line in PROMPT:
             tab.get_by_role("textbox").first.fill(line)
             tab.keyboard.press("Enter")
+    if demo == "demo16":
+        stick = tab.locator("#joystick").bounding_box()
+        assert stick
+        tab.mouse.move(stick["x"] + 100, stick["y"] + 100)
+        tab.mouse.down()
+        tab.mouse.move(stick["x"] + 60, stick["y"] + 10)
+        tab.wait_for_timeout(3000)
     tab.locator(part).first.scroll_into_view_if_needed()
     if tab.locator(".ros-3d").count():
         # The scanner and the meshes come a little later.

@@ -15,7 +15,7 @@ from sitegen.commands.init.runs import runs
 from sitegen.errors import Problems, SiteError, relative
 from sitegen.model import Package
 from sitegen.report import Report
-from sitegen.workspace.absent import absent, clone
+from sitegen.workspace.absent import CATKIN, absent, clone
 
 FILE = "site.yaml"
 
@@ -67,7 +67,9 @@ def _write_site(folder: Path, report: Report) -> None:
     for name in workspace.replaced(packages):
         report.say(f"  {name}: needs Qt, so pages run the {name} that comes with sitegen")
     for name, package in packages.items():
-        if package.executables is None:
+        if package.build_type == CATKIN:
+            report.say(f"  {name}: is for ROS 1 (catkin); use its version for ROS 2", "warning")
+        elif package.executables is None:
             report.say(f"  {name}: its executables are known only to CMake; add the ones you want")
     for fault in found.faults:
         report.say(f"  skipped: {fault}")

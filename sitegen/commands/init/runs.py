@@ -13,6 +13,7 @@ from sitegen.commands.init.robots import Robot, name_of, robots
 from sitegen.config.nodes import Declared, check_package
 from sitegen.errors import Location, Problems, relative
 from sitegen.launch import LaunchDescription, launched
+from sitegen.launch.absent import names_absent
 from sitegen.model import Argument, Node, Package
 from sitegen.nodes.python import archives, dependencies, missing
 from sitegen.nodes.python.missing import Missing
@@ -80,13 +81,16 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         faults += dict.fromkeys(wrong.values())
         for file in files(package, LAUNCH):
             path = package.path / file
-            launch, problems, chosen = _described(path, there, root)
+            launch, problems, notes, chosen = _described(path, there, root)
             lines = [*problems.lines, *_faults(root, launch.nodes, packages).values()]
             found = {} if lines else _lacking(root, launch.nodes, packages)
             # A build leaves these out of the pages of launch files, and those that lack modules.
             wrong = {} if lines else _without(root, launch.nodes, packages, unsupported)
             faults += dict.fromkeys(wrong.values())
             able = [n for n in launch.nodes if _key(n) not in found and n.name not in wrong]
+            faults += dict.fromkeys(notes) if not lines else {}
+            if not able and notes and not lines:
+                continue
             if not able and not lines:
                 what = "opens windows, but starts" if launch.windows else "starts"
                 lines = [f"{what} no node that can run in the browser"]
@@ -100,23 +104,30 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             launches.append(Launched(package, file, members, bool(launch.windows), plain, chosen))
             described |= {name_of(node) for node in able}
     shown, unclear = robots(root, packages, there, described)
+    faults = [*dict.fromkeys(faults)]
     return Runs(programs, launches, shown, [*faults, *missing.lines(lacking), *unclear])
 
 
 def _described(
     file: Path, packages: Mapping[str, Package], root: Path
-) -> tuple[LaunchDescription, Problems, Sequence[Argument]]:
-    """Return what a launch file describes, and the arguments that it needs and has choices for."""
+) -> tuple[LaunchDescription, Problems, Sequence[str], Sequence[Argument]]:
+    """Return what a launch file describes, what is wrong with it, and what needs absent packages.
+
+    The last part are the arguments that it needs and has choices for.
+    """
     chosen: dict[str, Argument] = {}
     # A choice may lead to a file that needs another argument.
     while True:
-        problems = Problems(root)
+        problems, notes = Problems(root), Problems(root)
         given = {each.name: each.choices[0] for each in chosen.values()}
-        found = launched(file, given, packages, problems)
+        found = launched(file, given, packages, problems, notes)
         needed = (each for each in found.arguments if each.default is None and each.choices)
         more = {each.name: each for each in needed if each.name not in chosen}
         if not more:
-            return found, problems, [*chosen.values()]
+            # The first line about each package is enough.
+            lacking = {names_absent(line): line for line in reversed(notes.lines)}
+            lines = [line for package, line in reversed(lacking.items()) if package]
+            return found, problems, lines, [*chosen.values()]
         chosen |= more
 
 
@@ -161,12 +172,13 @@ def _lacking(
     """Return the modules that nodes import and that pages lack, by the keys of such nodes."""
     there = workspace.with_shipped(packages, (node.package for node in nodes))
     problems = Problems(root)
+    declared = dependencies.declared_by(packages.values())
     found: dict[str, Missing] = {}
     for node in nodes:
         setup = there[node.package].setup if node.package in there else None
         if setup and node.executable in setup.scripts:
             found[_key(node)] = {
-                missing.message(module, dependencies.unavailable(module)): problems.where(
+                missing.message(module, dependencies.unavailable(module, declared)): problems.where(
                     one.location
                 )
                 for module, one in archives.missing_modules(node, there).items()

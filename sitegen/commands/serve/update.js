@@ -103,7 +103,8 @@ export function updateNodes(old, fresh, { ros, editing }) {
   for (const element of kept.keys()) if (!elements.has(element)) ros.unmount(element);
   return () => {
     editing.rename(fresh);
-    for (const name of [...ros.nodes.keys()].filter((name) => !(name in fresh.nodes))) {
+    // Those that visitors have started besides, and cells, go on.
+    for (const name of Object.keys(old.nodes).filter((name) => !(name in fresh.nodes))) {
       ros.nodes.get(name)?.stop();
       ros.nodes.delete(name);
     }

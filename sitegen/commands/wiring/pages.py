@@ -53,9 +53,9 @@ def _look_at(
     page: Page, site: Site, known: dict[tuple[str, str], Program], problems: Problems
 ) -> None:
     own, some_unknown = widgets.endpoints(w for w in page.leaves if isinstance(w, Widget))
-    # The author's scripts, and what is beyond a gateway, may be the other side of anything.
+    # Scripts and cells, and what is beyond a gateway, may be the other side of anything.
     # What a visitor may type into a terminal is unknown, but not what the texts say of the page.
-    unclear = bool(page.scripts or page.connect)
+    unclear = bool(page.scripts or page.connect) or _has(page, notebooks.JAVASCRIPT)
     some_unknown = some_unknown or unclear
     sides = [_Side("this widget", endpoint) for endpoint in own]
     heard = False
@@ -86,11 +86,14 @@ def _look_at(
             _check_other_side(page, side, sides, problems)
     _check_types(sides, problems)
     unclear = unclear or bool(cells)
-    has_terminal = any(isinstance(part, Widget) and part.kind == "terminal" for part in page.leaves)
-    if has_terminal:
+    if _has(page, "terminal"):
         endpoints = {name for side in sides for name in side.endpoint.names}
         names = commands.Names(None if unclear else endpoints, None if unclear else nodes)
         commands.check(page, site, names, problems)
+
+
+def _has(page: Page, kind: str) -> bool:
+    return any(isinstance(part, Widget) and part.kind == kind for part in page.leaves)
 
 
 def _cells(page: Page, site: Site) -> dict[str, Program]:

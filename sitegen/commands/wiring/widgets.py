@@ -16,7 +16,7 @@ _LOOK_ON = {
     *("actions", "buttons", "console", "diagnostics", "graph", "launch", "lifecycle", "log"),
     *("nodes", "parameters", "tf"),
     # What cells do is read from them.
-    *("cell", "jupyter", "notebook"),
+    *("cell", "javascript", "jupyter", "notebook"),
 }
 _TWIST, _ODOMETRY = "geometry_msgs/msg/Twist", "nav_msgs/msg/Odometry"
 _STAMPED, _JOY = "geometry_msgs/msg/TwistStamped", "sensor_msgs/msg/Joy"

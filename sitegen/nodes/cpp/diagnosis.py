@@ -34,6 +34,8 @@ COMMANDS = re.compile(
 ABSENT = re.compile(r"^(\w+)_DIR:PATH=\1_DIR-NOTFOUND$", re.MULTILINE)
 MISSING_HEADER = re.compile(r"^(\S+):(\d+):\d+: fatal error: '([^']+)' file not found$", re.M)
 MISSING_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(\w+)", re.M)
+# em++ has libraries, such as SDL 2, that it would download; a build does not let it.
+PORT = re.compile(r"File \"\S*/tools/ports/(?!__init__)(\w+)\.py\", line \d+, in get$", re.M)
 FAILED_SOURCE = re.compile(
     r"^FAILED: (?P<folder>\S+/)?CMakeFiles/(?P<target>[^/]+)\.dir/(?P<file>.+?)\.o(bj)?\s*$", re.M
 )
@@ -162,6 +164,8 @@ class Diagnosis:
             return [
                 f"{self._cmake}: {what} '{module[1]}': {sys.executable} -m pip install {module[1]}"
             ]
+        if port := PORT.search(output):
+            return [self._needs(port[1], NO_BUILD)]
         source = FAILED_SOURCE.search(output)
         if source:
             what = f"{self._error(output, self._source(source))} (package '{self.package.name}')"

@@ -11,6 +11,9 @@ A program that g++ compiles may name what other headers of its standard library 
 libc++ include less, and those of the page less of rclcpp than upstream's. If the compiler does not
 know such a name, it runs once more with all of them; if that fails, too, the messages are those of
 the source as it is.
+
+A source may have a part for each system that its author knows, and nothing for others. If one that
+asks for Linux does not compile, it is compiled as on Linux.
 """
 
 from __future__ import annotations
@@ -47,6 +50,10 @@ UNKNOWN_TO_ROS = re.compile(
     rb"'((RCLCPP|RCPPUTILS|RCUTILS|RCL|RMW)_\w+|(rclcpp|rcpputils|rcutils|rcl|rmw)\w*)'|"
     rb".*(undefined template|incomplete type) '(const )?rclcpp::)"
 )
+# How sources ask for Linux, what they get, and what a source says that needs its drivers.
+ASKS_FOR_LINUX = re.compile(r"\b__(gnu_)?linux(__)?\b")
+LINUX = ("-D__linux__=1", "-D__linux=1", "-D__gnu_linux__=1")
+NOT_FOUND = b" file not found"
 # The interface packages that come with sitegen. The headers generated from them are in ROS.
 INTERFACES = PACKAGE / "ros" / "include"
 # Nothing in these headers depends on what was included before them.
@@ -232,6 +239,23 @@ def _alone(lock: Path) -> Iterator[None]:
         yield
 
 
+def _asks_for_linux(command: Command) -> bool:
+    """Return whether a source, or a header of the author that it includes, has a part for Linux."""
+    waiting, seen = [command.source], set[Path]()
+    while waiting:
+        file = waiting.pop()
+        if file in seen or not file.is_file() or _is_in(file, (*OURS, Path("/usr"))):
+            continue
+        seen.add(file)
+        text = file.read_text(encoding="utf-8-sig", errors="replace")
+        if ASKS_FOR_LINUX.search(text):
+            return True
+        found = filter(None, (INCLUDE.match(line.strip()) for line in text.splitlines()))
+        folders = (file.parent, *command.folders)
+        waiting += [folder / (one[1] or one[2]) for one in found for folder in folders]
+    return False
+
+
 def _run(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
     return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
@@ -254,6 +278,10 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
         if again.returncode and unknown.search(said):
             complete = _run([compiler, *words, "-include", str(header)])
             again = again if complete.returncode else complete
+    if again.returncode and NOT_FOUND not in said and command and _asks_for_linux(command):
+        linux = _run([compiler, *words, *LINUX])
+        # A header that is absent is why the part for Linux does not compile.
+        again = linux if not linux.returncode or NOT_FOUND in linux.stdout else again
     sys.stdout.buffer.write(again.stdout)
     if made and not again.returncode and not again.stdout:
         # The compiler's own headers were installed again, which makes precompiled headers invalid.

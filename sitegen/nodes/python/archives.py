@@ -22,6 +22,7 @@ from sitegen.nodes.python import (
     cellimports,
     dependencies,
     imports,
+    included,
     ipython,
     syntax,
 )
@@ -157,6 +158,7 @@ def bundle(
             modules |= {name: one for name, one in found.items() if name not in there}
     for program in small:
         del wanted_modules[program]["numpy"]
+    along = included.taken(wanted_modules, dependencies.provided(site, cache=cache, report=report))
     collected = dependencies.collect(
         site, wanted_modules, optional=optional, cache=cache, report=report
     )
@@ -165,12 +167,7 @@ def bundle(
     archives |= {arrays.PATH: archived(arrays.module())} if small else {}
     for package, executable in sorted(small):
         report.say(f"{package}/{executable}: no numpy, but the part of it that comes with sitegen")
-    for name in names:
-        # A prompt depends on the whole workspace, whose files may be many.
-        depends = needs[name] if name != workspace.SITEGEN else []
-        files = _shared([*depends, *_named_packages(site, name)]) | _installed(needs[name])
-        contents = {path: file.read_bytes() for path, file in files.items()}
-        archives[_own(name)] = archived(contents)
+    archives |= {_own(name): _own_archive(site, name, needs[name]) for name in names}
     needed: dict[tuple[str, str], Sequence[str]] = {}
     own: dict[tuple[str, str], Sequence[str]] = {}
     for package, executable in sorted(programs):
@@ -181,6 +178,9 @@ def bundle(
         others = {f"nodes/wheels/{wheel.name}.zip": wheel for wheel in wheels}
         archives |= {path: wheel.data for path, wheel in others.items()}
         ours = [arrays.PATH] if (package, executable) in small else []
+        packed = {included.path(name): name for name in along[package, executable]}
+        archives |= {path: included.archive(name) for path, name in packed.items()}
+        ours += packed
         if (package, executable) in CELLS:
             archives[OF_CELLS] = archived(bytecode.added(of_cells))
             ours.append(OF_CELLS)
@@ -200,6 +200,13 @@ def _own(package: str) -> str:
     return f"nodes/{package}/python.zip"
 
 
+def _own_archive(site: Site, name: str, needs: Sequence[Package]) -> bytes:
+    # A prompt depends on the whole workspace, whose files may be many.
+    depends = needs if name != workspace.SITEGEN else []
+    files = _shared([*depends, *_named_packages(site, name)]) | _installed(needs)
+    return archived({path: file.read_bytes() for path, file in files.items()})
+
+
 def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, imports.Import]:
     """Return the modules that a node always imports and that no page has by default.
 
@@ -215,7 +222,9 @@ def missing_modules(node: Node, packages: Mapping[str, Package]) -> dict[str, im
     small = _content_with_ours(wanted, needs)
     [modules] = wanted.values()
     return {
-        name: one for name, one in modules.items() if one.sure and not (small and name == "numpy")
+        name: one
+        for name, one in modules.items()
+        if one.sure and name not in included.MODULES and not (small and name == "numpy")
     }
 
 
@@ -241,7 +250,7 @@ def _wanted(
 def _there(common: Iterable[str]) -> set[str]:
     """Return the modules that every page with Python has; `common` are paths of modules."""
     there = {path.split("/")[1].removesuffix(".py") for path in common}
-    return there | sys.stdlib_module_names | IN_THE_PAGE
+    return there | (sys.stdlib_module_names - dependencies.ABSENT) | IN_THE_PAGE
 
 
 def _program(packages: Sequence[Package], executable: str) -> tuple[dict[str, Path], str]:

@@ -15,7 +15,7 @@ from packaging.utils import canonicalize_name
 
 from sitegen.cache.fetch import FetchError, fetch, mismatch
 from sitegen.errors import Location, Problems
-from sitegen.model import Site
+from sitegen.model import Package, Site
 from sitegen.nodes.python import requirements
 from sitegen.nodes.python.imports import Import
 from sitegen.nodes.python.missing import Missing, message
@@ -23,7 +23,8 @@ from sitegen.nodes.python.pyodide import DOWNLOADS
 from sitegen.nodes.python.wheel import Wheel, opened
 from sitegen.report import Report
 from sitegen.shipped import VENDOR
-from sitegen.workspace.absent import clone
+from sitegen.workspace import libraries
+from sitegen.workspace.absent import NO_BUILD, clone
 from sitegen.workspace.repositories import repository
 
 # The index of the Pyodide distribution: its packages and their hashes.
@@ -36,6 +37,13 @@ THERE = {"pyyaml", "typing-extensions"}
 OF_ROS = "ros-"
 # The names of ROS packages whose Python modules are made from interfaces.
 OF_INTERFACES = re.compile(r"_(msgs|interfaces|srvs)$")
+# Modules of Python that Pyodide lacks. Those of Windows are imported only there.
+ABSENT = {
+    *("curses", "dbm", "ensurepip", "grp", "pwd", "readline", "resource", "syslog", "tkinter"),
+    *("turtle", "turtledemo", "venv"),
+}
+# Packages of ROS that need a window or the files of bags, or that are written in C++.
+OF_C = {"PyKDL", "python_qt_binding", "qt_gui", "rosbag2_py", "rqt_gui", "rqt_gui_py"}
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
 
 
@@ -87,6 +95,7 @@ def collect(
     origins = {module: name for name, each in lock.items() for module in each["imports"]}
     problems, notes = Problems(site.root), Problems(site.root)
     shelf = Shelf(site.pyodide.packages, cache / "wheels", report)
+    declared = declared_by(site.packages.values())
     pinned = _pinned(site, lock, problems, shelf)
     given = {module for wheel in pinned for module in wheel.modules}
     own = {wheel.package for wheel in pinned}
@@ -100,7 +109,7 @@ def collect(
                 # A dependency of these is among them, or the build has reported that it is missing.
                 found[program] |= {wheel.name: wheel for wheel in pinned}
             elif not names or not shelf.has([lock[name] for name in names if name not in own]):
-                why = _unavailable(module, origins, lock, shelf.origin)
+                why = _unavailable(module, origins, lock, shelf.origin, declared)
                 if sure and program in optional:
                     lacking = missing.setdefault(program, {})
                     lacking[message(module, why)] = problems.where(location)
@@ -133,18 +142,32 @@ def provided(site: Site, *, cache: Path, report: Report) -> set[str]:
     )
 
 
-def unavailable(module: str) -> str:
-    """Return the message about a module that no page has without configuration."""
+def unavailable(module: str, declared: Collection[str] = ()) -> str:
+    """Return the message about a module that no page has without configuration.
+
+    `declared` are the packages that those of the workspace depend on.
+    """
     lock = json.loads(DISTRIBUTION.read_text())["packages"]
-    return _unavailable(
-        module, {name: each for each, of in lock.items() for name in of["imports"]}, lock, ""
-    )
+    origins = {name: each for each, of in lock.items() for name in of["imports"]}
+    return _unavailable(module, origins, lock, "", declared)
+
+
+def declared_by(packages: Iterable[Package]) -> set[str]:
+    """Return the names of the packages that `packages` depend on, by their package.xml."""
+    return {name for package in packages for name in package.depends}
 
 
 def _unavailable(
-    module: str, origins: Mapping[str, str], lock: Mapping[str, Any], origin: str | Path
+    module: str,
+    origins: Mapping[str, str],
+    lock: Mapping[str, Any],
+    origin: str | Path,
+    declared: Collection[str],
 ) -> str:
-    if OF_INTERFACES.search(module) and repository(module):
+    if module in libraries.NEVER or module in ABSENT | OF_C:
+        return f"needs '{module}', {NO_BUILD}"
+    # Packages of ROS and of PyPI share names, such as 'serial'.
+    if (OF_INTERFACES.search(module) or module in declared) and repository(module):
         return f"needs package '{module}', {clone(module)}"
     if module not in origins or (not origin and lock[origins[module]]["file_name"].endswith(PURE)):
         return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"

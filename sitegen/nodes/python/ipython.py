@@ -39,7 +39,7 @@ def archive() -> bytes:
     try:
         files = dict(_kernel())
         for name in sorted(_needed()):
-            files |= dict(_installed(name))
+            files |= dict(installed(name))
     except metadata.PackageNotFoundError:
         raise SiteError([MISSING]) from None
     return archived(files)
@@ -61,7 +61,7 @@ def _needed() -> set[str]:
     return found
 
 
-def _installed(name: str) -> Iterator[tuple[str, bytes]]:
+def installed(name: str) -> Iterator[tuple[str, bytes]]:
     """Yield the files of an installed package that is written in Python, by path."""
     for file in metadata.files(name) or ():
         parts = file.parts

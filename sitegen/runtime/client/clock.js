@@ -15,11 +15,23 @@ const LONGEST = 2 ** 31 - 1;
 
 export class Clock extends RosClock {
   #surroundings;
+  /** What looks at the time when that changes. @type {Set<() => void>} */
+  #watching = new Set();
 
   /** @param {PageNode} raw @param {Surroundings} surroundings */
   constructor(raw, surroundings) {
     super(raw);
     this.#surroundings = surroundings;
+  }
+
+  changed() {
+    for (const look of [...this.#watching]) look();
+  }
+
+  /** The time now in ms. */
+  get ms() {
+    const { sec, nanosec } = this.now();
+    return sec * 1000 + nanosec / 1e6;
   }
 
   /**
@@ -43,11 +55,11 @@ export class Clock extends RosClock {
       if (!this.isSimulated) waiting = setTimeout(look, Math.min(LONGEST, Math.ceil(due - time)));
       if (isDue) run(callback, this.now());
     };
-    this.addEventListener("change", look);
+    this.#watching.add(look);
     look();
     return endingWith([signal, this.#surroundings.closed], () => {
       clearTimeout(waiting);
-      this.removeEventListener("change", look);
+      this.#watching.delete(look);
     });
   }
 

@@ -1,9 +1,9 @@
 // @ts-check
 // What a parameter of a script's node may be: its rcl_interfaces/msg/ParameterDescriptor.
 
-import { BOOL, DOUBLE, INTEGER, LARGEST, NAMES, SMALLEST } from "../messages/parameters/value.js";
+import { BOOL, DOUBLE, INTEGER, NAMES } from "../messages/parameters/value.js";
 import { say } from "../ui/words.js";
-import { parameterOf } from "./parameters.js";
+import { LARGEST, parameterOf, SMALLEST } from "./parameters.js";
 
 /**
  * @typedef {{type?: string, description?: string, constraints?: string, readOnly?: boolean, dynamic?: boolean,

@@ -2,7 +2,7 @@
 // The log of a node: lines on /rosout, and in the console of the browser.
 
 import { ROSOUT } from "../graphNames.js";
-import { ROSOUT_QOS } from "../messages/qos.js";
+import { ROSOUT_QOS } from "../protocol.js";
 import { say } from "../ui/words.js";
 
 /** @import { PageNode, Publisher } from "../protocol.js" */

@@ -43,7 +43,7 @@ export class Node {
     /** Empty for the page's own hidden node. */
     this.name = name;
     this.tf = new Tf(raw, this.#surroundings);
-    this.log = new Log(raw, this.#surroundings, () => this.#time, name || PAGE_NODE);
+    this.log = new Log(raw, this.#surroundings, () => this.#time, name || (ros.own ?? PAGE_NODE));
     if (!name) return;
     this.log.announce();
     this.#own = new OwnParameters(raw, this.#surroundings, this.#time, name, parameters);

@@ -2,7 +2,7 @@
 // The parameters of a node, as scripts use them.
 
 import { set } from "../messages/parameters/node.js";
-import { BOOL, DOUBLE, fieldOf, INTEGER, LARGEST, listOf, plainOf, SMALLEST, STRING } from "../messages/parameters/value.js";
+import { BOOL, DOUBLE, fieldOf, INTEGER, listOf, plainOf, STRING } from "../messages/parameters/value.js";
 import { say } from "../ui/words.js";
 import { Stream } from "./stream.js";
 
@@ -10,6 +10,8 @@ import { Stream } from "./stream.js";
 /** @import { Surroundings } from "./surroundings.js" */
 
 const SRV = "rcl_interfaces/srv";
+/** The limits of integers. */
+export const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
 /** @typedef {{timeout?: number, signal?: AbortSignal}} WaitOptions `timeout` in ms, for the node and for its answer */
 
 export class Parameters {

@@ -69,7 +69,8 @@ export class Surroundings {
    */
   compare(name, type) {
     const key = `${name} ${type}`;
-    const stop = this.watch(() => look());
+    // Passive: a program that waits for nothing else is done.
+    const stop = this.watch(() => look(), { passive: true });
     const look = () => {
       const other = this.#ros.graph.endpoints().find((one) =>
         (one.kind === "publisher" || one.kind === "subscription") && one.name === name && one.type !== type);
@@ -138,15 +139,15 @@ export class Surroundings {
 
   /**
    * Call `changed` after changes of the graph, until the node is closed.
-   * @param {() => void} changed @returns {() => void} stop
+   * @param {() => void} changed @param {AddEventListenerOptions} [options] @returns {() => void} stop
    */
-  watch(changed) {
+  watch(changed, options) {
     const stop = () => {
       this.#ros.graph.removeEventListener("change", changed);
       this.closed.removeEventListener("abort", stop);
     };
     if (!this.closed.aborted) {
-      this.#ros.graph.addEventListener("change", changed);
+      this.#ros.graph.addEventListener("change", changed, options);
       this.closed.addEventListener("abort", stop);
     }
     return stop;

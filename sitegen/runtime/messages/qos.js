@@ -20,5 +20,3 @@ export const PROFILES = {
   parameter_events: { depth: 1000, reliable: true, transientLocal: false },
   action_status_default: { depth: 1, reliable: true, transientLocal: true },
 };
-/** That of /rosout: latecomers receive the latest lines. */
-export const ROSOUT_QOS = Object.freeze({ depth: 1000, reliable: true, transientLocal: true });

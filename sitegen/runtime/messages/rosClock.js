@@ -8,8 +8,7 @@ import { timeOfMs } from "./time.js";
 
 const CLOCK = "rosgraph_msgs/msg/Clock";
 
-/** Emits `change` after each message on /clock that it uses, and when it begins or ends to use them. */
-export class RosClock extends EventTarget {
+export class RosClock {
   #node;
   /**
    * The time on /clock, 0 before the first message, as in ROS; undefined if that of the computer counts.
@@ -20,28 +19,27 @@ export class RosClock extends EventTarget {
 
   /** @param {Pick<PageNode, "types" | "subscribe">} node that subscribes */
   constructor(node) {
-    super();
     this.#node = node;
   }
 
   /** Whether the time on /clock counts. */
   get isSimulated() {
-    return this.#simulated !== undefined;
+    return !!this.#simulated;
   }
 
   set isSimulated(wanted) {
     if (wanted === this.isSimulated) return;
     this.#unsubscribe();
-    this.#unsubscribe = () => {};
     this.#simulated = wanted ? { sec: 0, nanosec: 0 } : undefined;
-    if (wanted) {
-      this.#unsubscribe = this.#node.subscribe("/clock", CLOCK, ({ clock }) => {
-        this.#simulated = clock;
-        this.dispatchEvent(new Event("change"));
-      }, { depth: 1 });
-    }
-    this.dispatchEvent(new Event("change"));
+    this.#unsubscribe = wanted ? this.#node.subscribe("/clock", CLOCK, ({ clock }) => {
+      this.#simulated = clock;
+      this.changed();
+    }, { depth: 1 }) : () => {};
+    this.changed();
   }
+
+  /** Called after each message on /clock that it uses, and when it begins or ends to use them. */
+  changed() {}
 
   /**
    * Use the time on /clock while somebody publishes it, until the returned function is called.
@@ -49,20 +47,16 @@ export class RosClock extends EventTarget {
    */
   follow(graph) {
     const look = () => {
-      const published = graph.topics().some(({ name, publishers }) => name === "/clock" && publishers.length > 0);
-      this.isSimulated = published && this.#node.types[CLOCK] !== undefined;
+      const published = graph.endpoints().some(({ kind, name }) => kind === "publisher" && name === "/clock");
+      this.isSimulated = published && CLOCK in this.#node.types;
     };
     look();
-    graph.addEventListener("change", look);
+    // Passive: a program that waits for nothing else is done.
+    graph.addEventListener("change", look, { passive: true });
     return () => {
       graph.removeEventListener("change", look);
       this.isSimulated = false;
     };
-  }
-
-  /** The time now in ms. */
-  get ms() {
-    return this.#simulated ? this.#simulated.sec * 1000 + this.#simulated.nanosec / 1e6 : now();
   }
 
   /** The time now, as builtin_interfaces/msg/Time. */

@@ -5,6 +5,8 @@
 /** @import { Graph } from "./graph.js" */
 /** @import { NodeProcess } from "./nodeProcess.js" */
 
+/** @typedef {string | {package: string, executable: string} | NodeEntry & {javascript: object}} Program */
+
 // Each is a worker with memory of its own.
 const MOST = 50;
 
@@ -32,20 +34,13 @@ export class Instances {
 
   /**
    * Start a program of the page once more; see Ros in protocol.js. Throws an Error if the page has no such program.
-   * @param {string | {package: string, executable: string}} program
+   * @param {Program} program
    * @param {{arguments?: string[], name?: string, environment?: Record<string, string>}} [options]
    */
   run(program, { arguments: words = [], name: wanted, environment } = {}) {
-    const all = [...this.#nodes.values()].filter(({ name }) => !this.has(name));
-    const node = typeof program === "string" ? this.#nodes.get(program) : all.find(
-      (one) => one.package === program.package && one.executable === program.executable);
-    if (!node) {
-      const named = typeof program === "string" ? program : `${program.package}/${program.executable}`;
-      throw new Error(`this page has no program ${named}`);
-    }
+    const { python, needs: _, ...entry } = this.#entryOf(program);
     if (this.#names.size >= MOST) throw new Error(`${MOST} programs run already`);
-    const name = this.#free(wanted ?? node.executable);
-    const { python, needs: _, ...entry } = node.entry;
+    const name = this.#free(wanted ?? entry.executable);
     // A launch file sets it for the node that it starts, not for the program.
     if (typeof program !== "string") delete entry.environment;
     if (environment) entry.environment = environment;
@@ -60,6 +55,17 @@ export class Instances {
     instance.start();
     this.#graph.dispatchEvent(new Event("change"));
     return instance;
+  }
+
+  /** @param {Program} program @returns {NodeEntry} */
+  #entryOf(program) {
+    if (/** @type {Partial<NodeEntry>} */ (program).javascript) return /** @type {NodeEntry} */ (program);
+    const all = [...this.#nodes.values()].filter(({ name }) => !this.has(name));
+    const node = typeof program === "string" ? this.#nodes.get(program) : all.find(
+      (one) => one.package === program.package && one.executable === program.executable);
+    if (node) return node.entry;
+    const named = typeof program === "string" ? program : `${program.package}/${program.executable}`;
+    throw new Error(`this page has no program ${named}`);
   }
 
   /** @param {string} name */

@@ -1,17 +1,16 @@
 // @ts-check
 // A node of the page, and the worker that runs it between Start and Stop.
 
-import { engine } from "../engine.js";
-import { interrupt, sharedByte, sharesMemory } from "../interrupt.js";
+import { interrupt, sharedByte } from "../interrupt.js";
+import { startWorker } from "../worker.js";
 import { compile } from "./compile.js";
-import { obstacle } from "./isolated.js";
-import { place } from "../place.js";
 import { Guard } from "./guard.js";
 import { originOf } from "./names.js";
-import { startWorker } from "../worker.js";
+import { starting } from "./starting.js";
 
-/** @import { Keyboard, Line, NodeEntry, NodeState, PythonEntry, Severity, ToWorker, Typed } from "../protocol.js" */
+/** @import { Keyboard, Line, NodeEntry, NodeState, Severity, ToWorker, Typed } from "../protocol.js" */
 /** @import { Graph } from "./graph.js" */
+/** @import { Start } from "./starting.js" */
 /** @import { Member, WorkerGroups } from "./workerGroup.js" */
 
 // A program that has not ended this time (ms) after Stop is terminated.
@@ -124,57 +123,18 @@ export class NodeProcess extends EventTarget {
     }
     this.code = undefined;
     this.#setState("starting");
-    const { builds = {}, python, ros2wasm } = this.#entry;
-    if (ros2wasm) {
-      const program = { ...ros2wasm, script: new URL(ros2wasm.script, this.#base).href };
-      this.#launch("ros2wasm/ros2wasmNode", async (id) => ({ op: "adopt", id, name: this.name, program }));
-      return;
-    }
-    if (python) {
-      this.#interpret(python);
-      return;
-    }
-    const built = builds[engine] ? engine : "asyncify";
-    const build = builds[built];
-    if (!build) {
-      this.#lack("the node needs");
-      return;
-    }
-    const script = new URL(build.script, this.#base).href;
-    const wasm = place(new URL(build.wasm, this.#base).href);
-    const lines = build.lines && new URL(build.lines, this.#base).href;
-    this.#launch("cpp/cppNode", async (id, worker) => {
-      this.#post(worker, { op: "load", script });
-      const module = await (this.#module ??= compile(wasm));
-      const { executable: name, environment } = this.#entry;
-      const share = this.#entry.share && new URL(this.#entry.share, this.#base).href;
-      return { op: "start", id, engine: built, module, name, arguments: this.arguments, environment, lines, share };
+    const start = starting({
+      name: this.name, entry: this.#entry, base: this.#base, arguments: this.arguments,
+      // Until then, an editor may restore the visitor's changes.
+      edits: () => this.#mounted.then(() => this.#edits),
+      compile: (url) => (this.#module ??= compile(url)),
     });
-  }
-
-  /** Start a Python node. @param {PythonEntry} entry */
-  #interpret(entry) {
-    if (engine !== "jspi" && !sharesMemory) {
-      this.#lack(`Python nodes need; Chrome 137, Edge 137, Firefox 153 and newer support it${obstacle()}`);
-      return;
+    if (typeof start !== "string") {
+      this.#launch(start);
+    } else {
+      this.#print("fatal", `${this.name}: ${start}`);
+      this.#setState("failed");
     }
-    const bundles = entry.bundles.map((path) => new URL(path, this.#base).href);
-    const { executable: name, environment } = this.#entry;
-    const args = this.arguments;
-    const program = { ...entry, bundles };
-    // Programs share an interpreter as stacks of it, which JSPI sets aside.
-    const group = engine === "jspi" ? entry.group : undefined;
-    this.#launch("python/pythonNode", async (id, _, byte) => {
-      await this.#mounted; // an editor may restore the visitor's changes
-      return { op: "interpret", id, name, program, arguments: args, environment, edits: this.#edits, byte };
-    }, group);
-  }
-
-  /** Report that this browser cannot run the node. @param {string} who the end of the sentence */
-  #lack(who) {
-    const lack = "this browser does not support JavaScript Promise Integration, which";
-    this.#print("fatal", `${this.name}: ${lack} ${who}`);
-    this.#setState("failed");
   }
 
   /**
@@ -188,7 +148,7 @@ export class NodeProcess extends EventTarget {
 
   /** Ask the interpreter of a running Python node for syntax errors. @param {string} text */
   check(text) {
-    if (this.#run && this.#state === "running") this.#post(this.#run.worker, { op: "check", text });
+    if (this.#run && this.#state === "running") this.#run.worker.postMessage({ op: "check", text });
   }
 
   /** Stop the program if it runs, then start it. */
@@ -202,7 +162,7 @@ export class NodeProcess extends EventTarget {
     if (!this.#run) return;
     const shown = typed.op === "line" || (typed.op === "keys" && typed.text && this.keyboard === "lines");
     if (shown) this.#print("typed", typed.text.replace(/\n$/, ""));
-    this.#post(this.#run.worker, typed);
+    this.#run.worker.postMessage(typed);
   }
 
   /** Send Ctrl-C to the program. */
@@ -210,7 +170,7 @@ export class NodeProcess extends EventTarget {
     if (!this.#run) return;
     // In this order: the worker clears the byte when it has the message, and a byte set after that would be left over.
     interrupt(this.#run.byte);
-    this.#post(this.#run.worker, { op: "stop" });
+    this.#run.worker.postMessage({ op: "stop" });
   }
 
   /** Send Ctrl-C to the program, and terminate it if it does not end. */
@@ -241,16 +201,11 @@ export class NodeProcess extends EventTarget {
     this.dispatchEvent(new Event("clear"));
   }
 
-  /**
-   * Start a worker and, when programs may run, send it the message that `prepare` returns.
-   * @param {string} file of the worker
-   * @param {(id: number, worker: Worker | Member, byte?: Uint8Array) => Promise<ToWorker>} prepare
-   * @param {string} [group] of nodes that share the worker
-   */
-  async #launch(file, prepare, group) {
+  /** Start a worker and, when programs may run, let it run the program. @param {Start} start */
+  async #launch({ worker: file, group, prepare }) {
     const worker = group ? this.#groups.join(group, file, this.name) : startWorker(file, this.name);
     const post = (/** @type {ToWorker} */ message, /** @type {Transferable[]} */ transfer = []) =>
-      this.#post(worker, message, transfer);
+      worker.postMessage(message, transfer);
     const complain = (/** @type {string} */ text) => this.#print("warn", `${this.name}: ${text}`);
     const id = this.#graph.join(post, this.name, complain, originOf(this.#entry));
     const byte = worker instanceof Worker ? sharedByte() : worker.byte;
@@ -264,8 +219,8 @@ export class NodeProcess extends EventTarget {
       if (this.#run === run) this.#fail(event.message || unloaded);
     };
     try {
-      const [message] = await Promise.all([prepare(id, worker, byte), this.#ready]);
-      if (this.#run === run) this.#post(worker, message); // else it was stopped in the meantime
+      const [message] = await Promise.all([prepare(id, post, byte), this.#ready]);
+      if (this.#run === run) post(message); // else it was stopped in the meantime
     } catch (error) {
       this.#module = undefined;
       if (this.#run === run) this.#fail(error instanceof Error ? error.message : String(error));
@@ -347,11 +302,6 @@ export class NodeProcess extends EventTarget {
       this.#startAgain = false;
       this.start();
     }
-  }
-
-  /** @param {Worker | Member} worker @param {ToWorker} message @param {Transferable[]} [transfer] */
-  #post(worker, message, transfer = []) {
-    worker.postMessage(message, transfer);
   }
 
   /** @param {Severity} severity @param {string} text */

@@ -289,10 +289,13 @@ export class Participant {
     };
   }
 
-  /** Wait until subscriptions that are there already match the publishers that were created before. */
-  async announced() {
-    const held = this.#announced;
-    if (!held.known) await new Promise((resolve) => held.hold(/** @type {() => void} */ (resolve)));
+  /**
+   * Call `then` when subscriptions that are there already match the publishers that were created before, at once if they
+   * do. @param {() => void} then
+   */
+  whenAnnounced(then) {
+    if (this.#announced.known) then();
+    else this.#announced.hold(then);
   }
 
   /**

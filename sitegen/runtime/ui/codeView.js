@@ -1,14 +1,22 @@
 // @ts-check
-// CodeMirror for Python, with the colours of the theme.
+// CodeMirror, with the colours of the theme.
 
 import {
   bracketMatching, Decoration, defaultKeymap, drawSelection, EditorState, EditorView, highlightActiveLine,
-  HighlightStyle, history, historyKeymap, indentOnInput, indentUnit, indentWithTab, keymap, lineNumbers, python,
+  HighlightStyle, history, historyKeymap, indentOnInput, indentWithTab, keymap, lineNumbers,
   StateEffect, StateField, syntaxHighlighting, tags,
 } from "../vendor/codemirror.js";
 
-// In the same bundle, since both need CodeMirror.
-export { wrongLine } from "./pythonSyntax.js";
+// In the same bundle, since those who show code need both.
+export { PYTHON } from "./pythonSyntax.js";
+export * from "../vendor/codemirror.js";
+
+/**
+ * @typedef {{name: string, from: number, to: number, type: {isError: boolean}, parent: SyntaxNode | null}} SyntaxNode
+ * @typedef {{parser: import("@lezer/common").Parser, extensions: import("@codemirror/state").Extension[],
+ *   isMistake(node: SyntaxNode, text: string): boolean}} Language `isMistake` says of each node of the syntax tree of a
+ *   text whether it is a syntax error
+ */
 
 const LOOK = EditorView.theme({
   "&": { color: "var(--text)", backgroundColor: "var(--surface)", height: "100%", fontSize: "0.875rem" },
@@ -68,11 +76,12 @@ const marked = StateField.define({
 /**
  * Show an editor in a shadow root of `element`. There CodeMirror uses constructed style sheets, which the page's
  * Content-Security-Policy allows; inline styles are blocked.
- * @param {HTMLElement} element @param {string} text @param {string} label
- * @param {(text: string) => void} changed @param {() => void} run called for Ctrl-Enter
- * @param {() => void} [complete] called for Tab after a word; without it, Tab always indents
+ * @param {HTMLElement} element
+ * @param {{text: string, language: Language, label: string, changed(text: string): void, run(): void,
+ *   complete?: () => void}} options `run` is called for Ctrl-Enter, and `complete` for Tab after a word; without it, Tab
+ *   always indents
  */
-export function codeView(element, text, label, changed, run, complete) {
+export function codeView(element, { text, language, label, changed, run, complete }) {
   const root = element.attachShadow({ mode: "open" });
   const view = new EditorView({
     root,
@@ -81,7 +90,7 @@ export function codeView(element, text, label, changed, run, complete) {
       doc: text,
       extensions: [
         lineNumbers(), history(), drawSelection(), indentOnInput(), bracketMatching(), highlightActiveLine(),
-        indentUnit.of("    "), python(), syntaxHighlighting(COLOURS), LOOK, marked,
+        ...language.extensions, syntaxHighlighting(COLOURS), LOOK, marked,
         keymap.of([...runKeys(run), ...completeKeys(complete), ...defaultKeymap, ...historyKeymap, indentWithTab]),
         EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
         EditorView.updateListener.of((update) => {
@@ -133,4 +142,21 @@ function completeKeys(complete) {
       return true;
     },
   }];
+}
+
+/**
+ * Return the number of the first line with a syntax error, or 0. Not all errors are found.
+ * @param {string} text @param {Language} language
+ */
+export function wrongLine(text, { parser, isMistake }) {
+  let at = -1;
+  parser.parse(text).iterate({
+    enter({ node }) {
+      if (at < 0 && isMistake(node, text)) at = node.from;
+      return at < 0;
+    },
+  });
+  if (at < 0) return 0;
+  // Where something is missing, the error begins at the next word, which may be lines away.
+  return text.slice(0, at).trimEnd().split("\n").length;
 }

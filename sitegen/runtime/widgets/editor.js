@@ -2,7 +2,7 @@
 // An editor for the source of a Python node. Changes stay in the visitor's browser, and are part of shared links.
 
 import { button, create, enable, setText } from "../ui/elements.js";
-import { codeView, wrongLine } from "../ui/codeView.js";
+import { codeView, PYTHON, wrongLine } from "../ui/codeView.js";
 import { createNeeds } from "../ui/needs.js";
 import { NodeStateView } from "../ui/nodeState.js";
 import { say } from "../ui/words.js";
@@ -77,7 +77,9 @@ class Editor {
     element.replaceChildren(this.#createBar(file, state.label), state.meter, code, hint);
     state.meter.after(createNeeds(ros, node, this.#listening.signal));
     const label = say("Python source {}", file);
-    this.#view = codeView(code, this.#text, label, (text) => this.#typed(text), () => this.#run());
+    this.#view = codeView(code, {
+      text: this.#text, language: PYTHON, label, changed: (text) => this.#typed(text), run: () => this.#run(),
+    });
     this.#listen();
     this.#check();
   }
@@ -139,7 +141,7 @@ class Editor {
 
   /** Mark the first syntax error. The interpreter of a running node knows more, and answers with `checked`. */
   #check() {
-    const line = wrongLine(this.#text);
+    const line = wrongLine(this.#text, PYTHON);
     this.#mark(line, say("syntax error in line {}", line));
     this.#node.check(this.#text);
   }

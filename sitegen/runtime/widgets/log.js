@@ -2,7 +2,7 @@
 // The log messages of all nodes, from /rosout, filtered by severity, node and text.
 
 import { ROSOUT } from "../graphNames.js";
-import { ROSOUT_QOS } from "../messages/qos.js";
+import { ROSOUT_QOS } from "../protocol.js";
 import { create, setText } from "../ui/elements.js";
 import { whileNear } from "../ui/looking.js";
 import { plain } from "../ui/plain.js";

@@ -5,23 +5,32 @@ from __future__ import annotations
 import hashlib
 import json
 import posixpath
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen.errors import Location, Problems, nearest
 from sitegen.interfaces.catalogue import as_artifact
 from sitegen.model import Artifact, Page, Site, Widget
-from sitegen.shipped import BUNDLES
+from sitegen.shipped import BUNDLES, RUNTIME
 from sitegen.site.ownpanels.module import Reference, parsed
 
 KIND = "own"
 MOUNT = "export function mount(element, ros, options)"
 MODULES = (".js", ".mjs")
 # The modules of sitegen that others may import, and their files below runtime/.
-CLIENTS = {"sitegen": "client/client.js", "sitegen/rosbridge": "rosbridge/rosbridge.js"}
-# What these load when they need it.
-LATER = {"sitegen/rosbridge": ("rosbridge/encoding.js",)}
+CLIENTS = {
+    "sitegen": "client/client.js",
+    "sitegen/rosbridge": "rosbridge/rosbridge.js",
+    "sitegen/roslib": "vendor/roslib.js",
+}
+# The path of roslib in `dist/`.
+ROSLIB = f"runtime/{CLIENTS['sitegen/roslib']}"
+# What comes with them: what they load when they need it, and the licenses of libraries.
+BESIDE = {
+    "sitegen/rosbridge": ("rosbridge/encoding.js", "vendor/licenses.txt"),
+    "sitegen/roslib": ("vendor/licenses.txt",),
+}
 # What is imported as a module: a style sheet that is adopted, and data.
 SHEET = """\
 const sheet = new CSSStyleSheet();
@@ -68,7 +77,7 @@ def own_panels(
         digest.update(f"{name}\0{len(content)}\0".encode() + content)
     folder = f"panels/{digest.hexdigest()[:10]}/"
     artifacts = [Artifact(folder + name, content) for name, content in found.contents.items()]
-    artifacts += (Artifact(f"runtime/{name}", BUNDLES / name) for name in sorted(found.clients))
+    artifacts += client_artifacts(found.clients)
     described = ""
     if found.clients or site.messages_from:
         artifacts.append(as_artifact(interfaces()))
@@ -79,6 +88,14 @@ def own_panels(
 def uses_client(source: bytes) -> bool:
     """Return whether a module itself imports a module of sitegen."""
     return any(one.name in CLIENTS for one in parsed(source).references)
+
+
+def client_artifacts(names: Iterable[str]) -> list[Artifact]:
+    """Return the files of modules of sitegen, with what comes with them."""
+    files = {file for name in names for file in (CLIENTS[name], *BESIDE.get(name, ()))}
+    # Libraries have a bundle already.
+    folders = {name: RUNTIME if name.startswith("vendor/") else BUNDLES for name in files}
+    return [Artifact(f"runtime/{name}", folders[name] / name) for name in sorted(files)]
 
 
 @dataclass
@@ -92,7 +109,7 @@ class _Files:
     above: list[str] = field(default_factory=list)
     # The key that names the module that is added.
     key: str = "panel"
-    # The modules of sitegen that they import.
+    # The names of the modules of sitegen that they import.
     clients: set[str] = field(default_factory=set)
 
     def add_panel(self, name: str) -> None:
@@ -147,7 +164,7 @@ class _Files:
     def _resolved(self, importer: str, one: Reference) -> str | None:
         """Add the file that a module refers to; return its name from there, None if as written."""
         if one.name in CLIENTS and one.kind != "url":
-            self.clients |= {CLIENTS[one.name], *LATER.get(one.name, ())}
+            self.clients.add(one.name)
             # From panels/<digest>/.
             return "../" * (importer.count("/") + 2) + f"runtime/{CLIENTS[one.name]}"
         if not one.name.startswith(("./", "../")):

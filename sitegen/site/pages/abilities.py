@@ -9,6 +9,7 @@ from sitegen.model import Page, Widget, leaves
 ABILITIES = {
     "edit": {"editor"},
     "type": {"prompt", "notebook", "jupyter"},
+    "code": {"javascript"},
     "command": {"terminal"},
     "robot": {"robot"},
     "see": {"3d"},

@@ -39,13 +39,15 @@ def page_entry(
     resources: Mapping[str, str],
     bags: Mapping[str, str],
     own: OwnPanels,
+    cell_modules: Mapping[str, str],
     definitions: Mapping[str, str],
 ) -> dict[str, Any]:
     """Return the page's PageEntry.
 
     `edited` has the files of its editors by slot id, `resources` the paths in `dist/` of what its
     3D views load, by URL, `bags` those of the bags that it plays, by the path in site.yaml, and
-    `own` has those of its author's modules. `definitions` are the paths of what its terminals and
+    `own` has those of its author's modules. `cell_modules` are those that its cells of JavaScript
+    can import, below `runtime/` by name. `definitions` are the paths of what its terminals and
     the panels below its cells load.
     """
     link = partial(address, page)
@@ -89,6 +91,7 @@ def page_entry(
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
                     **_definitions(widget, defined),
+                    **({"modules": cell_modules} if widget.kind == assets.JAVASCRIPT else {}),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -146,7 +149,7 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
 
 def _definitions(widget: Widget, paths: Mapping[str, str]) -> Mapping[str, str]:
     """Return what a widget loads of the definitions of interfaces."""
-    if widget.kind in assets.CELLS:
+    if widget.kind in {*assets.CELLS, assets.JAVASCRIPT}:
         return {"interfaces": paths["interfaces"]}
     return paths if widget.kind == TERMINAL else {}
 

@@ -31,6 +31,7 @@ def policy(
     gltf: bool = False,
     frames: bool = False,
     ros2wasm: bool = False,
+    cells: bool = False,
     gateways: Sequence[str] = (),
 ) -> str:
     """Return the policy of a page whose HTML is `text`.
@@ -41,14 +42,15 @@ def policy(
 
     Workers of nodes are `blob:`, since those obey the policy of the page, and files do not. What
     their scripts import counts as parts of workers, too. Nodes of `ros2wasm` evaluate text, as
-    Embind does.
+    Embind does. The workers of `cells` in JavaScript import these as `blob:`.
     """
     inside = " blob:" if gltf else ""
     rules = ["default-src 'none'", "style-src 'self'", f"img-src 'self' data:{inside}"]
     if live:
         hashes = " ".join(f"'{_hash(script)}'" for script in (FILE_NOTE, CHOICE))
         evaluated = "'unsafe-eval'" if ros2wasm else "'wasm-unsafe-eval'"
-        rules.append(f"script-src 'self' {evaluated} {hashes}")
+        blobs = " blob:" if cells else ""
+        rules.append(f"script-src 'self'{blobs} {evaluated} {hashes}")
         connected = " data: blob:" if gltf else ""
         connected += "".join(f" {address}" for address in gateways if address != "self")
         rules.append(f"connect-src 'self'{connected}")

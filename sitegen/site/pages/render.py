@@ -21,7 +21,7 @@ from sitegen.model import Artifact, Page, Programs, Site, Widget, leaves
 from sitegen.site import assets
 from sitegen.site.bags import bags
 from sitegen.site.launches import reading
-from sitegen.site.ownpanels import own_panels
+from sitegen.site.ownpanels import cell_modules, own_panels
 from sitegen.site.pages import app, discovery, preview, search, tags
 from sitegen.site.pages.abilities import abilities
 from sitegen.site.pages.blocks import Block, blocks, flat, slots_of
@@ -100,13 +100,13 @@ class Renderer:
         return as_json(texts(self.site, cache=cache_folder()))
 
     def _definitions(self, page: Page) -> dict[str, Artifact]:
-        """Return what terminals and panels below cells load: all interfaces.
+        """Return what terminals, cells and panels below these load: all interfaces.
 
         Terminals show their texts and hashes, too.
         """
         kinds = assets.shown_kinds(page)
         found = {}
-        if kinds & {TERMINAL, *assets.CELLS}:
+        if kinds & {TERMINAL, *assets.CELLS, assets.JAVASCRIPT}:
             found["interfaces"] = as_artifact(self._interfaces)
         if TERMINAL in kinds:
             found["texts"] = as_artifact(self._texts)
@@ -157,10 +157,11 @@ class Renderer:
             notes = tuple(loaded.notes)
             played = bags(site, page)
             own = own_panels(site, page, problems, lambda: self._interfaces)
+            modules, imported = cell_modules(page, problems)
             defined = self._definitions(page)
             paths = {name: artifact.path for name, artifact in defined.items()}
             entry = page_entry(
-                site, page, self._programs, files, loaded.paths, played.paths, own, paths
+                site, page, self._programs, files, loaded.paths, played.paths, own, modules, paths
             )
             # A page that is a single file does not contain Python for it.
             again = None if alone else reading(site, page)
@@ -172,7 +173,7 @@ class Renderer:
         if entry:
             artifacts.append(Artifact(f"{page.path}page.json", written(entry)))
             artifacts += [*loaded.artifacts, *played.artifacts, *own.artifacts]
-            artifacts += defined.values()
+            artifacts += [*defined.values(), *imported]
             artifacts += [again.reader, again.files] if again else []
         artifacts += [Artifact(path, file) for path, file in prose.links.files.items()]
         if self.site.url and not page.base:
@@ -345,6 +346,7 @@ class Renderer:
                 gltf=_has_gltf(entry),
                 frames=any(widget.kind == "jupyter" for widget, _ in slots_of(page)),
                 ros2wasm=_has_ros2wasm(entry),
+                cells=any(widget.kind == assets.JAVASCRIPT for widget, _ in slots_of(page)),
                 gateways=page.connect.addresses if page.connect else (),
             ),
             "file_note": Markup("" if alone else FILE_NOTE),

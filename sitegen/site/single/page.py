@@ -38,6 +38,9 @@ LATER = (
 )
 PYTHON_WORKERS = "runtime/workers/python/"
 CPP_WORKER = "runtime/workers/cpp/cppNode.js"
+JAVASCRIPT_WORKER = "runtime/workers/javascript/javascriptNode.js"
+# The modules that cells of JavaScript may import.
+CLIENTS = ("runtime/client/", "runtime/rosbridge/", "runtime/vendor/roslib.js")
 # Files that are useless without a server.
 DROPPED = {"modulepreload", "canonical", "alternate", "preload"}
 
@@ -257,6 +260,10 @@ class _Writer(HTMLParser):
         }
         if CPP_WORKER in starts:
             starts[CPP_WORKER] += dict.fromkeys(shared)
+        if JAVASCRIPT_WORKER in starts:
+            defined = [path for path in meshes if path.startswith("interfaces")]
+            starts[JAVASCRIPT_WORKER] = [path for path in modules if path.startswith(CLIENTS)]
+            starts[JAVASCRIPT_WORKER] += dict.fromkeys(defined)
         paths = [path for path in modules if path not in (*workers, *later)] + wasm
         paths += dict.fromkeys([*meshes, *own])
         return bundle(paths, self.entries, starts, json.dumps(run).encode(), self._read)

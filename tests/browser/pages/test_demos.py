@@ -271,6 +271,31 @@ def test_demo15_watches_a_hot_plate(page: Page, url: str) -> None:
     camera.stop()
 
 
+def test_demo16_is_driven_by_scripts(page: Page, url: str) -> None:
+    for path, way in (("demo16/", "drag"), ("demo16/", "keys"), ("demo16/roslib/", "drag")):
+        page.goto(f"{url}{path}")
+        readings = page.locator(".ros-readings")
+        expect(readings).to_contain_text("5.54, 5.54")
+        stick = page.get_by_role("application", name="Joystick")
+        if way == "keys":
+            stick.focus()
+            page.keyboard.down("ArrowUp")
+        else:
+            box = stick.bounding_box()
+            assert box
+            page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            page.mouse.down()
+            # Beyond the rim, where it is still held.
+            page.mouse.move(box["x"] + box["width"] / 2, box["y"] - 20)
+        # It comes further than by one command.
+        expect(readings).to_contain_text(re.compile(r"([89]|1[01])\.\d\d, 5\.\d\d"))
+        expect(readings).to_contain_text("2.00")
+        page.keyboard.up("ArrowUp") if way == "keys" else page.mouse.up()
+        expect(readings).to_contain_text("Speed0.00")
+    page.get_by_role("main").get_by_role("link", name="joystick in JavaScript").click()
+    expect(page).to_have_url(f"{url}demo16/")
+
+
 def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     page.goto(url)
     # A turtle draws at once, and says what.
@@ -287,7 +312,7 @@ def test_the_first_page_leads_to_the_demos(page: Page, url: str) -> None:
     expect(page).to_have_url(f"{url}demo03/")
 
 
-@pytest.mark.parametrize("demo", [*(f"demo0{n}" for n in range(1, 10)), "demo15"])
+@pytest.mark.parametrize("demo", [*(f"demo0{n}" for n in range(1, 10)), "demo15", "demo16"])
 def test_each_demo_builds_alone(demo: str, tmp_path: Path) -> None:
     build(ROOT / "demos" / demo, output=tmp_path / "dist", report=Report())
     assert (tmp_path / "dist" / "index.html").exists()

@@ -215,9 +215,31 @@ def demo15(visitor: Visitor) -> None:
     expect(page.locator(".ros-managed-state")).to_have_text("active")
 
 
+def demo16(visitor: Visitor) -> None:
+    page = visitor.page
+    stick = page.locator("#joystick")
+    paper = page.get_by_role("application", name="turtlesim window")
+    stick.evaluate(TO_THE_TOP)
+    expect(paper).to_be_in_viewport(ratio=0.9)
+    expect(page.locator(".ros-turtle")).to_be_attached()
+    heading = page.locator(".ros-readings > *").filter(has_text="Heading")
+    before = heading.inner_text()
+    box = stick.bounding_box()
+    assert box
+    # What touches the stick does not scroll the page.
+    finger = page.context.new_cdp_session(page)
+    for type, down in (("touchStart", 0.5), ("touchMove", 0.7), ("touchMove", 0.9)):
+        at = {"x": box["x"] + box["width"] * 0.3, "y": box["y"] + box["height"] * down}
+        finger.send("Input.dispatchTouchEvent", {"type": type, "touchPoints": [at]})
+    expect(heading).not_to_have_text(before)
+    assert stick.evaluate(TOP) == round(box["y"])
+    finger.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    expect(page.locator(".ros-readings")).to_contain_text("Speed0.00")
+
+
 VISITS = (
     *(demo01, demo02, demo03, demo04, demo05, demo06, demo07, demo08, demo09, demo10, demo11),
-    *(demo12, demo13, demo14, demo15),
+    *(demo12, demo13, demo14, demo15, demo16),
 )
 
 

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 from browser import Built, Serve
 from paths import SITES
 from playwright.sync_api import Page
-from roslib import with_roslib
 
 SITE = SITES / "scripts"
 # Beside the script: `connected` resolves with a Ros, and `until` with what a callback gets.
 READY = """async () => {
   const { transportFactory, RosbridgeSocket } = rosbridge;
-  const ROSLIB = await import("/roslib.js");
   const connected = (factory = transportFactory) => new Promise((resolve, reject) => {
     const one = new ROSLIB.Ros({ transportFactory: factory });
     one.on("connection", () => resolve(one));
@@ -45,15 +41,14 @@ READY = """async () => {
   }
   const seen = [];
   const wired = () => connected(async () => new Wire(new RosbridgeSocket()));
-  Object.assign(globalThis, { ROSLIB, connected, until, pause, seen, wired,
-    link: await connected() });
+  Object.assign(globalThis, { connected, until, pause, seen, wired, link: await connected() });
 }"""
 
 
 @pytest.fixture
-def beside_python(tab: Page, serve: Serve, built: Built, tmp_path: Path) -> Page:
+def beside_python(tab: Page, serve: Serve, built: Built) -> Page:
     """A page with the Python node /helper, whose `link` is a Ros of roslib."""
-    tab.goto(f"{serve(with_roslib(built(SITE), tmp_path))}python/")
+    tab.goto(f"{serve(built(SITE))}python/")
     tab.wait_for_selector("body[data-scripted]")
     tab.evaluate("() => ros.action('/fibonacci').wait()")
     tab.evaluate(READY)
@@ -61,9 +56,9 @@ def beside_python(tab: Page, serve: Serve, built: Built, tmp_path: Path) -> Page
 
 
 @pytest.fixture
-def page(tab: Page, serve: Serve, built: Built, tmp_path: Path) -> Page:
+def page(tab: Page, serve: Serve, built: Built) -> Page:
     """A page with the node /robot, whose `link` is a Ros of roslib."""
-    tab.goto(serve(with_roslib(built(SITE), tmp_path)))
+    tab.goto(serve(built(SITE)))
     tab.wait_for_selector("body[data-scripted]")
     # The last thing that the node makes.
     tab.evaluate("() => ros.action('/fibonacci').wait()")

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+from browser import Built, Serve
 from panel import Panel
+from paths import SITES
 from playwright.sync_api import Page
+from roslib import with_roslib
 
 
 @pytest.mark.firefox
@@ -302,3 +307,22 @@ def test_a_server_and_a_client_of_the_tutorial_meet(page: Page) -> None:
         "steps": [3, 4, 5, 6],
         "failed": "Action was aborted",
     }
+
+
+def test_an_own_bundle_works_beside_the_one_of_sitegen(
+    tab: Page, serve: Serve, built: Built, tmp_path: Path
+) -> None:
+    tab.goto(serve(with_roslib(built(SITES / "scripts"), tmp_path)))
+    tab.wait_for_selector("body[data-scripted]")
+    found = tab.evaluate(
+        """async () => {
+          const own = await import("/roslib.js");
+          const [out, heard] = [own, ROSLIB].map(({ Ros, Topic }) => {
+            const ros = new Ros({ url: "page:", transportFactory: rosbridge.transportFactory });
+            return new Topic({ ros, name: "/mine", messageType: "std_msgs/String", latch: true });
+          });
+          out.publish({ data: "hello" });
+          return [own.Ros !== ROSLIB.Ros, await new Promise((resolve) => heard.subscribe(resolve))];
+        }"""
+    )
+    assert found == [True, {"data": "hello"}]

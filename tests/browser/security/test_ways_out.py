@@ -37,7 +37,16 @@ nodes:
   script: {ros2wasm: script.js, types: {/chatter: std_msgs/msg/String}}
   python: {package: py_ways, executable: ways}
 pages:
-  - {path: /, title: Nodes, content: [console: compiled, console: script, console: python]}
+  - path: /
+    title: Nodes
+    content:
+      - console: compiled
+      - console: script
+      - console: python
+      - markdown: |
+          ```js ros
+          console.log("open:");
+          ```
 """
 PYTHON = """\
 import asyncio
@@ -92,6 +101,20 @@ RUN = """async (names) => {
     await new Promise((resolve) => setTimeout(resolve, 100));
   }
   return said().map((open, at) => open?.trim() ?? consoles[at].textContent);
+}"""
+
+# Run a text as a cell does, and return what it says is open.
+RUN_CELL = """async (text) => {
+  const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
+  const { widgets } = await (await fetch("page.json")).json();
+  const { interfaces } = widgets.find(({ kind }) => kind === "javascript").options;
+  const javascript = { text, interfaces: new URL(interfaces, document.baseURI).href };
+  const entry = { package: "sitegen", executable: "javascript", arguments: [], foreign: true };
+  const cell = ros.run({ ...entry, javascript }, { name: "cell" });
+  return new Promise((resolve) => {
+    const said = ({ detail }) => resolve(detail.map(({ text }) => text).join(" ").trim());
+    cell.addEventListener("lines", said);
+  });
 }"""
 
 
@@ -268,7 +291,9 @@ def test_no_program_reaches_another_server_or_the_storage_of_the_site(
             page.evaluate("() => { document.cookie = 'visitor=1; path=/'; }")
             page.goto(f"{url}?again")
             found = page.evaluate(RUN, names)
-    assert found == ["open:"] * len(names)
+            script = f"{ways_out(other)}\ntryAll().then((open) => console.log(open));"
+            found.append(page.evaluate(RUN_CELL, script))
+    assert found == ["open:"] * (len(names) + 1)
     assert elsewhere.asked == []
     # A program reads files of its site, not in the name of the visitor, and nothing beside it.
     assert {cookies for path, cookies in home.asked if path.endswith("?guest")} == {""}

@@ -23,8 +23,6 @@ export const NAMES = ["not set", "bool", "integer", "double", "string", "byte ar
 
 export const [NOT_SET, BOOL, INTEGER, DOUBLE, STRING] = [0, 1, 2, 3, 4];
 const [DOUBLE_ARRAY, STRING_ARRAY] = [8, 9];
-/** The limits of integers. */
-export const [SMALLEST, LARGEST] = [-(2n ** 63n), 2n ** 63n - 1n];
 
 /** The name of a type as ROS has it. @param {number} type */
 export function nameOf(type) {

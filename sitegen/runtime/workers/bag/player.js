@@ -128,7 +128,7 @@ export class Player {
   /** @param {Bag} bag */
   async #play(bag) {
     if (this.#ended) await this.#seek(bag, this.#from);
-    await this.#participant.announced();
+    await new Promise((resolve) => this.#participant.whenAnnounced(() => resolve(undefined)));
     const fresh = [...this.#publishers.values()].some((id) => this.#participant.matched(id) === 0);
     if (fresh && this.#at === this.#from) await new Promise((resolve) => setTimeout(resolve, MATCHED));
     this.#since = now();

@@ -7,8 +7,7 @@ import { Endpoints } from "./endpoints.js";
 import { toLines, toLog } from "./log.js";
 import { absolute, ownOf, partOf } from "./names.js";
 import { Codec } from "../../messages/codec.js";
-import { ROSOUT_QOS } from "../../messages/qos.js";
-import { DEFAULT_QOS } from "../../protocol.js";
+import { DEFAULT_QOS, ROSOUT_QOS } from "../../protocol.js";
 
 /** @import { Ros2wasmEntry } from "../../protocol.js" */
 /** @import { Participant } from "../../participant/participant.js" */

@@ -1,12 +1,18 @@
 // Names of the API that published packages use and tutorials do not.
 #include <dlfcn.h>
+#include <execinfo.h>
+#include <linux/limits.h>
+#include <malloc.h>
 #include <sched.h>
 #include <sys/capability.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <execution>
 #include <memory>
 #include <thread>
 
@@ -133,6 +139,28 @@ void time(rclcpp::Node::SharedPtr node)
   std::printf("in the context %d\n", *context->get_sub_context<int>(2));
 }
 
+/// What g++ and glibc have, and the compiler of a page lacks.
+void of_linux()
+{
+  const bool set = mallopt(M_TRIM_THRESHOLD, -1) && mallopt(M_MMAP_MAX, 0) && mallopt(M_ARENA_MAX, 1);
+  std::printf("malloc %d %d %d\n", set, malloc_trim(0), mallinfo2().uordblks > 0);
+  std::printf("tid %d, other %ld\n", syscall(SYS_gettid) == gettid(), syscall(-1));
+  void * callers[4];
+  char ** symbols = backtrace_symbols(callers, backtrace(callers, 4));
+  std::printf("backtrace %d, path %d\n", symbols != nullptr, PATH_MAX);
+  std::free(symbols);
+
+  std::vector<int> numbers{3, 1, 2}, doubled(3);
+  std::sort(std::execution::par, numbers.begin(), numbers.end());
+  std::transform(
+    std::execution::par_unseq, numbers.begin(), numbers.end(), doubled.begin(),
+    [](int number) {return 2 * number;});
+  std::for_each(std::execution::seq, doubled.begin(), doubled.end(), [](int & each) {++each;});
+  std::printf(
+    "parallel %d %d, sum %d\n", numbers[0], doubled[2],
+    std::reduce(std::execution::par, doubled.begin(), doubled.end()));
+}
+
 template<class CallT>
 void refused(const char * name, CallT call)
 {
@@ -149,6 +177,7 @@ int main(int argc, char ** argv)
   filter(node);
   take_by_hand(node);
   time(node);
+  of_linux();
   sched_param parameters{};
   parameters.sched_priority = 80;
   refused("sched_setscheduler", [&] {return sched_setscheduler(0, SCHED_FIFO, &parameters);});
