@@ -105,8 +105,7 @@ class Cell {
       if (wrong && !this.#changed) this.#view.mark(Number(wrong[1]));
     }, { signal });
     program.addEventListener("answer", (event) => {
-      const { busy } = JSON.parse(/** @type {CustomEvent<{text: string}>} */ (event).detail.text);
-      this.#show(busy ? "running" : "done");
+      this.#show(/** @type {CustomEvent<{text: string}>} */ (event).detail.text === "busy" ? "running" : "done");
     }, { signal });
     program.addEventListener("state", () => {
       const { state } = program;

@@ -19,7 +19,7 @@ confine(siteFolder);
 /** @param {FromWorker} message */
 const post = (message) => postMessage(message);
 const printer = new Printer(post);
-const pending = new Pending((busy) => post({ op: "answer", text: JSON.stringify({ busy }) }));
+const pending = new Pending((busy) => post({ op: "answer", text: busy ? "busy" : "idle" }));
 /** @type {Participant | undefined} */
 let participant;
 /** @type {WorkerGraph | undefined} */
@@ -39,7 +39,7 @@ onmessage = ({ data }) => {
 
 /** @param {Extract<ToWorker, {op: "evaluate"}>} program */
 async function evaluate({ id, name, program: { text, interfaces } }) {
-  const module = text.replace(/"sitegen:([^"]+)"/g, (_, file) => JSON.stringify(place(file)));
+  const module = text.replace(/"sitegen:([\w/]+\.js)"/g, (_, file) => JSON.stringify(place(file)));
   const address = URL.createObjectURL(new Blob([module], { type: "text/javascript" }));
   const tell = (/** @type {unknown} */ error) => printer.print("fatal", textOf(error, address));
   try {
