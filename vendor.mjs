@@ -34,7 +34,7 @@ const BUNDLES = {
       ArrowDown, ArrowUp, Camera, ChartScatter, Download, Ellipsis, Eraser, Flag, ListFilter, LocateFixed, Map, MapPin, Maximize2, Pause,
       Play, Plus, RotateCcw, RotateCw, Ruler, Scan, SlidersHorizontal, X, ZoomIn, ZoomOut,
     } from "lucide";`,
-  inspect: 'export { format, inspect } from "node-inspect-extracted";',
+  inspect: 'export { formatWithOptions, inspect } from "node-inspect-extracted";',
   idiomorph: 'export { Idiomorph } from "idiomorph";',
   three: `
     export {
@@ -81,7 +81,7 @@ const BUNDLES = {
 /** The types of bundles whose packages have none, none of all of it, or none that can be checked. @type {Record<string, string>} */
 const TYPES = {
   inspect: `
-    export function format(...values: unknown[]): string;
+    export function formatWithOptions(options: object, ...values: unknown[]): string;
     export function inspect(value: unknown, options?: object): string;`,
   lz4: `
     export function create(options: object): Promise<any>;

@@ -41,6 +41,15 @@ class Report:
             print(paint(line, style, colour=self._colour), file=self._out, flush=True)
             self._draw()
 
+    def show(self, picture: str) -> None:
+        """Write a picture of characters, on a terminal only."""
+        try:
+            picture.encode(self._out.encoding or "utf-8")
+        except UnicodeEncodeError:
+            return
+        if self._moves:
+            self.say_once(picture)
+
     def doing(self, name: str, what: str) -> None:
         """Show that `name` is now at the step `what`."""
         with self._lock:

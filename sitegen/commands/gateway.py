@@ -5,8 +5,10 @@ from __future__ import annotations
 import argparse
 import asyncio
 import importlib
+import io
 import sys
 import time
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from sitegen.errors import SiteError
@@ -50,8 +52,12 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
             await native.stop()
 
     def ready(port: int) -> None:
-        for line in (*lines(arguments.bind, port, secure=bool(tls)), *(tls.advice if tls else ())):
+        where = addresses(arguments.bind, port)
+        told = lines(where, secure=bool(tls), site=bool(arguments.site))
+        for line in (*told, *(tls.advice if tls else ())):
             report.say(line.replace("PORT", str(port)))
+        if arguments.site and arguments.bind not in HERE:
+            report.show(code(f"{'https' if tls else 'http'}://{where[-1]}/"))
         if arguments.bind not in HERE and rules.allow is None:
             text = "everyone on the network can reach everything on the graph"
             report.say(f"{text}; write 'allow' in gateway.yaml to choose", "warning")
@@ -82,21 +88,42 @@ async def _discover(native: Native) -> None:
             return
 
 
-def lines(bind: str, port: int, *, secure: bool) -> list[str]:
-    """Return what to tell when the gateway listens."""
-    scheme = "wss" if secure else "ws"
-    here = f"{scheme}://localhost:{port}/"
+def addresses(bind: str, port: int) -> list[str]:
+    """Return the addresses of a gateway, each with its port; the last one is best for others."""
     if bind in HERE:
-        where = f"{here} for this computer only; others: --bind 0.0.0.0"
-    elif bind in EVERYWHERE:
-        where = f"{here}, for others {scheme}://{own_names(bind)[-1]}:{port}/"
-    else:
-        where = f"{scheme}://{f'[{bind}]' if ':' in bind else bind}:{port}/"
-    return [f"{where} (press Ctrl-C to stop)"]
+        return [f"localhost:{port}"]
+    if bind in EVERYWHERE:
+        return [f"localhost:{port}", f"{own_names(bind)[-1]}:{port}"]
+    return [f"{f'[{bind}]' if ':' in bind else bind}:{port}"]
+
+
+def lines(where: Sequence[str], *, secure: bool, site: bool) -> list[str]:
+    """Return what to tell when the gateway listens at the addresses `where`."""
+    here, *others = where
+    alone = here.startswith("localhost:") and not others
+
+    def written(scheme: str) -> str:
+        scheme += "s" if secure else ""
+        more = [f"for others {scheme}://{other}/" for other in others]
+        return ", ".join([f"{scheme}://{here}/", *more])
+
+    only = " for this computer only; others: --bind 0.0.0.0" if alone else ""
+    told = [f"{written('ws')}{only} (press Ctrl-C to stop)"]
+    return [*told, f"the site: {written('http')}"] if site else told
+
+
+def code(address: str) -> str:
+    """Return an address as a QR code of characters, for phones."""
+    import segno
+
+    drawn = io.StringIO()
+    segno.make_qr(address, error="l").terminal(drawn, border=2, compact=True)
+    return drawn.getvalue()
 
 
 def _need_packages() -> None:
-    for name in ("aiohttp", "cbor2", "cryptography", "icalendar", "mcap", "recurring_ical_events"):
+    needed = "aiohttp cbor2 cryptography icalendar mcap recurring_ical_events segno"
+    for name in needed.split():
         try:
             importlib.import_module(name)
         except ImportError:

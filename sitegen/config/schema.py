@@ -358,9 +358,21 @@ PLACES = (
     (PYODIDE, "under 'pyodide' in site.yaml; indent it below 'pyodide:'"),
 )
 
+# What others call a key of `site`.
+MEANT = {"embed": "messages_from", "embedding": "messages_from", "origins": "messages_from"}
+
 
 def belongs(name: str, keys: tuple[Key, ...]) -> str:
     """Return where the unknown key `name` belongs, and how it is written there; else ""."""
     if keys not in (FRONT_MATTER, *(place for place, _ in PLACES)):
         return ""
     return next((how for place, how in PLACES if name in {key.name for key in place}), "")
+
+
+def meant(name: str, keys: tuple[Key, ...]) -> str:
+    """Return the end of a message about the unknown key `name` if it has another name; else ""."""
+    if keys not in (FILE, SITE, PAGE, FRONT_MATTER) or name not in MEANT:
+        return ""
+    key = next(key for key in SITE if key.name == MEANT[name])
+    where = "write" if keys == SITE else "under 'site' in site.yaml, write"
+    return f"did you mean '{key.name}'? {where} '{key.example}'"

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sitegen.config.document import Value, shortened
-from sitegen.config.schema import FORMS, TYPES, Key, belongs
+from sitegen.config.schema import FORMS, TYPES, Key, belongs, meant
 from sitegen.errors import Location, Problems, nearest
 
 
@@ -55,7 +55,8 @@ def check(value: Value, keys: tuple[Key, ...], problems: Problems) -> Section:
     for name, entry in entries.items():
         if name not in known:
             place = belongs(name, keys)
-            message = f"belongs {place}" if place else f"unknown key; {nearest(name, known)}"
+            near = meant(name, keys) or nearest(name, known)
+            message = f"belongs {place}" if place else f"unknown key; {near}"
             problems.add(entry.location, entry.key, message)
         elif conforms(entry, known[name], problems):
             sound[name] = entry

@@ -16,19 +16,20 @@ def full_text(type_name: str) -> str:
 
     Where definitions are not installed, the text says so.
     """
-    parts: list[str] = []
-    waiting, seen = [type_name], {type_name}
+    text = ""
+    left, seen = [type_name], set[str]()
     try:
-        while waiting:
-            name = waiting.pop(0)
-            text = definition(name)
+        # The order of rosapi: the last message of each message first.
+        while left:
+            name = left.pop()
             package, _, short = name.split("/")
-            parts.append(text if not parts else f"{LINE}\nMSG: {package}/{short}\n{text}")
+            text += f"\n{LINE}\nMSG: {package}/{short}\n" if text else ""
+            text += definition(name)
             for each in load_type(name).get_fields_and_field_types().values():
                 message = parse(each).message
                 if message and message not in seen:
                     seen.add(message)
-                    waiting.append(message)
+                    left.append(message)
     except UnknownTypeError as error:
         return f"# {error}"
-    return "\n".join(parts)
+    return text

@@ -140,6 +140,10 @@ BELOW = {
 def install() -> None:
     """Make the modules of ROS that launch files import available."""
     for name, members in MODULES.items():
+        for known, member in members.items():
+            if isinstance(member, types.FunctionType):
+                # Errors about its arguments name it as the launch file does.
+                member.__qualname__ = known
         top = types.ModuleType(name)
         vars(top).update(members, __path__=[])
         sys.modules[name] = top

@@ -5,9 +5,9 @@
  * @typedef {{nodes: Record<string, NodeEntry>, widgets: WidgetEntry[],
  *   types?: Record<string, MessageType>, startFromLinks?: string[], isolate?: string,
  *   launch?: Launch, scripts?: {file: string, module: string}[], interfaces?: string,
- *   messagesFrom?: string[]}} PageEntry `types` if a widget or a script
- *   takes part in the graph; `interfaces` are the definitions of all others, and `messagesFrom` the origins of pages
- *   that may use the graph; shared links start the nodes in `startFromLinks` without asking;
+ *   texts?: string, messagesFrom?: string[]}} PageEntry `types` if a widget or a script
+ *   takes part in the graph; `interfaces` are the definitions of all others, `texts` the files that define them, and
+ *   `messagesFrom` the origins of pages that may use the graph; shared links start the nodes in `startFromLinks` without asking;
  *   `isolate` is the site's service worker, if that isolates the page
  * @typedef {{package: string, file: string, nodes: string[], first?: string[], handlers?: LaunchHandler[],
  *   asked?: string[], arguments?: LaunchArgument[],
@@ -28,10 +28,10 @@
  *   autostart: boolean, later?: boolean, needs?: string[], share?: string,
  *   builds?: Partial<Record<Engine, Program>>, python?: PythonEntry,
  *   ros2wasm?: Ros2wasmEntry, javascript?: JavascriptEntry, foreign?: boolean, fault?: string,
- * }} NodeEntry with one of `builds`, `python`, `ros2wasm`, `javascript` and `fault`, which says why there is no program; `foreign`
- *   if it is from an archive, or runs code of visitors or of links; `needs`
- *   names nodes without which it only waits, and with `later` the launch file starts it by itself; `share` lists the
- *   files of packages that a compiled program can open: see Listing in workers/cpp/packageFiles.js
+ * }} NodeEntry with one of `builds`, `python`, `ros2wasm`, `javascript` and `fault`, which says why there is no program;
+ *   `foreign` if it is from an archive, or runs code of visitors or of links; `needs` names nodes without which it only
+ *   waits, and with `later` the launch file starts it by itself; `share` lists the files of packages that a compiled
+ *   program can open: see Listing in workers/cpp/packageFiles.js
  * @typedef {{script: string, wasm: string, lines?: string}} Program `lines` maps the program to its sources:
  *   see Lines in workers/cpp/stackTrace.js
  * @typedef {{bundles: string[], size: number, module: string, attribute: string, own: string[],
@@ -41,9 +41,10 @@
  * @typedef {{script: string, topics: Record<string, string>, types: Record<string, MessageType>}} Ros2wasmEntry
  *   a node that the ROS2WASM project compiled: its worker script, the types of its topics and services, and the
  *   definitions of these types
- * @typedef {{text: string, interfaces: string}} JavascriptEntry a program in JavaScript, which came as text, such as a
- *   cell: a module, which names those of the runtime "sitegen:" and their path, and the address of the definitions of
- *   all interfaces
+ * @typedef {{text: string, imports: ModuleImport[], interfaces: string}} JavascriptEntry a program in JavaScript, which
+ *   came as text, such as a cell: a module, what it imports, and the address of the definitions of all interfaces
+ * @typedef {{from: number, to: number, file: string}} ModuleImport what a text names from one place to another, quotes
+ *   included: a file of the runtime. They are in the order of the text
  * @typedef {{kind: string, element: string, target: string, options: Record<string, any>}} WidgetEntry
  * @typedef {"jspi" | "asyncify"} Engine how a compiled node is suspended
  */
@@ -70,14 +71,16 @@
  *   run(program: string | {package: string, executable: string} | NodeEntry & {javascript: object},
  *     options?: {arguments?: string[], name?: string, environment?: Record<string, string>}): NodeHandle,
  *   join(file: string, told: (message: any) => void, failed: (error: string) => void): Companion,
- * }} Ros `own` is the name of the hidden node, if it is not the page's. `run` starts a program of the page once more, as a new
- *   process, which is gone when it ends; `program` is the name of a node, its package and executable, or an entry that is a text. `join` starts a worker of the runtime that takes part in the graph,
- *   and calls `told` with what it tells the page. `keep` makes the state of a widget part of shared links. `read`
+ * }} Ros `own` is the name of the hidden node, if it is not the page's. `run` starts a program of the page once more, as
+ *   a new process, which is gone when it ends; `program` is the name of a node, its package and executable, or an entry
+ *   that is a text. `join` starts a worker of the runtime that takes part in the graph, and calls `told` with what it
+ *   tells the page. `keep` makes the state of a widget part of shared links. `read`
  *   returns that state; empty values are left out. If the visitor came by a shared link, `restore` is called immediately
  *   with the values that have the `shape`; it calls `odd` for values that it cannot use. `link` returns the fragment of
  *   a link to the present state
  * @typedef {Pick<Ros, "types" | "subscribe" | "subscribeBytes" | "advertise" | "call" | "serve"> &
- *   {read(type: string, bytes: Uint8Array): any, leave(): void}} PageNode another node of the page in the graph; what it has there is gone when it leaves
+ *   {read(type: string, bytes: Uint8Array): any, leave(): void}} PageNode another node of the page in the graph; what it
+ *   has there is gone when it leaves
  * @typedef {Record<string, any>} Shared the state of a widget, as JSON
  *
  * Messages are plain objects with the field names of ROS. 64-bit integers are BigInt, arrays of numbers are typed

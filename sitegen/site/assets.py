@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from sitegen.config.notebooks import JAVASCRIPT
 from sitegen.model import Artifact, Page, Programs, Python, Site, Widget
 from sitegen.nodes.python import pyodide
 from sitegen.shipped import BUNDLES, RUNTIME, VENDOR
 from sitegen.site import bundles, launches
 
 # Widgets that only start programs and show their output; all others take part in the graph.
-PLAIN = {"buttons", "console", "editor", "prompt", "javascript"}
+PLAIN = {"buttons", "console", "editor", "prompt", JAVASCRIPT}
 START = "rosMain.js"
 # The widgets whose cells can show panels, and the panels that the module jupyros describes.
 CELLS = {"jupyter", "notebook"}
@@ -19,8 +20,7 @@ IN_CELLS = (
     *("3d", "actions", "bag", "image", "joints", "parameters", "plot", "publish", "services"),
     *("tf", "topics"),
 )
-# Cells of JavaScript, and the worker that runs one.
-JAVASCRIPT, JAVASCRIPT_WORKER = "javascript", "workers/javascript/javascriptNode.js"
+JAVASCRIPT_WORKER = "workers/javascript/javascriptNode.js"
 # What other pages load to use the graph of one.
 OUTSIDE = "rosbridge/outside.js"
 

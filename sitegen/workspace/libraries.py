@@ -72,7 +72,7 @@ _OF_ROS = (
     "backward_ros cv_bridge image_geometry gazebo_dev gazebo_ros pcl_conversions pcl_ros "
     "qt_gui_cpp rmw_fastrtps_cpp rosbag2_compression rosbag2_cpp rosbag2_storage "
     "rosbag2_storage_mcap rosbag2_transport rqt_gui_cpp rttest rviz_common rviz_default_plugins "
-    "rviz_rendering rviz_visual_tools tlsf_cpp dynamixel_sdk"
+    "rviz_rendering rviz_visual_tools tlsf_cpp"
 )
 
 # These are too large, or need hardware, a screen, a middleware or an interpreter.

@@ -65,6 +65,11 @@ def test_a_folder_with_nothing_to_run_is_told(
         capsys.readouterr().err
     )
     assert not (empty / "site.yaml").exists()
+    old = "<package><name>old</name><buildtool_depend>catkin</buildtool_depend></package>"
+    (empty / "package.xml").write_text(old)
+    assert main(["init", str(empty)]) == 1
+    said = capsys.readouterr().err.splitlines()
+    assert "old: is for ROS 1 (catkin); use its version for ROS 2" in said
 
 
 def test_launch_files_are_pages_as_far_as_they_run(

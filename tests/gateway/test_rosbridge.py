@@ -229,7 +229,10 @@ def test_rosapi(opened: Gateway) -> None:
             assert request["fieldnames"] == ["data"]
             raw = await ask("topics_and_raw_types")
             text = raw["typedefs_full_text"][raw["topics"].index("/cmd_vel")]
-            assert "Vector3  linear" in text and "MSG: geometry_msgs/Vector3" in text
+            assert text.startswith("# This expresses velocity in free space")
+            assert (
+                "Vector3  linear" in text and f"\n{'=' * 80}\nMSG: geometry_msgs/Vector3\n#" in text
+            )
             assert (await ask("get_ros_version"))["version"] == 2
             assert "/robot:speed" in (await ask("get_param_names"))["names"]
             assert json.loads((await ask("get_param", name="/robot:speed"))["value"]) == 1.5
@@ -238,6 +241,29 @@ def test_rosapi(opened: Gateway) -> None:
             assert (await ask("has_param", name="/robot:none"))["exists"] is False
             gone = await ask("get_param", name="/robot:none", default_value='"x"')
             assert gone["value"] == '"x"'
+
+    run(work())
+
+
+def test_names_may_lack_the_slash_and_the_node(opened: Gateway) -> None:
+    async def work() -> None:
+        async with client(opened) as page:
+
+            async def ask(service: str, /, **args: Any) -> Any:
+                return (await page.call(f"rosapi/{service}", args))["values"]
+
+            assert (await ask("topic_type", topic="scan"))["type"] == "sensor_msgs/msg/LaserScan"
+            assert (await ask("publishers", topic="scan"))["publishers"] == ["/robot"]
+            assert (await ask("service_type", service="set"))["type"] == "std_srvs/srv/SetBool"
+            assert (await page.call("set", {"data": True}))["values"]["success"] is True
+            assert (await ask("set_param", name="names", value='["c"]'))["successful"]
+            assert json.loads((await ask("get_param", name="/names"))["value"]) == ["c"]
+            assert json.loads((await ask("get_param", name="robot:names"))["value"]) == ["c"]
+            assert (await ask("has_param", name="names"))["exists"] is True
+            gone = await ask("get_param", name="none", default_value="2")
+            assert (gone["value"], gone["reason"]) == ("2", "no node has a parameter 'none'")
+            await page.send(op="subscribe", topic="map")
+            assert (await page.until("publish"))["topic"] == "/map"
 
     run(work())
 

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import pty
+import re
+import signal
+import subprocess
 from pathlib import Path
 
 import aiohttp
@@ -10,6 +15,8 @@ import pytest
 from gateways import Gateway, client, run
 from native import Native
 from yarl import URL
+
+from sitegen.commands.gateway import code
 
 
 def test_a_page_of_the_site_and_nothing_else(robot: gateways.Process, tmp_path: Path) -> None:
@@ -51,6 +58,33 @@ def test_a_page_of_the_site_and_nothing_else(robot: gateways.Process, tmp_path: 
 
     with gateways.gateway("--site", site, folder=tmp_path) as running:
         run(work(running))
+
+
+def test_the_address_of_the_site_is_told_and_drawn_in_a_terminal(tmp_path: Path) -> None:
+    site = tmp_path / "dist"
+    site.mkdir()
+    (site / "index.html").write_text("<p>home")
+    native = Native()
+    command: list[str | Path] = [native.python, "-m", "sitegen", "gateway", "--port", "0"]
+    command += ["--bind", "0.0.0.0", "--site", site]
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(
+        command, env=gateways.environment(native), cwd=tmp_path, stdout=theirs, stderr=theirs
+    ) as process:
+        os.close(theirs)
+        try:
+            said = ""
+            while "everyone on the network" not in said:
+                said += os.read(ours, 4096).decode()
+        finally:
+            process.send_signal(signal.SIGINT)
+    os.close(ours)
+    lines = said.splitlines()
+    found = re.fullmatch(r"the site: http://localhost:(\d+)/, for others (http://.+:\1/)", lines[1])
+    assert found, said
+    drawn = code(found[2]).splitlines()
+    assert len(drawn) > 10
+    assert [line.rstrip() for line in lines[2 : 2 + len(drawn)]] == drawn
 
 
 def test_an_encrypted_gateway(

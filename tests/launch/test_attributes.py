@@ -72,6 +72,19 @@ def test_the_same_in_yaml_and_python(root: Path) -> None:
     ]
 
 
+def test_errors_about_arguments_have_the_names_of_launch_files(root: Path) -> None:
+    (root / "x.launch.py").write_text(
+        "from launch_ros.descriptions import ComposableNode\n"
+        "def generate_launch_description():\n"
+        "    return ComposableNode(package='p', node_plugin='p::Part')\n"
+    )
+    _, [wrong] = nodes(root, "x.launch.py")
+    assert wrong == (
+        "x.launch.py:3: launch: TypeError: ComposableNode() missing 1 required keyword-only "
+        "argument: 'plugin'"
+    )
+
+
 IGNORED = {
     "xml": """<launch>
 <shutdown reason="done"/>

@@ -104,6 +104,17 @@ def test_generators_bring_ament_cmake(packages: Configuring, name: str) -> None:
     assert packages.compile("user", "user") == ""
 
 
+def test_the_sizes_of_types_are_those_of_the_page(packages: Configuring) -> None:
+    packages.package(
+        "one",
+        "include(CheckTypeSize)\ncheck_type_size(int SIZE_INT)\n"
+        'check_type_size("void *" SIZE_POINTER LANGUAGE CXX)\ncheck_type_size(lacking SIZE_OTHER)\n'
+        'message(STATUS "sizes ${SIZE_INT} ${SIZE_POINTER} ${HAVE_SIZE_OTHER}.")\n'
+        "add_executable(one src/main.cpp)",
+    )
+    assert "sizes 4 4 FALSE." in packages.output("one")
+
+
 def test_a_version_header(packages: Configuring) -> None:
     packages.package(
         "other",

@@ -174,9 +174,11 @@ def test_interfaces_that_are_missing_are_cloned() -> None:
     assert "requirements.txt" in dependencies.unavailable("acme_msgs")
 
 
-def test_packages_of_ros_are_cloned_if_the_workspace_names_them() -> None:
-    clone = "clone its sources there: git clone -b kilted "
-    name = "nav2_simple_commander"
+def test_packages_of_ros_are_cloned_if_they_are_its_own_or_the_workspace_names_them() -> None:
+    clone = "clone its sources there: git clone -b "
+    for name in ("nav2_simple_commander", "interactive_markers", "rosidl_runtime_py"):
+        assert clone in dependencies.unavailable(name)
+    name = "dynamixel_sdk"
     assert clone in dependencies.unavailable(name, {name})
     assert "requirements.txt" in dependencies.unavailable(name)
     assert "requirements.txt" in dependencies.unavailable("acme_tools", {"acme_tools"})
@@ -184,7 +186,9 @@ def test_packages_of_ros_are_cloned_if_the_workspace_names_them() -> None:
     assert "requirements.txt" in dependencies.unavailable("serial", {"python3-serial"})
 
 
-@pytest.mark.parametrize("module", ["cv_bridge", "python_qt_binding", "rosbag2_py", "tkinter"])
+@pytest.mark.parametrize(
+    "module", ["cv_bridge", "PyQt5", "python_qt_binding", "rosbag2_py", "tkinter"]
+)
 def test_packages_that_no_page_can_have_are_not_cloned(module: str) -> None:
     said = f"needs '{module}', which has no build for the page"
     assert dependencies.unavailable(module, {module}) == said

@@ -76,6 +76,7 @@ print(*(name for name in dir(sys.modules["numpy"]) if name[0] != "_"))
 from unique_identifier_msgs.msg import UUID
 uuid = UUID(uuid=np.zeros(16, dtype=np.uint8)).uuid
 print(uuid.dtype, len(UUID().uuid), np.array([1, 2], np.int32).dtype, np.array([1, 2]))
+print(np.array([1] * 2, dtype=uuid.dtype).dtype, isinstance(1.5, np.number))
 """,
     "turns.py": """import numpy as np
 import tf_transformations as tf
@@ -333,7 +334,7 @@ def test_programs_of_pages_calculate_with_it(
     assert printed(run(page, "alone")[1]) == ["[0.5, -0.25, 1.5]"]
     assert set(dir(np)) >= arrays.MATRICES | arrays.ARRAYS
     state, lines = run(page, "small")
-    assert printed(lines) == ["uint8 16 int32 [1 2]"]
+    assert printed(lines) == ["uint8 16 int32 [1 2]", "uint8 False"]
     assert state == "stopped"
 
 
@@ -345,6 +346,8 @@ def test_programs_of_pages_calculate_with_it(
         ("import numpy\nx = numpy.zeros(9, dtype=numpy.float64)", True),
         ("import numpy as np\nx = np.array([0, 1.5], np.float32)", True),
         ("import numpy as np\nx = np.empty((4,))", True),
+        ("import numpy as np\nx = isinstance(1, np.number)", True),
+        ("import numpy as np\nx = np.array(values, dtype=field.dtype)", True),
         # Names that it has, but not together, or for arrays.
         ("import numpy as np\nx = np.sin(np.array([1.0, 2.0]))", False),
         ("import numpy as np\nx = np.sin([1.0, 2.0])", False),

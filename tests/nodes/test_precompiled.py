@@ -165,10 +165,41 @@ def test_a_source_with_parts_for_systems_is_compiled_as_on_linux(
     assert (compiler.run(source).returncode, compiler.run(source).stdout) == (0, "")
 
 
+ONLY = """// The port.
+#if defined(__linux__)
+#ifdef ROBOT
+#else
+int on_linux() {return 4;}
+#endif
+#elif defined(_WIN32)
+int elsewhere() {return 3;}
+#endif
+"""
+MORE = "int more;\n"
+OTHERS = {
+    "a line after it": ONLY + MORE,
+    "a line before it": MORE + ONLY,
+    "a part for all others": ONLY.replace("#elif defined(_WIN32)", "#else"),
+}
+
+
+def test_a_source_that_is_only_for_linux_is_compiled_as_there(compiler: Compiler) -> None:
+    source = compiler.write("src/only.cpp", ONLY)
+    assert compiler.run(source).returncode == 0
+    assert b"on_linux" in Path(f"{source}.o").read_bytes()
+    other = compiler.write("src/other.cpp", ONLY.replace("defined(__l", "!defined(__l"))
+    assert compiler.is_as_without(other)
+
+
+@pytest.mark.parametrize("text", OTHERS.values(), ids=OTHERS)
+def test_a_source_with_more_than_parts_for_systems_is_not(compiler: Compiler, text: str) -> None:
+    assert compiler.is_as_without(compiler.write("src/more.cpp", text))
+
+
 def test_a_part_for_linux_that_needs_drivers_says_so(compiler: Compiler) -> None:
-    part = PARTS.format("#include <linux/serial.h>\nusing Port = serial_struct;")
-    source = compiler.write("src/port.cpp", f"{part}Port port;\n")
-    assert "'linux/serial.h' file not found" in compiler.run(source).stdout
+    part = PARTS.format("#include <linux/joystick.h>\nusing Event = js_event;")
+    source = compiler.write("src/port.cpp", f"{part}Event event;\n")
+    assert "'linux/joystick.h' file not found" in compiler.run(source).stdout
 
 
 def test_other_errors_of_a_source_that_asks_for_linux_are_those_it_has(compiler: Compiler) -> None:

@@ -133,16 +133,27 @@ def test_nodes_run_when_the_server_is_gone(host: Host, tab: Page) -> None:
 
 
 @pytest.mark.firefox
-def test_a_script_has_its_modules_when_the_server_is_gone(host: Host, tab: Page) -> None:
-    script = 'import { REVISION } from "sitegen/roslib";\ndocument.body.dataset.said = REVISION;\n'
-    (host.folder / "mine.js").write_text(script)
-    edit(host, "title: More,", "title: More, script: mine.js,")
+def test_scripts_and_cells_have_their_modules_when_the_server_is_gone(
+    host: Host, tab: Page
+) -> None:
+    script = 'import { REVISION } from "sitegen/roslib";\ndocument.body.dataset.first = REVISION;\n'
+    (host.folder / "first.js").write_text(script)
+    script = 'import { ros } from "sitegen";\ndocument.body.dataset.second = typeof ros.node;\n'
+    (host.folder / "second.js").write_text(script)
+    code = 'import { ros } from "sitegen";\nconsole.log(typeof ros.node, "alone");'
+    (host.folder / "cells.md").write_text(f"# Cells\n\n```js ros\n{code}\n```\n")
+    pages = "scripts: [first.js, second.js],"
+    edit(host, "{path: more/, title: More,", f"{{path: more/, title: More, {pages}")
+    edit(host, "pages:\n", "pages:\n  - {path: cells/, file: cells.md}\n")
     url = host.on()
     tab.goto(url)
     until(tab, READY)
     host.off()
     tab.goto(f"{url}more/")
-    tab.wait_for_selector("body[data-said='2.1.0']")
+    tab.wait_for_selector("body[data-first='2.1.0'][data-second='function']")
+    tab.goto(f"{url}cells/")
+    tab.get_by_role("button", name="Run JavaScript cell 1", exact=True).click()
+    expect(tab.locator(".ros-output")).to_have_text("function alone")
 
 
 @pytest.mark.firefox

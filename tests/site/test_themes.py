@@ -129,6 +129,15 @@ def test_what_site_yaml_says_about_looks(tmp_path: Path) -> None:
     assert page.decode().count('rel="stylesheet"') == 1
 
 
+def test_lines_end_between_the_words_of_long_names(tmp_path: Path) -> None:
+    file = site(tmp_path, "default")
+    file.write_text(file.read_text().replace("file: page.md", "title: my_<b>big_robot, file: a.md"))
+    (tmp_path / "a.md").write_text("Text.\n")
+    text = html(file)
+    assert "<h1>my_&lt;b&gt;big_<wbr>robot</h1>" in text
+    assert "<title>my_&lt;b&gt;big_robot" in text
+
+
 def test_visitors_load_style_sheets_without_comments(tmp_path: Path) -> None:
     theme = tmp_path / "themes/mine"
     theme.mkdir(parents=True)

@@ -65,6 +65,15 @@ def running(name: str) -> Iterator[Browser]:
 
 
 @contextmanager
+def resolving(browser: Browser, name: str) -> Iterator[Browser]:
+    """Run Chromium beside the one that runs, and let it find this computer by a name of its own."""
+    flag = f"--host-resolver-rules=MAP {name} 127.0.0.1"
+    found = browser.browser_type.launch(executable_path=CHROMIUM, args=[*FLAGS, flag])
+    with _patient(found):
+        yield found
+
+
+@contextmanager
 def _patient(browser: Browser) -> Iterator[None]:
     """Let each page wait as long as `expect` does, twice the default; in the end, close all."""
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 from pathlib import Path
+from urllib.parse import urlsplit
 
 from paths import ROOT
 
@@ -18,3 +20,12 @@ def with_roslib(dist: Path, folder: Path) -> Path:
     shutil.copytree(dist, copy)
     subprocess.run([*COMMAND, f"--outfile={copy / 'roslib.js'}"], cwd=ROOT, check=True)
     return copy
+
+
+def allow(inside: Path, url: str) -> None:
+    """Let the site be built as if `messages_from` named the origin of `url`."""
+    parts = urlsplit(url)
+    file = inside / "page.json"
+    entry = json.loads(file.read_text())
+    assert entry["messagesFrom"] == ["http://127.0.0.1:1"]
+    file.write_text(json.dumps(entry | {"messagesFrom": [f"{parts.scheme}://{parts.netloc}"]}))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -57,7 +57,7 @@ def _write_site(folder: Path, report: Report) -> None:
     found = runs(root, packages)
     found = replace(found, faults=[*found.faults, *links.lines])
     if not found.programs and not found.launches and not found.robots:
-        raise SiteError([_nothing(root, packages), *found.faults])
+        raise SiteError([_nothing(root, packages), *found.faults, *_unmet(packages)])
     shown = pages(found, packages)
     text = siteyaml.text(root, shown, packages.values(), found.faults)
     file.write_text(text, encoding="utf-8")
@@ -67,17 +67,23 @@ def _write_site(folder: Path, report: Report) -> None:
     for name in workspace.replaced(packages):
         report.say(f"  {name}: needs Qt, so pages run the {name} that comes with sitegen")
     for name, package in packages.items():
-        if package.build_type == CATKIN:
-            report.say(f"  {name}: is for ROS 1 (catkin); use its version for ROS 2", "warning")
-        elif package.executables is None:
+        if package.build_type != CATKIN and package.executables is None:
             report.say(f"  {name}: its executables are known only to CMake; add the ones you want")
     for fault in found.faults:
         report.say(f"  skipped: {fault}")
-    for package in packages.values():
-        for name in absent(package, packages):
-            report.say(f"  {package.name}: needs '{name}', {clone(name)}", "warning")
+    for line in _unmet(packages):
+        report.say(f"  {line}", "warning")
     report.say(f"wrote {file}")
     report.say(f"wrote {schema.write(folder)}")
+
+
+def _unmet(packages: Mapping[str, Package]) -> Iterator[str]:
+    """Yield what packages need that the workspace lacks, and which are for ROS 1."""
+    for name, package in packages.items():
+        if package.build_type == CATKIN:
+            yield f"{name}: is for ROS 1 (catkin); use its version for ROS 2"
+        for need in absent(package, packages):
+            yield f"{name}: needs '{need}', {clone(need)}"
 
 
 def _nothing(folder: Path, packages: Mapping[str, Package]) -> str:

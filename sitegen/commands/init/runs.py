@@ -78,7 +78,7 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
         lacking |= found
         able = [node for node in nodes if node.name not in wrong and _key(node) not in found]
         programs += [member(node, there, packages) for node in able]
-        faults += dict.fromkeys(wrong.values())
+        faults += wrong.values()
         for file in files(package, LAUNCH):
             path = package.path / file
             launch, problems, notes, chosen = _described(path, there, root)
@@ -86,9 +86,9 @@ def runs(root: Path, packages: Mapping[str, Package]) -> Runs:
             found = {} if lines else _lacking(root, launch.nodes, packages)
             # A build leaves these out of the pages of launch files, and those that lack modules.
             wrong = {} if lines else _without(root, launch.nodes, packages, unsupported)
-            faults += dict.fromkeys(wrong.values())
+            faults += wrong.values()
             able = [n for n in launch.nodes if _key(n) not in found and n.name not in wrong]
-            faults += dict.fromkeys(notes) if not lines else {}
+            faults += notes if not lines else []
             if not able and notes and not lines:
                 continue
             if not able and not lines:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
+from functools import partial
 from typing import Any
 
 from sitegen.gateway.native import Client, NativeError, from_cdr, load_type, to_cdr
@@ -63,10 +63,11 @@ class Calls:
     async def _values(self, service: str, message: dict[str, Any], *, cbor: bool) -> Any:
         args = message.get("args")
         if service.startswith(rosapi.PREFIX):
+            answer = partial(rosapi.answer, self._session, service, args)
+            if "param" not in service:
+                return await answer()
             # Who sets a parameter and then gets it, gets what was set.
-            order = self._turn("parameters") if "param" in service else contextlib.nullcontext()
-            async with order:
-                return await rosapi.answer(self._session, service, args)
+            return await self._session.asking.in_turn(rosapi.node_asked(args), answer)
         self._session.allow("call_services", service)
         timeout = min(number(message, "timeout") or TIMEOUT, LONGEST)
         async with self._turn(service):

@@ -11,6 +11,7 @@ import cbor2
 from aiohttp import web
 
 from sitegen.gateway.access import Access
+from sitegen.gateway.asking import Asking
 from sitegen.gateway.names import Use
 from sitegen.gateway.native import Endpoint, Native, NativeError
 from sitegen.gateway.rosbridge import png
@@ -31,6 +32,7 @@ class Session:
         self.party = native.join(f"rosbridge {access.session}")
         self.outbox = Outbox(socket, access)
         self.fragments = Fragments(access.rules.limits.message_size)
+        self.asking = Asking()
         self.operations: dict[str, Operation] = {}
         # Called with endpoints that have come, and with those that have gone.
         self.watchers: list[Callable[[list[Endpoint], list[Endpoint]], None]] = []

@@ -26,6 +26,7 @@ GENERATOR = (
     "nodes/cpp/loadable.py",
     "nodes/cpp/objectfile.py",
     "nodes/cpp/precompiled.py",
+    "nodes/cpp/repaired.py",
     "nodes/cpp/sourcemap.py",
     "workspace/libraries.py",
     "workspace/manifestcmake.py",

@@ -13,7 +13,8 @@ know such a name, it runs once more with all of them; if that fails, too, the me
 the source as it is.
 
 A source may have a part for each system that its author knows, and nothing for others. If one that
-asks for Linux does not compile, it is compiled as on Linux.
+asks for Linux does not compile, or is empty elsewhere, it is compiled as on Linux. What g++ accepts
+and clang does not is left to repaired.py.
 """
 
 from __future__ import annotations
@@ -53,7 +54,15 @@ UNKNOWN_TO_ROS = re.compile(
 # How sources ask for Linux, what they get, and what a source says that needs its drivers.
 ASKS_FOR_LINUX = re.compile(r"\b__(gnu_)?linux(__)?\b")
 LINUX = ("-D__linux__=1", "-D__linux=1", "-D__gnu_linux__=1")
+CONDITION = re.compile(r"#\s*(if|else|endif)")
+ONLY_LINUX = re.compile(r"#\s*if(def)?\s[^!]*\b__(gnu_)?linux(__)?\b[^!]*$")
 NOT_FOUND = b" file not found"
+# What repaired.py inserts something for.
+OF_GCC = re.compile(
+    rb"error: (use 'template' keyword to treat|reference to local binding '\w+' declared|"
+    rb"'\w+' in capture list does not name a variable)"
+)
+REPAIRED = PACKAGE / "nodes" / "cpp" / "repaired.py"
 # The interface packages that come with sitegen. The headers generated from them are in ROS.
 INTERFACES = PACKAGE / "ros" / "include"
 # Nothing in these headers depends on what was included before them.
@@ -256,6 +265,21 @@ def _asks_for_linux(command: Command) -> bool:
     return False
 
 
+def _is_for_linux(source: Path) -> bool:
+    """Return whether a source has parts for Linux and maybe other systems, and nothing else."""
+    text = COMMENT.sub(" ", source.read_text(encoding="utf-8-sig", errors="replace"))
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    if not lines or not ONLY_LINUX.match(lines[0]):
+        return False
+    depth = 0
+    for number, line in enumerate(lines, 1):
+        kind = condition[1] if (condition := CONDITION.match(line)) else ""
+        depth += {"if": 1, "endif": -1}.get(kind, 0)
+        if (kind == "else" and depth == 1) or (depth == 0 and number < len(lines)):
+            return False
+    return True
+
+
 def _run(words: Sequence[str]) -> subprocess.CompletedProcess[bytes]:
     return subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
@@ -264,6 +288,9 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
     """Run the compiler; return its exit code."""
     made = None
     command = Command.read(words)
+    with contextlib.suppress(OSError):
+        if command and _is_for_linux(command.source):
+            words = (*words, *LINUX)
     # If the compiler fails here, it will report the same error for the source file.
     with contextlib.suppress(OSError, ValueError):
         if command and Reader(command.folders, Path(ros)).finds(command.source):
@@ -282,6 +309,9 @@ def main(store: str, ros: str, compiler: str, *words: str) -> int:
         linux = _run([compiler, *words, *LINUX])
         # A header that is absent is why the part for Linux does not compile.
         again = linux if not linux.returncode or NOT_FOUND in linux.stdout else again
+    if again.returncode and OF_GCC.search(said):
+        repaired = _run([sys.executable, "-I", "-S", str(REPAIRED), compiler, *words])
+        again = again if repaired.returncode else repaired
     sys.stdout.buffer.write(again.stdout)
     if made and not again.returncode and not again.stdout:
         # The compiler's own headers were installed again, which makes precompiled headers invalid.

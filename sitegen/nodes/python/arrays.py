@@ -17,7 +17,7 @@ TYPES = {
     *("float32", "float64", "int8", "int16", "int32", "int64"),
     *("uint8", "uint16", "uint32", "uint64"),
 }
-ARRAYS = {"array", "empty", "ndarray", "zeros"} | TYPES | CONSTANTS
+ARRAYS = {"array", "empty", "ndarray", "number", "zeros"} | TYPES | CONSTANTS
 # With these, a program has only single numbers.
 NUMBERS = CONSTANTS | {
     *("arccos", "arcsin", "arctan", "arctan2", "clip", "cos", "deg2rad", "degrees", "exp"),
@@ -137,5 +137,5 @@ def _fits(name: str, call: ast.Call) -> bool:
     if name != "array" and len(elements) > 1:
         return False
     return len(others) <= 1 and all(
-        isinstance(one, ast.Attribute) and one.attr in TYPES for one in others
+        isinstance(one, ast.Attribute) and one.attr in {*TYPES, "dtype"} for one in others
     )

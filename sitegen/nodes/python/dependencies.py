@@ -37,13 +37,18 @@ THERE = {"pyyaml", "typing-extensions"}
 OF_ROS = "ros-"
 # The names of ROS packages whose Python modules are made from interfaces.
 OF_INTERFACES = re.compile(r"_(msgs|interfaces|srvs)$")
+# Repositories of ROS itself.
+OWN = re.compile(r"(ros2?|ros-[\w-]+)/")
 # Modules of Python that Pyodide lacks. Those of Windows are imported only there.
 ABSENT = {
     *("curses", "dbm", "ensurepip", "grp", "pwd", "readline", "resource", "syslog", "tkinter"),
     *("turtle", "turtledemo", "venv"),
 }
-# Packages of ROS that need a window or the files of bags, or that are written in C++.
-OF_C = {"PyKDL", "python_qt_binding", "qt_gui", "rosbag2_py", "rqt_gui", "rqt_gui_py"}
+# Packages that need a window or the files of bags, or that are written in C++.
+OF_C = {
+    *("PyKDL", "PyQt4", "PyQt5", "PyQt6", "PySide2", "PySide6", "python_qt_binding", "qt_gui"),
+    *("rosbag2_py", "rqt_gui", "rqt_gui_py"),
+}
 ADVICE = "add its package to the file given by 'pyodide: {requirements: requirements.txt}'"
 
 
@@ -166,8 +171,9 @@ def _unavailable(
 ) -> str:
     if module in libraries.NEVER or module in ABSENT | OF_C:
         return f"needs '{module}', {NO_BUILD}"
-    # Packages of ROS and of PyPI share names, such as 'serial'.
-    if (OF_INTERFACES.search(module) or module in declared) and repository(module):
+    # Other packages for ROS share names with those of PyPI.
+    known = repository(module)
+    if known and (OF_INTERFACES.search(module) or module in declared or OWN.match(known.name)):
         return f"needs package '{module}', {clone(module)}"
     if module not in origins or (not origin and lock[origins[module]]["file_name"].endswith(PURE)):
         return f"module '{module}' is not available in the browser; {ADVICE}, or remove the import"

@@ -1,6 +1,7 @@
 // @ts-check
 // The server of an action: three services and two topics, and the states of its goals.
 
+import { hex } from "../messages/hex.js";
 import { nanoseconds, stamp } from "../messages/time.js";
 
 /** @import { PageNode, Publisher } from "../protocol.js" */
@@ -35,7 +36,7 @@ export class ServedGoal {
   constructor(server, uuid, request) {
     this.#server = server;
     this.uuid = uuid;
-    this.id = keyOf(uuid);
+    this.id = hex(uuid);
     this.request = request;
   }
 
@@ -127,7 +128,7 @@ export class ActionServer {
 
   /** @param {any} request of the service get_result */
   async #answer({ goal_id: { uuid } }) {
-    const goal = this.#goals.get(keyOf(uuid));
+    const goal = this.#goals.get(hex(uuid));
     return goal ? goal.ended : { status: STATUS.unknown, result: {} };
   }
 
@@ -135,7 +136,7 @@ export class ActionServer {
   #cancel({ goal_info: { goal_id: { uuid }, stamp: at } }) {
     const all = uuid.every((/** @type {number} */ byte) => byte === 0);
     const until = nanoseconds(at);
-    const goal = this.#goals.get(keyOf(uuid));
+    const goal = this.#goals.get(hex(uuid));
     if (!all && !goal && until === 0n) return { return_code: UNKNOWN, goals_canceling: [] };
     if (goal && !goal.isActive && until === 0n) return { return_code: TERMINATED, goals_canceling: [] };
     const wanted = [...this.#goals.values()].filter((one) => one.isActive && (one === goal ||
@@ -151,9 +152,4 @@ export class ActionServer {
       goals_canceling: canceling.map((one) => ({ goal_id: { uuid: one.uuid }, stamp: one.stamp })),
     };
   }
-}
-
-/** @param {Uint8Array} uuid */
-function keyOf(uuid) {
-  return Array.from(uuid, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }

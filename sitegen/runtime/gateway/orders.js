@@ -28,7 +28,8 @@
  *   | {op: "until", seconds: number | null}} FromGateway
  * @typedef {{now: string, nowLeft: number | null, mineIn: number | null, mineLeft: number | null}} Turn whose turn it is
  *   at the gateway; times in seconds. `mineIn` is 0 in the visitor's own turn, and null without an appointment
- * @typedef {"connecting" | "key" | "connected" | "lost" | "refused" | "ended" | "off"} State
+ * @typedef {"connecting" | "key" | "connected" | "late" | "lost" | "refused" | "ended" | "off"} State `late`
+ *   if the gateway does not answer, but the connection may still be there
  */
 
 export {};

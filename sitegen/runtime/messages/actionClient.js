@@ -2,6 +2,7 @@
 // Actions as a client uses them: goals with feedback, status and result, from three services and two topics.
 
 import { say } from "../ui/words.js";
+import { hex } from "./hex.js";
 
 /** @import { Ros } from "../protocol.js" */
 
@@ -225,9 +226,4 @@ export class ActionClient extends EventTarget {
   #changed(goal) {
     this.dispatchEvent(new CustomEvent("change", { detail: goal }));
   }
-}
-
-/** @param {Uint8Array} uuid */
-function hex(uuid) {
-  return Array.from(uuid, (byte) => byte.toString(16).padStart(2, "0")).join("");
 }

@@ -3,10 +3,10 @@
 // through here; they travel through the ports that the graph gives to workers.
 
 import { BUDGETS } from "../budgets.js";
+import { servicesOf, topicsOf } from "../participant/summary.js";
 import { gidOf, incompatibility, sends } from "../protocol.js";
 import { Names } from "./names.js";
 import { REFUSALS, isEndpoint } from "./reports.js";
-import { byName, mismatches, missed, nodesOf, sum, types } from "./summary.js";
 
 /** @import { Endpoint, FromWorker, Refusal, ToWorker } from "../protocol.js" */
 
@@ -233,24 +233,12 @@ export class Graph extends EventTarget {
 
   /** All topics, sorted by name, with their types and nodes. */
   topics() {
-    return [...this.#topics].sort(byName).map(([name, channel]) => ({
-      name,
-      types: types(channel),
-      publishers: nodesOf(channel.senders),
-      subscriptions: nodesOf(channel.receivers),
-      missed: sum([...channel.receivers].map(missed)),
-      mismatches: mismatches(channel),
-    }));
+    return topicsOf(this.#topics, missed);
   }
 
   /** All services, sorted by name, with their types and nodes. */
   services() {
-    return [...this.#services].sort(byName).map(([name, channel]) => ({
-      name,
-      types: types(channel),
-      servers: nodesOf(channel.receivers),
-      clients: nodesOf(channel.senders),
-    }));
+    return servicesOf(this.#services);
   }
 
   /** @param {Endpoint} endpoint */
@@ -340,6 +328,11 @@ function inOrder(a, b) {
 /** @param {Member} a @param {Member} b @returns {[to: Member, about: Member][]} */
 function bothWays(a, b) {
   return [[a, b], [b, a]];
+}
+
+/** The number of messages that a subscription missed, 0 for the page's own. @param {Member} member */
+function missed({ owner, endpoint }) {
+  return owner.program ? owner.missed.get(endpoint.id) ?? 0 : 0;
 }
 
 /** What endpoints have in common that match the same ones. @param {Endpoint} endpoint */

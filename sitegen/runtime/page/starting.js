@@ -14,8 +14,8 @@ import { obstacle } from "./isolated.js";
  *   `base` is the address that paths of the entry are relative to, and `edits` are the files that a visitor has changed
  * @typedef {(message: ToWorker) => void} Post
  * @typedef {{worker: string, group?: string | false,
- *   prepare(id: number, post: Post, byte?: Uint8Array): ToWorker | Promise<ToWorker>}} Start `worker` is its file below workers/,
- *   and `group` that of nodes that share it; `id` is that of the worker in the graph
+ *   prepare(id: number, post: Post, byte?: Uint8Array): ToWorker | Promise<ToWorker>}} Start `worker` is its file below
+ *   workers/, and `group` that of nodes that share it; `id` is that of the worker in the graph
  */
 
 const LACK = "this browser does not support JavaScript Promise Integration, which";

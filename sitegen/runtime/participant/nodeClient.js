@@ -5,7 +5,7 @@ import { Codec } from "../messages/codec.js";
 import { DEFAULT_QOS } from "../protocol.js";
 import { say } from "../ui/words.js";
 
-/** @import { MessageInfo, MessageType, Publisher, Qos } from "../protocol.js" */
+/** @import { Endpoint, MessageInfo, MessageType, Publisher, Qos } from "../protocol.js" */
 /** @import { Participant } from "./participant.js" */
 /** @import { Received } from "./queue.js" */
 
@@ -47,15 +47,15 @@ export class NodeClient {
    */
   subscribeBytes(topic, type, callback, qos) {
     const given = { ...BEST_EFFORT, ...qos };
-    return this.#receive("subscription", topic, type, given, ({ message, sequence, timestamp, received, writer }) => {
-      callback(message, { size: message.length, sequence, timestamp, received, writer });
+    return this.#receive("subscription", topic, type, given, ({ message, ...info }) => {
+      callback(message, { ...info, size: message.length });
     }).close;
   }
 
   /** @param {string} topic @param {string} type @param {Partial<Qos>} [qos] @returns {Publisher} */
   advertise(topic, type, qos) {
     const graph = this.#participant;
-    const id = graph.create("publisher", this.#node, topic, type, { ...DEFAULT_QOS, ...qos });
+    const id = this.create("publisher", topic, type, { ...DEFAULT_QOS, ...qos });
     return {
       // In a worker, others may not know of the publisher yet.
       publish: (message) => {
@@ -68,7 +68,7 @@ export class NodeClient {
         });
         if (!sent) throw new Error(say("the queues of the subscriptions to {} are full", topic));
       },
-      close: () => graph.whenAnnounced(() => graph.destroy(id)),
+      close: () => graph.whenAnnounced(() => this.destroy(id)),
     };
   }
 
@@ -135,6 +135,19 @@ export class NodeClient {
     return server.close;
   }
 
+  /**
+   * Create an endpoint of the node and return its id.
+   * @param {Endpoint["kind"]} kind @param {string} name @param {string} type @param {Qos} qos
+   */
+  create(kind, name, type, qos) {
+    return this.#participant.create(kind, this.#node, name, type, qos);
+  }
+
+  /** @param {number} id of an endpoint */
+  destroy(id) {
+    this.#participant.destroy(id);
+  }
+
   /** Return the object of a message in CDR. @param {string} type @param {Uint8Array} bytes @returns {any} */
   read(type, bytes) {
     return this.#codec.read(type, bytes);
@@ -151,14 +164,14 @@ export class NodeClient {
    * @param {(sample: Received) => void} handler
    */
   #receive(kind, name, type, qos, handler) {
-    const id = this.#participant.create(kind, this.#node, name, type, qos);
+    const id = this.create(kind, name, type, qos);
     this.#handlers.set(id, handler);
     this.#pump();
     return {
       id,
       close: () => {
         this.#handlers.delete(id);
-        this.#participant.destroy(id);
+        this.destroy(id);
       },
     };
   }

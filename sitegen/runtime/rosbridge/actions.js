@@ -15,6 +15,9 @@ import { MOST_NAMES } from "./limits.js";
  *   boolean): void}} Told
  */
 
+/** Actions that ROS has replaced by others, and that roslib's examples still name. @type {Record<string, string>} */
+const NEWER = { "action_tutorials_interfaces/action/Fibonacci": "example_interfaces/action/Fibonacci" };
+
 export class Actions {
   #session;
   /** By name and type. @type {Map<string, ActionClient>} */
@@ -86,7 +89,8 @@ export class Actions {
     if (!served && /^tf2_web_republisher/.test(actionType)) return republisher.start(args, told);
     if (!served) throw new Mistake(`there is no action ${name}`);
     const there = surroundings.typeOf("services", `${name}/_action/send_goal`).replace(/_SendGoal$/, "");
-    const type = actionType ? fullType(actionType, "action") : there;
+    const given = actionType ? fullType(actionType, "action") : there;
+    const type = NEWER[given] === there ? there : given;
     if (type !== there) throw new Mistake(`${name} has the type ${there}, not ${type}`);
     const client = this.#clientOf(name, type);
     const goal = client.send(values.read(`${type}_Goal`, args));

@@ -46,10 +46,16 @@ export function listen(origins) {
     });
     clients.add(end);
   };
+  const stop = () => {
+    for (const end of [...clients]) end();
+  };
   addEventListener("message", hear);
+  // The client connects again when the page is back.
+  addEventListener("pagehide", stop);
   return () => {
     removeEventListener("message", hear);
-    for (const end of [...clients]) end();
+    removeEventListener("pagehide", stop);
+    stop();
   };
 }
 
@@ -59,6 +65,8 @@ function serve(port, source, ended) {
   const end = () => {
     clearInterval(timer);
     session.close();
+    // Not all browsers tell that a port is closed.
+    port.postMessage({ op: "close" });
     port.close();
     ended();
   };

@@ -4,8 +4,9 @@
 
 /** @typedef {"open" | "close" | "error" | "message"} Kind */
 
-// How often the page is asked until it answers, and for how long (ms): it may still be loading.
-const [AGAIN, PATIENCE] = [250, 60_000];
+// How often the page is asked until it answers, and for how long (ms): it may still be loading. Then, how often it is
+// looked whether it is still there.
+const [AGAIN, PATIENCE, LOOK] = [250, 60_000, 1000];
 
 class Transport {
   /** @type {Record<Kind, Set<(event: any) => void>>} */
@@ -14,18 +15,26 @@ class Transport {
   #state = "connecting";
   /** @type {MessagePort | undefined} */
   #port;
-  #id = crypto.randomUUID();
+  #id = crypto.getRandomValues(new Uint32Array(4)).join("-");
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #timer;
+  /** @type {Window | undefined} */
+  #target;
+  #ended = new AbortController();
 
   /** @param {Window} target @param {string} origin */
   connect(target, origin) {
     const until = Date.now() + PATIENCE;
     const ask = () => {
-      if (Date.now() <= until) this.#ask(target, origin);
+      // A page that isolates itself looks like this, too.
+      if (target.closed) this.#end(new Error(`the window of ${origin} is closed, or isolated from other pages`));
+      else if (Date.now() <= until) this.#ask(target, origin);
       else this.#end(new Error(`no answer from ${origin}; does its site.yaml name ${location.origin}?`));
     };
     this.#timer = setInterval(ask, AGAIN);
+    this.#target = target;
+    // The other page may outlive this one.
+    addEventListener("pagehide", () => this.#end(), { signal: this.#ended.signal });
     ask();
   }
 
@@ -81,12 +90,16 @@ class Transport {
       clearInterval(this.#timer);
       this.#port = port;
       this.#state = "open";
+      // Not all browsers tell that the other side is gone.
       port.addEventListener("close", () => this.#end());
+      this.#timer = setInterval(() => this.#target?.closed && this.#end(), LOOK);
       this.#emit("open", new Event("open"));
     } else if (this.#state === "connecting" && data.op === "refused") {
       this.#end(new Error(data.reason));
     } else if (this.#port === port && data.op === "message") {
       this.#emit("message", data.message);
+    } else if (this.#port === port && data.op === "close") {
+      this.#end();
     }
   }
 
@@ -95,6 +108,7 @@ class Transport {
     if (this.#state === "closed") return;
     this.#state = "closed";
     clearInterval(this.#timer);
+    this.#ended.abort();
     this.#port?.postMessage({ op: "close" });
     this.#port?.close();
     setTimeout(() => {
@@ -112,10 +126,11 @@ class Transport {
 /**
  * Return a `transportFactory` of roslib 2 for the page in a window, such as `frame.contentWindow`: give it to `new Ros()`,
  * then `connect("page:")`. The page's site.yaml has to name this page's origin.
- * @param {Window} target @param {string} origin of the page in it
+ * @param {Window | null} target null if the browser has not opened one @param {string} origin of the page in it
  */
 export function transportTo(target, origin) {
   return async () => {
+    if (!target) throw new Error("there is no window; browsers open one only when the visitor clicks");
     const transport = new Transport();
     // roslib listens only after it has got the transport.
     setTimeout(() => transport.connect(target, origin));

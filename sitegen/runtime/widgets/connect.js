@@ -186,11 +186,11 @@ class ConnectPanel {
       const seconds = Math.max(0, Math.ceil((until - Date.now()) / 1000));
       const text = describe(state, { address, graph: this.#graph, reason, seconds });
       const more = state === "lost" ? hint(address) : "";
-      setNote(this.#state, more ? `${text} ${more}` : text, state === "lost" || state === "refused");
+      setNote(this.#state, more ? `${text} ${more}` : text, ["late", "lost", "refused"].includes(state));
     };
     write();
     if (state === "lost") this.#timer = setInterval(write, 1000);
-    if (state === "connected") return;
+    if (state === "connected" || state === "late") return;
     setText(this.#clock, "");
     this.#good.end();
     this.#turn.end();

@@ -5,7 +5,7 @@ import { imports, JAVASCRIPT } from "../ui/javascriptSyntax.js";
 import { say } from "../ui/words.js";
 import { CellView } from "./cell/view.js";
 
-/** @import { JavascriptEntry, Line, NodeHandle, Ros } from "../protocol.js" */
+/** @import { JavascriptEntry, Line, ModuleImport, NodeHandle, Ros } from "../protocol.js" */
 
 /** The modules that cells can import, by name: their files in the runtime. @typedef {Record<string, string>} Modules */
 
@@ -24,7 +24,9 @@ const LINE = /^ {4}at line (\d+)$/m;
  */
 export function mount(element, ros, { text, number, interfaces, modules }) {
   const address = interfaces.startsWith("sitegen:") ? interfaces : new URL(interfaces, document.baseURI).href;
-  const cell = new Cell(element, ros, text, number, (now) => ({ text: resolved(now, modules), interfaces: address }));
+  const cell = new Cell(element, ros, text, number, (now) => ({
+    text: now, imports: resolved(now, modules), interfaces: address,
+  }));
   return () => {
     cell.close();
     element.replaceChildren();
@@ -148,18 +150,11 @@ class Cell {
   }
 }
 
-/**
- * Return the text of a module that names the files that it imports, which its worker finds.
- * @param {string} text @param {Modules} modules
- */
+/** Return what a text imports. @param {string} text @param {Modules} modules @returns {ModuleImport[]} */
 function resolved(text, modules) {
-  const pieces = [];
-  let end = 0;
-  for (const { from, to, name } of imports(text)) {
+  return imports(text).map(({ from, to, name }) => {
     const file = Object.hasOwn(modules, name) && modules[name];
     if (!file) throw new Error(say("cells cannot import '{}'; they can import {}", name, Object.keys(modules).join(", ")));
-    pieces.push(text.slice(end, from), JSON.stringify(`sitegen:${file}`));
-    end = to;
-  }
-  return pieces.join("") + text.slice(end);
+    return { from, to, file };
+  });
 }

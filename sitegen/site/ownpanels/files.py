@@ -19,16 +19,17 @@ KIND = "own"
 MOUNT = "export function mount(element, ros, options)"
 MODULES = (".js", ".mjs")
 # The modules of sitegen that others may import, and their files below runtime/.
+ROSBRIDGE = "sitegen/rosbridge"
 CLIENTS = {
     "sitegen": "client/client.js",
-    "sitegen/rosbridge": "rosbridge/rosbridge.js",
+    ROSBRIDGE: "rosbridge/rosbridge.js",
     "sitegen/roslib": "vendor/roslib.js",
 }
 # The path of roslib in `dist/`.
 ROSLIB = f"runtime/{CLIENTS['sitegen/roslib']}"
 # What comes with them: what they load when they need it, and the licenses of libraries.
 BESIDE = {
-    "sitegen/rosbridge": ("rosbridge/encoding.js", "vendor/licenses.txt"),
+    ROSBRIDGE: ("rosbridge/encoding.js", "vendor/licenses.txt"),
     "sitegen/roslib": ("vendor/licenses.txt",),
 }
 # What is imported as a module: a style sheet that is adopted, and data.
@@ -47,22 +48,28 @@ document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
 class OwnPanels:
     """The files of a page's own modules: the path in `dist/` of each module, by file.
 
-    `interfaces` is the path of all definitions of interfaces, if the page needs them.
+    `interfaces` is the path of all definitions of interfaces, if the page needs them, and `texts`
+    that of the files that define them, which only rosbridge needs.
     """
 
     modules: Mapping[str, str]
     artifacts: Sequence[Artifact]
     interfaces: str = ""
+    texts: str = ""
 
 
 def own_panels(
-    site: Site, page: Page, problems: Problems, interfaces: Callable[[], bytes]
+    site: Site,
+    page: Page,
+    problems: Problems,
+    interfaces: Callable[[], bytes],
+    texts: Callable[[], bytes],
 ) -> OwnPanels:
     """Return the files of the panels and the scripts of `page`, and report faulty ones.
 
     All of them are in a folder whose name depends on their content, so that browsers can keep them,
     and panels that import the same module share it. `interfaces` returns the definitions of all
-    interfaces, which pages need that import modules of sitegen.
+    interfaces, which pages need that import modules of sitegen, and `texts` the files of these.
     """
     panels = [part for part in page.leaves if isinstance(part, Widget) and part.kind == KIND]
     files = {str(panel.options["file"]): panel.location for panel in panels}
@@ -78,11 +85,14 @@ def own_panels(
     folder = f"panels/{digest.hexdigest()[:10]}/"
     artifacts = [Artifact(folder + name, content) for name, content in found.contents.items()]
     artifacts += client_artifacts(found.clients)
-    described = ""
+    described = written = ""
     if found.clients or site.messages_from:
         artifacts.append(as_artifact(interfaces()))
         described = artifacts[-1].path
-    return OwnPanels({name: folder + name for name in files}, artifacts, described)
+    if ROSBRIDGE in found.clients or site.messages_from:
+        artifacts.append(as_artifact(texts()))
+        written = artifacts[-1].path
+    return OwnPanels({name: folder + name for name in files}, artifacts, described, written)
 
 
 def uses_client(source: bytes) -> bool:

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from sitegen import workspace
+from sitegen.config.notebooks import JAVASCRIPT
 from sitegen.interfaces.messages import hashes_of, without_hashes
 from sitegen.launch.written import launch_entry
 from sitegen.model import Launch, Node, Page, Prebuilt, Programs, Site, Widget
@@ -91,7 +92,7 @@ def page_entry(
                     **({"file": link(bags[played])} if (played := _bag(widget)) else {}),
                     **({"bags": known} if known and widget.kind == TERMINAL else {}),
                     **_definitions(widget, defined),
-                    **({"modules": cell_modules} if widget.kind == assets.JAVASCRIPT else {}),
+                    **({"modules": cell_modules} if widget.kind == JAVASCRIPT else {}),
                     **(_module(widget, own.modules, link) if widget.kind == OWN else {}),
                     **(_connect(page, types) if widget.kind == CONNECT else {}),
                 },
@@ -104,6 +105,8 @@ def page_entry(
         entry["scripts"] = [{"file": name, "module": link(own.modules[name])} for name in scripts]
     if own.interfaces:
         entry["interfaces"] = link(own.interfaces)
+    if own.texts:
+        entry["texts"] = link(own.texts)
     if site.messages_from:
         entry["messagesFrom"] = list(site.messages_from)
     if assets.takes_part(site, page):
@@ -149,7 +152,7 @@ def _connect(page: Page, types: Mapping[str, Any]) -> dict[str, object]:
 
 def _definitions(widget: Widget, paths: Mapping[str, str]) -> Mapping[str, str]:
     """Return what a widget loads of the definitions of interfaces."""
-    if widget.kind in {*assets.CELLS, assets.JAVASCRIPT}:
+    if widget.kind in {*assets.CELLS, JAVASCRIPT}:
         return {"interfaces": paths["interfaces"]}
     return paths if widget.kind == TERMINAL else {}
 

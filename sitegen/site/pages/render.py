@@ -14,6 +14,7 @@ from markupsafe import Markup
 
 from sitegen.cache.folder import cache_folder
 from sitegen.config.ipynb import SUFFIX as NOTEBOOK
+from sitegen.config.notebooks import JAVASCRIPT
 from sitegen.errors import Problems, nearest
 from sitegen.interfaces.catalogue import as_artifact, as_json, catalogue, texts
 from sitegen.interfaces.messages import MessageType, hashes_of, without_hashes
@@ -106,7 +107,7 @@ class Renderer:
         """
         kinds = assets.shown_kinds(page)
         found = {}
-        if kinds & {TERMINAL, *assets.CELLS, assets.JAVASCRIPT}:
+        if kinds & {TERMINAL, *assets.CELLS, JAVASCRIPT}:
             found["interfaces"] = as_artifact(self._interfaces)
         if TERMINAL in kinds:
             found["texts"] = as_artifact(self._texts)
@@ -156,7 +157,7 @@ class Renderer:
             loaded = resources(site, page)
             notes = tuple(loaded.notes)
             played = bags(site, page)
-            own = own_panels(site, page, problems, lambda: self._interfaces)
+            own = own_panels(site, page, problems, lambda: self._interfaces, lambda: self._texts)
             modules, imported = cell_modules(page, problems)
             defined = self._definitions(page)
             paths = {name: artifact.path for name, artifact in defined.items()}
@@ -346,7 +347,7 @@ class Renderer:
                 gltf=_has_gltf(entry),
                 frames=any(widget.kind == "jupyter" for widget, _ in slots_of(page)),
                 ros2wasm=_has_ros2wasm(entry),
-                cells=any(widget.kind == assets.JAVASCRIPT for widget, _ in slots_of(page)),
+                cells=any(widget.kind == JAVASCRIPT for widget, _ in slots_of(page)),
                 gateways=page.connect.addresses if page.connect else (),
             ),
             "file_note": Markup("" if alone else FILE_NOTE),

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import jinja2
+from markupsafe import Markup, escape
 
 from sitegen.errors import SiteError, nearest
 from sitegen.model import Artifact, Look, Site
@@ -60,6 +61,7 @@ class Theme:
             trim_blocks=True,
             lstrip_blocks=True,
         )
+        environment.filters["breakable"] = breakable
         path = "theme/" if folder == site.theme else f"theme-{folder.name}/"
         try:
             template = environment.get_template("page.html")
@@ -126,6 +128,11 @@ def look_files(look: Look) -> list[Artifact]:
     named = (look.font, look.code_font, look.logo)
     files = (file for file in named if isinstance(file, Path))
     return [Artifact(lasting_name(file), file) for file in files]
+
+
+def breakable(text: str) -> Markup:
+    """Return text with places where a line may end in long names, such as those of packages."""
+    return Markup(re.sub(r"(?<=\w_)(?=\w)", "<wbr>", str(escape(text))))
 
 
 def _without(found: re.Match[str]) -> str:

@@ -239,9 +239,10 @@ class _Writer(HTMLParser):
         for script in run.get("scripts", ()):
             own.append(self._path(script["module"]) or "")
             script["module"] = f"sitegen:{own[-1]}"
-        if "interfaces" in run:
-            meshes.append(self._path(run["interfaces"]) or "")
-            run["interfaces"] = f"sitegen:{meshes[-1]}"
+        for name in ("interfaces", "texts"):
+            if name in run:
+                meshes.append(self._path(run[name]) or "")
+                run[name] = f"sitegen:{meshes[-1]}"
         if python:
             python += (path for path in self.artifacts if path.startswith(PYTHON))
         modules = [path for path in self.artifacts if path.startswith("runtime/")]

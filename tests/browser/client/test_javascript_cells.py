@@ -118,6 +118,43 @@ def test_a_cell_prints_values_as_consoles_do(cells: Page) -> None:
     expect_state(cells, 1, "done")
 
 
+def test_places_of_a_format_are_filled_as_in_node_js(cells: Page) -> None:
+    text = """
+    console.log("%s is %d%%, %j %o", "speed", 42, { a: [1] }, { b: "x" });
+    console.log("%O", { list: Array(200).fill(0) });
+    """
+    run_text(cells, 1, text)
+    expect_output(
+        cells,
+        1,
+        [
+            "speed is 42%, {\"a\":[1]} { b: 'x' }",
+            "{",
+            "  list: [",
+            *[re.compile(r"^ +0(, 0)*,$")] * 9,
+            "    ... 100 more items",
+            "  ]",
+            "}",
+        ],
+    )
+
+
+def test_a_node_that_leaves_takes_only_what_is_its_own(cells: Page) -> None:
+    text = """
+    import { ros } from "sitegen";
+    const [first, second] = [ros.node("/twin"), ros.node("/twin")];
+    for (const node of [first, second]) {
+      const type = "std_msgs/msg/String";
+      node.topic("/twins", type).subscribe(({ data }) => console.log(node === second, data));
+    }
+    first.close();
+    ros.topic("/twins", "std_msgs/msg/String").publish({ data: "still there" });
+    """
+    run_text(cells, 1, text)
+    expect_output(cells, 1, [re.compile("another node with the name /twin"), "true still there"])
+    assert nodes(cells).count("/twin") == 1
+
+
 def test_cells_share_the_graph_until_they_are_stopped(cells: Page) -> None:
     run(cells, 2)
     expect_state(cells, 2, "running")

@@ -31,6 +31,7 @@ def test_names_of_published_packages_work_or_say_why_not(played: Played) -> None
         "setpriority -1 EPERM",
         "cap_set_proc -1 EPERM",
         "thread 1",
+        "attributes 0 0 0",
         "opened 0: libother.so: cannot open: a page cannot load libraries, and the program is not "
         "linked with this one",
         "library refused",

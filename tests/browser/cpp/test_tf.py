@@ -70,6 +70,11 @@ exact 1000 1000
 by reference 1000 1000
 exact 1400 1400
 by reference 1400 1400
+dropped 1100 none
+dropped none 1120
+dropped 1200 none
+dropped 1300 none
+dropped none 1320
 approximate 1000 1000
 approximate 1100 1120
 approximate 1300 1320
@@ -81,10 +86,13 @@ epsilon 1100 1120
 epsilon 1300 1320
 epsilon 1400 1400
 epsilon 1500 1520
+pairs 15
 cache from 2 to 4
 between: 2
 before 3: 2000
 after 4: none
+second filter: one
+third filter: none
 chain 7000
 /temperature 1
 /temperature 2

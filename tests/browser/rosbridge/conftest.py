@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import shutil
+from pathlib import Path
+
 import pytest
 from browser import Built, Serve
 from paths import SITES
 from playwright.sync_api import Page
+from roslib import with_roslib
 
 SITE = SITES / "scripts"
+AROUND = "<!doctype html><title>Around</title><iframe></iframe>"
 # Beside the script: `connected` resolves with a Ros, and `until` with what a callback gets.
 READY = """async () => {
   const { transportFactory, RosbridgeSocket } = rosbridge;
@@ -64,3 +69,20 @@ def page(tab: Page, serve: Serve, built: Built) -> Page:
     tab.evaluate("() => ros.action('/fibonacci').wait()")
     tab.evaluate(READY)
     return tab
+
+
+@pytest.fixture
+def inside(built: Built, tmp_path: Path) -> Path:
+    """The site, with roslib."""
+    return with_roslib(built(SITE), tmp_path)
+
+
+@pytest.fixture
+def around(inside: Path, tmp_path: Path) -> Path:
+    """Another site, whose page has an empty frame."""
+    folder = tmp_path / "around"
+    folder.mkdir()
+    (folder / "index.html").write_text(AROUND)
+    shutil.copy(inside / "roslib.js", folder)
+    shutil.copy(inside / "runtime/rosbridge/outside.js", folder)
+    return folder

@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import pytest
-from browser import Built, Serve
+from browser import Serve
 from panel import Panel
-from paths import SITES
 from playwright.sync_api import Browser, Page
-from roslib import with_roslib
+from roslib import allow
 
-SITE = SITES / "scripts"
-AROUND = "<!doctype html><title>Around</title><iframe></iframe>"
 # Resolves with a Ros that is connected, or with the error.
 CONNECT = """async (inside) => {
   const frame = document.querySelector("iframe");
@@ -30,32 +25,6 @@ CONNECT = """async (inside) => {
     link.connect("page:");
   });
 }"""
-
-
-@pytest.fixture
-def inside(built: Built, tmp_path: Path) -> Path:
-    """The site, with roslib."""
-    return with_roslib(built(SITE), tmp_path)
-
-
-@pytest.fixture
-def around(inside: Path, tmp_path: Path) -> Path:
-    """Another site, whose page has an empty frame."""
-    folder = tmp_path / "around"
-    folder.mkdir()
-    (folder / "index.html").write_text(AROUND)
-    shutil.copy(inside / "roslib.js", folder)
-    shutil.copy(inside / "runtime/rosbridge/outside.js", folder)
-    return folder
-
-
-def allow(inside: Path, url: str) -> None:
-    """Let the site be built as if `messages_from` named the origin of `url`."""
-    parts = urlsplit(url)
-    file = inside / "page.json"
-    entry = json.loads(file.read_text())
-    assert entry["messagesFrom"] == ["http://127.0.0.1:1"]
-    file.write_text(json.dumps(entry | {"messagesFrom": [f"{parts.scheme}://{parts.netloc}"]}))
 
 
 @pytest.mark.firefox

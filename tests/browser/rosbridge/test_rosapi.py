@@ -72,10 +72,11 @@ def test_the_methods_of_roslib(page: Page) -> None:
     assert found["getActionServers"] == ["/fibonacci"]
     raw = found["getTopicsAndRawTypes"]
     full = dict(zip(raw["topics"], raw["typedefs_full_text"], strict=True))
-    assert full["/chatter"] == "string data\n"
-    assert full["/tf"].startswith("geometry_msgs/TransformStamped[] transforms\n\n=====")
-    assert "\nMSG: geometry_msgs/TransformStamped\nstd_msgs/Header header\n" in full["/tf"]
-    assert "float64 z 0.0\nfloat64 w 1.0\n" in full["/tf"]
+    assert full["/chatter"].startswith("# This was originally provided as an example message.\n")
+    assert full["/chatter"].endswith("\n\nstring data\n")
+    assert "\ngeometry_msgs/TransformStamped[] transforms\n\n=====" in full["/tf"]
+    assert "\nMSG: geometry_msgs/TransformStamped\n# This expresses a transform" in full["/tf"]
+    assert "float64 z 0\nfloat64 w 1\n" in full["/tf"]
     headings = [line for line in full["/tf"].splitlines() if line.startswith("MSG: ")]
     names = ["TransformStamped", "Transform", "Quaternion", "Vector3"]
     assert headings == [
@@ -87,6 +88,15 @@ def test_the_methods_of_roslib(page: Page) -> None:
         "w": "double"
     }
     assert found["publishers"] == ["/robot"]
+
+
+def test_definitions_without_files_have_no_comments(page: Page) -> None:
+    page.context.route("**/interfaces/*.json", lambda route: route.fulfill(json={}))
+    raw = ask(page, "topics_and_raw_types")
+    full = dict(zip(raw["topics"], raw["typedefs_full_text"], strict=True))
+    assert full["/chatter"] == "string data\n"
+    assert "\nMSG: geometry_msgs/TransformStamped\nstd_msgs/Header header\n" in full["/tf"]
+    assert "float64 z 0.0\nfloat64 w 1.0\n" in full["/tf"]
 
 
 def test_further_services(page: Page) -> None:
@@ -194,7 +204,7 @@ def test_a_parameter_that_no_node_has_is_kept(page: Page) -> None:
         "reason": "",
     }
     assert ask(page, "get_param", name="/max_vel_y")["value"] == "0.5"
-    assert "max_vel_y" in ask(page, "get_param_names")["names"]
+    assert "/max_vel_y" in ask(page, "get_param_names")["names"]
     assert not ask(page, "set_param", name="max_vel_y", value="{")["successful"]
     big = ask(page, "set_param", name="large", value=f'"{"x" * 4_000_000}"')
     assert big["reason"].startswith("parameters without a node have at most")
@@ -218,3 +228,31 @@ def test_parameters_are_read_after_they_were_set(page: Page) -> None:
         }"""
     )
     assert found == list(range(20))
+
+
+def test_a_silent_node_delays_only_requests_about_itself(page: Page) -> None:
+    found = page.evaluate(
+        """async () => {
+          for (const [name, type] of [["list", "ListParameters"], ["get", "GetParameters"]]) {
+            await link.Service({ name: `/silent/${name}_parameters`,
+              serviceType: `rcl_interfaces/${type}` }).advertiseAsync(() => new Promise(() => {}));
+          }
+          const done = [];
+          const ask = (service, name) => until((resolve, reject) => link.Service({
+            name: `/rosapi/${service}`, serviceType: "" }).callService({ name }, (answer) => {
+              done.push([service, name, answer.value ?? answer.names.includes("/robot:label")]);
+              resolve();
+            }, reject));
+          await Promise.all([ask("get_param", "/silent:label"), ask("get_param", "/robot:label"),
+            ask("get_param", "label"), ask("get_param_names", ""), ask("get_param", "speed")]);
+          return done;
+        }"""
+    )
+    speed = ask(page, "get_param", name="/robot:speed")["value"]
+    assert found == [
+        ["get_param", "/robot:label", '"first"'],
+        ["get_param", "label", '"first"'],
+        ["get_param_names", "", True],
+        ["get_param", "speed", speed],
+        ["get_param", "/silent:label", ""],
+    ]

@@ -108,10 +108,11 @@ RUN_CELL = """async (text) => {
   const { ros } = await import(document.querySelector("script[type=module][src*=rosMain]").src);
   const { widgets } = await (await fetch("page.json")).json();
   const { interfaces } = widgets.find(({ kind }) => kind === "javascript").options;
-  const javascript = { text, interfaces: new URL(interfaces, document.baseURI).href };
+  const javascript = { text, imports: [], interfaces: new URL(interfaces, document.baseURI).href };
   const entry = { package: "sitegen", executable: "javascript", arguments: [], foreign: true };
   const cell = ros.run({ ...entry, javascript }, { name: "cell" });
   return new Promise((resolve) => {
+    cell.addEventListener("state", () => cell.state === "failed" && resolve("failed"));
     const said = ({ detail }) => resolve(detail.map(({ text }) => text).join(" ").trim());
     cell.addEventListener("lines", said);
   });

@@ -6,6 +6,7 @@ get_filename_component(SITEGEN_CPP "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
 # What completes the compiler's own headers.
 include_directories(SYSTEM "${SITEGEN_CPP}/system")
+list(PREPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}/modules")
 
 set(_settings
   MODULARIZE=1 EXPORT_ES6=1 USE_ES6_IMPORT_META=1 ENVIRONMENT=worker

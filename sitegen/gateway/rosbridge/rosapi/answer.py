@@ -31,6 +31,14 @@ async def answer(session: Session, service: str, args: Any) -> dict[str, Any]:
     return await found(session, Arguments(service, args if isinstance(args, dict) else {}))
 
 
+def node_asked(args: Any) -> str:
+    """Return the node that a request about parameters names, "" if it is about all nodes."""
+    if not isinstance(args, dict):
+        return ""
+    given = str(args.get("name", ""))
+    return parameters.node_of(f"{args['node_name']}:" if args.get("node_name") else given)
+
+
 class Arguments(dict[Any, Any]):
     """The arguments of a call, by name; a list has them in their order."""
 

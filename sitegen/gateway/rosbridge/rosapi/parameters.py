@@ -1,12 +1,17 @@
-"""What rosapi tells of parameters, and how it sets them; they are named "/node:parameter"."""
+"""What rosapi tells of parameters, and how it sets them.
+
+They are named "/node:parameter". A name alone means the node that has such a parameter.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import Awaitable, Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from sitegen.gateway.names import refusal
+from sitegen.gateway.asking import NoAnswerError
+from sitegen.gateway.names import Use, refusal
 from sitegen.gateway.native import NativeError, from_cdr, load_type, to_cdr
 from sitegen.gateway.rosbridge.decode import from_json
 from sitegen.gateway.rosbridge.encode import to_json
@@ -38,8 +43,7 @@ async def _get(session: Session, args: Any) -> Response:
     if not isinstance(default, str):
         raise InvalidOperationError("'default_value' must be JSON in text")
     try:
-        node, name = _split(args["name"])
-        session.allow("get_parameters", f"{node}:{name}")
+        node, name = await _find(session, "get_parameters", args["name"])
         value = await _value(session, node, name)
     except (InvalidOperationError, NativeError) as error:
         return {"value": default or "null", "successful": False, "reason": str(error)}
@@ -51,8 +55,7 @@ async def _get(session: Session, args: Any) -> Response:
 
 async def _set(session: Session, args: Any) -> Response:
     try:
-        node, name = _split(args["name"])
-        session.allow("set_parameters", f"{node}:{name}")
+        node, name = await _find(session, "set_parameters", args["name"])
         try:
             value = json.loads(args["value"]) if isinstance(args["value"], str) else args["value"]
         except ValueError:
@@ -69,8 +72,7 @@ async def _set(session: Session, args: Any) -> Response:
 
 async def _has(session: Session, args: Any) -> Response:
     try:
-        node, name = _split(args["name"])
-        session.allow("get_parameters", f"{node}:{name}")
+        node, name = await _find(session, "get_parameters", args["name"])
         return {"exists": await _value(session, node, name) is not None}
     except (InvalidOperationError, NativeError):
         return {"exists": False}
@@ -79,35 +81,78 @@ async def _has(session: Session, args: Any) -> Response:
 async def _delete(session: Session, args: Any) -> Response:
     try:
         given = args["name"]
-        node, name = _split(f"{args['node_name']}:{given}" if "node_name" in args else given)
-        session.allow("set_parameters", f"{node}:{name}")
+        name = f"{args['node_name']}:{given}" if args.get("node_name") else given
+        node, name = await _find(session, "set_parameters", name)
         return await _change(session, node, name, {"type": NOT_SET})
     except (InvalidOperationError, NativeError) as error:
         return {"successful": False, "reason": str(error)}
 
 
 async def _names(session: Session, _: Any) -> Response:
+    async def ask(node: str) -> list[str]:
+        response = await _call(session, node, "ListParameters", {"depth": 0})
+        return [f"{node}:{name}" for name in response["result"]["names"]]
+
+    listed = await _asked(session, await _nodes(session), ask)
+    names = [name for each in listed.values() for name in each]
+    allowed = _allowed(session, "get_parameters")
+    return {"names": [name for name in names if not refusal("get_parameters", name, allowed)]}
+
+
+async def _nodes(session: Session) -> list[str]:
+    """Return the nodes that have parameters."""
     await session.native.refresh()
-    nodes = sorted(
+    return sorted(
         endpoint.node
         for endpoint in session.native.endpoints
         if endpoint.kind == "service"
         and endpoint.type == "rcl_interfaces/srv/ListParameters"
         and endpoint.name == f"{endpoint.node}/list_parameters"
     )
-    listed = await asyncio.gather(*(_list(session, node) for node in nodes))
+
+
+def _allowed(session: Session, use: Use) -> Iterable[str] | None:
     allow = session.access.rules.allow
-    allowed = None if allow is None else allow.get("get_parameters", ())
-    names = [name for each in listed for name in each]
-    return {"names": [name for name in names if not refusal("get_parameters", name, allowed)]}
+    return None if allow is None else allow.get(use, ())
 
 
-async def _list(session: Session, node: str) -> list[str]:
-    try:
-        response = await _call(session, node, "ListParameters", {"depth": 0})
-    except (NativeError, InvalidOperationError):
-        return []
-    return [f"{node}:{name}" for name in response["result"]["names"]]
+async def _find(session: Session, use: Use, given: object) -> tuple[str, str]:
+    """Return the node and the parameter that a name means, if the client may use it so."""
+    name = str(given)
+    if node := node_of(name):
+        own = name.partition(":")[2]
+        if not own:
+            raise InvalidOperationError(f"'{name[:80]}' must be like '/node:parameter'")
+        session.allow(use, f"{node}:{own}")
+        return node, own
+    own = name.strip("/")
+    if not own or refusal(use, f"/node:{own}", None):
+        raise InvalidOperationError(f"'{name[:80]}' must be like '/node:parameter'")
+    allowed = _allowed(session, use)
+    nodes = [one for one in await _nodes(session) if not refusal(use, f"{one}:{own}", allowed)]
+    values = await _asked(session, nodes, lambda one: _value(session, one, own))
+    found = [one for one, value in values.items() if value is not None]
+    if not found:
+        raise InvalidOperationError(f"no node has a parameter '{own}'")
+    if len(found) > 1:
+        several = ", ".join(found)
+        raise InvalidOperationError(f"{several} have a parameter '{own}'; write '{found[0]}:{own}'")
+    session.allow(use, f"{found[0]}:{own}")
+    return found[0], own
+
+
+async def _asked(
+    session: Session, nodes: Iterable[str], ask: Callable[[str], Awaitable[Any]]
+) -> dict[str, Any]:
+    """Return the answers of the nodes that give one soon."""
+
+    async def one(node: str) -> Any:
+        try:
+            return await ask(node)
+        except (InvalidOperationError, NativeError) as error:
+            raise NoAnswerError from error
+
+    return await session.asking.all(nodes, one, session.start)
 
 
 async def _value(session: Session, node: str, name: str) -> Any:
@@ -144,11 +189,10 @@ async def _call(session: Session, node: str, verb: str, values: dict[str, Any]) 
     return to_json(from_cdr(data, kind.Response))
 
 
-def _split(name: object) -> tuple[str, str]:
-    node, colon, parameter = str(name).partition(":")
-    if not colon or not parameter or not node.strip("/"):
-        raise InvalidOperationError(f"'{str(name)[:80]}' must be like '/node:parameter'")
-    return node if node.startswith("/") else f"/{node}", parameter
+def node_of(name: str) -> str:
+    """Return the node in "/node:parameter", "" in the name of a parameter alone."""
+    node, colon, _ = name.partition(":")
+    return f"/{node.strip('/')}" if colon and node.strip("/") else ""
 
 
 def _typed(value: Any) -> dict[str, Any]:

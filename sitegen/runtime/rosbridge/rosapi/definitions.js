@@ -5,6 +5,7 @@ import { isMessage, parseFieldType } from "../../messages/fieldType.js";
 import { fullType } from "../../client/names.js";
 import { short } from "../values.js";
 import { NAMES, pythonText } from "./python.js";
+import { textsOf } from "./texts.js";
 
 /** @import { MessageType } from "../../protocol.js" */
 /** @import { Values } from "../values.js" */
@@ -52,22 +53,23 @@ export function withoutPackage(name) {
 
 /**
  * Return the definition of a message and of all that is nested in it as one text, in the order of rosapi, where the last
- * type of a message comes first.
+ * type of a message comes first: as their files have them, or what the page knows of those without a file.
  * @param {Values} values @param {Record<string, MessageType>} types @param {string} root
  */
-export function fullText(values, types, root) {
+export async function fullText(values, types, root) {
   const seen = new Set();
   const left = [root];
   /** @type {string[]} */
-  const texts = [];
+  const order = [];
   for (let type = left.pop(); type !== undefined; type = left.pop()) {
+    order.push(type);
     const others = inside(values, type).filter((one) => !seen.has(one));
     for (const one of others) seen.add(one);
     left.push(...others);
-    const heading = texts.length ? `\n${LINE}\nMSG: ${short(type)}\n` : "";
-    texts.push(heading + ownText(types[type]));
   }
-  return texts.join("");
+  const texts = await textsOf(order);
+  return order.map((type, index) =>
+    (index ? `\n${LINE}\nMSG: ${short(type)}\n` : "") + (texts[type] ?? ownText(types[type]))).join("");
 }
 
 /**

@@ -6,6 +6,7 @@ import { Parameters } from "../../client/parameters.js";
 import { nodesOf } from "../../messages/parameters/node.js";
 import { LONGEST_NAME } from "../limits.js";
 import { Mistake, textOf } from "../mistake.js";
+import { Asking } from "./asking.js";
 import { Kept } from "./kept.js";
 
 /** @import { Ros } from "../../protocol.js" */
@@ -18,12 +19,12 @@ export class ParameterServices {
   #session;
   /** Parameters that no node has. */
   #kept = new Kept();
-  /** @type {Promise<unknown>} */
-  #last = Promise.resolve();
+  #asking;
 
   /** @param {Session} session */
   constructor(session) {
     this.#session = session;
+    this.#asking = new Asking(session);
   }
 
   /** What the services do, by name. @type {Record<string, (request: any) => Promise<any>>} */
@@ -55,23 +56,15 @@ export class ParameterServices {
       await holder.set(own, undefined);
     }),
     get_param_names: async () => {
-      const all = await this.#ofAll(async (parameters) =>
+      const names = await this.#asking.all(this.#nodes(), async (parameters) =>
         (await parameters.names()).map((name) => `${parameters.node}:${name}`));
-      return { names: [...all.flat(), ...this.#kept.names()] };
+      return { names: [...names, ...this.#kept.names().map((name) => `/${name}`)] };
     },
   };
 
   /** The services, by name. @type {Record<string, (request: any) => any>} */
   services = Object.fromEntries(Object.entries(this.#done).map(([name, answer]) =>
-    [name, (/** @type {any} */ request) => this.#inTurn(() => answer(request))]));
-
-  /** Answer after the requests before: what was set is what is read. @param {() => Promise<any>} answer */
-  #inTurn(answer) {
-    // Each takes a limited time, as calls do.
-    const own = this.#last.then(answer);
-    this.#last = own.catch(() => {});
-    return own;
-  }
+    [name, (/** @type {any} */ request) => this.#asking.inTurn(nodeOf(request.name), () => answer(request))]));
 
   /** @param {string} name */
   async #get(name) {
@@ -81,10 +74,10 @@ export class ParameterServices {
 
   /** @param {string} name @returns {Promise<[Holder, string]>} who has the parameter, and its name there */
   async #find(name) {
-    const [, node, own] = /^([^:]+):(.+)$/.exec(name) ?? [];
-    if (!node || !own) return this.#findAlone(name);
+    const full = nodeOf(name);
+    if (!full) return this.#findAlone(name);
+    const own = name.slice(name.indexOf(":") + 1);
     const { raw, surroundings } = this.#session;
-    const full = fullName(node);
     if (!surroundings.serversOf(`${full}/get_parameters`).length) {
       throw new Mistake(`there is no node ${full} with parameters`);
     }
@@ -97,8 +90,8 @@ export class ParameterServices {
     if (!/^[^\s:]+$/.test(own) || own.length > LONGEST_NAME) {
       throw new Mistake(`'${name.slice(0, 200)}' is not the name of a parameter; write '/node:parameter'`);
     }
-    const all = await this.#ofAll(async (parameters) => ((await parameters.get(own)) === undefined ? [] : [parameters]));
-    const [found, ...others] = all.flat();
+    const [found, ...others] = await this.#asking.all(this.#nodes(), async (parameters) =>
+      ((await parameters.get(own)) === undefined ? [] : [parameters]));
     if (found && others.length) {
       const nodes = [found, ...others].map(({ node }) => node).join(", ");
       throw new Mistake(`${nodes} have a parameter '${own}'; write '${found.node}:${own}'`);
@@ -106,16 +99,10 @@ export class ParameterServices {
     return [found ?? this.#kept, own];
   }
 
-  /**
-   * Ask all nodes that have parameters, and leave out those that do not answer.
-   * @template Answer
-   * @param {(parameters: Parameters) => Promise<Answer[]>} ask
-   */
-  #ofAll(ask) {
-    const { raw, graph, surroundings } = this.#session;
-    const nodes = nodesOf(/** @type {Ros} */ (/** @type {unknown} */ ({ graph })));
-    return Promise.all(nodes.map((node) =>
-      ask(new Parameters(raw, surroundings, node)).catch(() => /** @type {Answer[]} */ ([]))));
+  /** The nodes that have parameters. */
+  #nodes() {
+    const { graph } = this.#session;
+    return nodesOf(/** @type {Ros} */ (/** @type {unknown} */ ({ graph })));
   }
 
   /** @param {() => Promise<void>} change */
@@ -127,6 +114,12 @@ export class ParameterServices {
       return { successful: false, reason: textOf(error) };
     }
   }
+}
+
+/** The full name of the node in "/node:parameter", "" in the name of a parameter alone. @param {string} name */
+function nodeOf(name) {
+  const [, node = ""] = /^([^:]+):.+$/.exec(name) ?? [];
+  return node && fullName(node);
 }
 
 /** @param {string} text */

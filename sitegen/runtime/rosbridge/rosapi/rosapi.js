@@ -66,11 +66,11 @@ export class Rosapi {
       topics_for_type: ({ type }) => ({
         topics: topics().filter(({ types }) => same(types[0], type)).map(({ name }) => name),
       }),
-      topics_and_raw_types: () => {
+      topics_and_raw_types: async () => {
         const all = listed();
-        const texts = all.types.map((type) =>
+        const texts = await Promise.all(all.types.map((type) =>
           (type && values.knows(type) ? fullText(values, raw.types, type)
-            : `# failed to get full definition text for ${type}: this page has no definition of it`));
+            : `# failed to get full definition text for ${type}: this page has no definition of it`)));
         return { ...all, typedefs_full_text: texts };
       },
       topic_type: ({ topic }) => ({ type: topics().find(({ name }) => name === topic)?.types[0] ?? "" }),

@@ -2,6 +2,7 @@
 // ros2 component: what runs in the containers of the page.
 
 import { filled } from "./filled.js";
+import { hex } from "../../messages/hex.js";
 import { guess } from "../../messages/parameters/value.js";
 import { INT } from "../args/types.js";
 import { pluginsOf, programsOf, unique } from "../args/words.js";
@@ -145,7 +146,7 @@ const standalone = {
     const all = programsOf(ros, "rclcpp_components");
     const program = all.find((one) => pluginsOf(one).includes(args.plugin_name)) ?? all[0];
     if (!program) throw new Failure("Package 'rclcpp_components' not found");
-    const name = args.container ?? `standalone_container_${crypto.randomUUID().replaceAll("-", "").slice(0, 12)}`;
+    const name = args.container ?? `standalone_container_${hex(crypto.getRandomValues(new Uint8Array(6)))}`;
     const node = ros.run(program.name, { arguments: ["--ros-args", "-r", `__node:=${name}`] });
     const ended = new AbortController();
     const signal = AbortSignal.any([io.signal, ended.signal]);

@@ -21,6 +21,8 @@ export function describe(state, { address, graph, reason, seconds }) {
       return say("This gateway asks for a key.");
     case "connected":
       return say("Connected to {} ({}).", address, graph);
+    case "late":
+      return say("The gateway at {} does not answer. Messages wait until it does.", address);
     case "lost":
       return say("No gateway answers at {}. Next try in {} s.", address, seconds);
     case "refused":

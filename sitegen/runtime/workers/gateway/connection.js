@@ -12,9 +12,11 @@ import { Exchange } from "./exchange.js";
 // The time until the next try (ms): doubled each time, and a little random, so that a class does not return at once.
 const FIRST = 500;
 const LONGEST = 30_000;
-// The gateway is asked for its time this often, and is lost if it is silent for so long (ms).
-const PING = 3000;
-const SILENCE = 9000;
+// The gateway is asked for its time this often. After LATE without an answer, the visitor is told; after SILENCE, the
+// connection is lost (ms). TCP brings a connection back that was cut for 10 s, and nothing of it is lost.
+const PING = 500;
+const LATE = 1500;
+const SILENCE = 15_000;
 // A server that does not say welcome in this time is no gateway (ms).
 const WELCOME = 10_000;
 
@@ -22,8 +24,8 @@ export class Connection {
   #graph;
   #order;
   #tell;
-  /** The gateway replaces the lost connection of the same page. */
-  #page = crypto.randomUUID();
+  /** The gateway replaces the lost connection of the same page. Pages from plain http have no randomUUID. */
+  #page = crypto.getRandomValues(new Uint32Array(4)).join("-");
   /** @type {WebSocket | undefined} */
   #socket;
   /** @type {Exchange | undefined} */
@@ -31,6 +33,9 @@ export class Connection {
   #clock;
   #wait = FIRST;
   #heard = 0;
+  #asked = 0;
+  /** Whether the visitor was told that the gateway does not answer. */
+  #late = false;
   #closed = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
@@ -67,6 +72,7 @@ export class Connection {
     this.#heard = now();
     socket.onmessage = ({ data }) => {
       this.#heard = now();
+      if (this.#late) this.#recover();
       if (typeof data === "string") this.#receive(parse(data));
       else this.#exchange?.deliver(data);
     };
@@ -131,12 +137,28 @@ export class Connection {
   }
 
   #ping() {
-    if (now() - this.#heard > SILENCE) {
+    const silent = now() - this.#heard;
+    // After a pause of this worker, answers may be there that it has not taken yet.
+    const isAwake = now() - this.#asked < LATE;
+    if (isAwake && silent > SILENCE) {
       this.#lose("");
       return;
     }
+    if (isAwake && silent > LATE && !this.#late) {
+      this.#late = true;
+      this.#exchange?.hold();
+      this.#tell({ op: "state", state: "late" });
+    }
+    this.#asked = now();
     this.#send({ op: "ping", id: 1, sent: now() });
     this.#timer = setTimeout(() => this.#ping(), PING);
+  }
+
+  /** The gateway answers again. */
+  #recover() {
+    this.#late = false;
+    this.#exchange?.release();
+    this.#tell({ op: "state", state: "connected" });
   }
 
   /** The gateway lets the page go, and has said why. @param {"key" | "refused" | "ended"} state @param {string} reason */
@@ -158,6 +180,7 @@ export class Connection {
   /** Remote nodes go with the connection. */
   #drop() {
     clearTimeout(this.#timer);
+    this.#late = false;
     const socket = this.#socket;
     this.#socket = undefined;
     if (socket) {

@@ -50,6 +50,7 @@ export class Exchange {
     if (this.#closed || this.#socket.readyState !== WebSocket.OPEN) return;
     this.#owns.announce((gid) => this.#remotes.has(splitGid(gid).peer));
     this.#remotes.look();
+    if (this.#owns.late) return;
     if (this.#socket.bufferedAmount > FULL) {
       this.#later ??= setTimeout(() => {
         this.#later = undefined;
@@ -57,6 +58,21 @@ export class Exchange {
       }, CREDIT.pause);
       return;
     }
+    this.#take();
+  }
+
+  /** The gateway does not answer: messages wait. */
+  hold() {
+    this.#owns.late = true;
+  }
+
+  /** It answers again. */
+  release() {
+    this.#take();
+    this.#owns.late = false;
+  }
+
+  #take() {
     this.#owns.take();
     this.#remotes.take();
     this.#frames.flush();

@@ -6,6 +6,7 @@ import { isPrivate } from "../../gateway/names.js";
 import { writtenQos } from "../../gateway/wire.js";
 
 /** @import { Participant } from "../../participant/participant.js" */
+/** @import { Received } from "../../participant/queue.js" */
 /** @import { Endpoint, Head, Neighbour } from "../../protocol.js" */
 /** @import { Scope } from "../../gateway/names.js" */
 /** @import { FromGateway } from "../../gateway/orders.js" */
@@ -26,6 +27,8 @@ const LINGER = 200;
 const MOST = 1000;
 
 export class Owns {
+  /** Whether the gateway does not answer, so that messages wait. */
+  late = false;
   #graph;
   #scope;
   #hashes;
@@ -112,7 +115,7 @@ export class Owns {
 
   /**
    * Send what a publisher of the page has sent, once, though several remote subscriptions get it.
-   * @param {import("../../participant/queue.js").Received} sample
+   * @param {Received} sample
    */
   pass({ writer, sequence, timestamp, message }) {
     const id = this.idOf(writer);
@@ -121,11 +124,30 @@ export class Owns {
     this.#ways.send({ reader: 0, writer: id, sequence, timestamp }, message);
   }
 
+  /** Send what a subscription of this worker has got. @param {number} local */
+  drain(local) {
+    /** @type {Received[]} */
+    const held = [];
+    for (let sample; (sample = this.#graph.take(local));) {
+      if (this.late) held.push(sample);
+      else this.pass(sample);
+    }
+    /** @type {Map<number, number>} */
+    const counts = new Map();
+    // Natively, a publisher keeps no more than its history for those who cannot be reached: a robot must not drive by the
+    // commands of a minute ago.
+    const fresh = held.reverse().filter(({ writer }) => {
+      const { keepAll, depth } = this.#told.get(writer)?.endpoint.qos ?? DEFAULT_QOS;
+      const count = (counts.get(writer) ?? 0) + 1;
+      counts.set(writer, count);
+      return keepAll || count <= depth;
+    });
+    for (const sample of fresh.reverse()) this.pass(sample);
+  }
+
   /** Send what collectors have got, and the answers of services. */
   take() {
-    for (const collector of this.#collectors.values()) {
-      for (let sample; (sample = this.#graph.take(collector));) this.pass(sample);
-    }
+    for (const collector of this.#collectors.values()) this.drain(collector);
     for (const [id, service] of this.#services) {
       if (service.waiting.length > 0 && this.#graph.matched(service.caller) > 0) {
         for (const { sequence, message } of service.waiting.splice(0)) this.#request(service, sequence, message);

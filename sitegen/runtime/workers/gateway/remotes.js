@@ -119,7 +119,7 @@ export class Remotes {
   take() {
     for (const { id, local, endpoint } of this.#all.values()) {
       if (endpoint.kind === "subscription") {
-        for (let sample; (sample = this.#graph.take(local));) this.#owns.pass(sample);
+        this.#owns.drain(local);
       } else if (endpoint.kind === "service") {
         for (let sample; (sample = this.#graph.take(local));) this.#call(id, local, endpoint, sample);
       }

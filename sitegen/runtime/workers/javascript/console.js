@@ -1,7 +1,7 @@
 // @ts-check
 // The console of a program: what it prints stands below its text, and in the tools of the browser.
 
-import { format, inspect } from "../../vendor/inspect.js";
+import { formatWithOptions, inspect } from "../../vendor/inspect.js";
 
 /** @import { Severity } from "../../protocol.js" */
 
@@ -65,6 +65,5 @@ export function printed(print) {
 
 /** @param {any[]} values as console.log takes them */
 function formatted(values) {
-  // A text as the first one has places for others.
-  return format(...values.map((value) => (typeof value === "object" && value !== null ? inspect(value, LIMITS) : value)));
+  return formatWithOptions(LIMITS, ...values);
 }

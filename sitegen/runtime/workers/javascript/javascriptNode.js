@@ -12,7 +12,7 @@ import { Pending } from "./pending.js";
 import { textOf } from "./thrown.js";
 import { WorkerGraph } from "./workerGraph.js";
 
-/** @import { Endpoint, FromWorker, MessageType, Ros, ToWorker } from "../../protocol.js" */
+/** @import { Endpoint, FromWorker, MessageType, ModuleImport, Ros, ToWorker } from "../../protocol.js" */
 
 confine(siteFolder);
 
@@ -38,11 +38,11 @@ onmessage = ({ data }) => {
 };
 
 /** @param {Extract<ToWorker, {op: "evaluate"}>} program */
-async function evaluate({ id, name, program: { text, interfaces } }) {
-  const module = text.replace(/"sitegen:([\w/]+\.js)"/g, (_, file) => JSON.stringify(place(file)));
-  const address = URL.createObjectURL(new Blob([module], { type: "text/javascript" }));
+async function evaluate({ id, name, program: { text, imports, interfaces } }) {
+  let address = "";
   const tell = (/** @type {unknown} */ error) => printer.print("fatal", textOf(error, address));
   try {
+    address = URL.createObjectURL(new Blob(linked(text, imports), { type: "text/javascript" }));
     const own = new Participant(id, (message) => {
       post(message);
       if (message.op === "create" && receives(message.endpoint)) pending.add(message.endpoint.id);
@@ -100,6 +100,20 @@ function rosOf(name, own, known, types) {
 /** Whether something may come to an endpoint. @param {Endpoint} endpoint */
 function receives({ kind }) {
   return kind !== "node" && kind !== "publisher";
+}
+
+/**
+ * Return the pieces of a module that names the addresses of what it imports.
+ * @param {string} text @param {ModuleImport[]} imports
+ */
+function linked(text, imports) {
+  let end = 0;
+  const pieces = imports.flatMap(({ from, to, file }) => {
+    const before = text.slice(end, from);
+    end = to;
+    return [before, JSON.stringify(place(file))];
+  });
+  return [...pieces, text.slice(end)];
 }
 
 /** @param {string} address @returns {Promise<Record<string, MessageType>>} */

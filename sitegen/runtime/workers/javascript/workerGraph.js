@@ -1,11 +1,14 @@
 // @ts-check
 // The ROS graph, as a worker knows it.
 
-import { incompatibility, sends } from "../../protocol.js";
+import { servicesOf, topicsOf } from "../../participant/summary.js";
+import { sends } from "../../protocol.js";
 
 /** @import { Endpoint, GraphView } from "../../protocol.js" */
 /** @import { Participant } from "../../participant/participant.js" */
 /** @import { Pending } from "./pending.js" */
+
+/** @typedef {{endpoint: Endpoint}} Seen */
 
 /** Emits `change` once after all changes of one task. */
 export class WorkerGraph extends EventTarget {
@@ -55,46 +58,25 @@ export class WorkerGraph extends EventTarget {
 
   /** All topics, sorted by name, with their types and nodes. @type {GraphView["topics"]} */
   topics() {
-    return this.#channels("publisher", "subscription").map(([name, ends]) => {
-      const { senders, receivers } = sides(ends);
-      return {
-        name, types: types(ends), publishers: senders.map(({ node }) => node),
-        subscriptions: receivers.map(({ node }) => node), missed: 0,
-        mismatches: senders.flatMap((from) => receivers.flatMap((to) => {
-          const policy = incompatibility(from, to);
-          return policy ? [{ publisher: from.node, subscription: to.node, policy }] : [];
-        })),
-      };
-    });
+    return topicsOf(this.#channels("publisher", "subscription"), () => 0);
   }
 
   /** All services, sorted by name, with their types and nodes. @type {GraphView["services"]} */
   services() {
-    return this.#channels("client", "service").map(([name, ends]) => {
-      const { senders, receivers } = sides(ends);
-      return {
-        name, types: types(ends), servers: receivers.map(({ node }) => node), clients: senders.map(({ node }) => node),
-      };
-    });
+    return servicesOf(this.#channels("client", "service"));
   }
 
-  /** Endpoints of two kinds by name, sorted. @param {Endpoint["kind"][]} kinds @returns {[string, Endpoint[]][]} */
+  /** Endpoints of two kinds by name. @param {Endpoint["kind"][]} kinds */
   #channels(...kinds) {
-    /** @type {Map<string, Endpoint[]>} */
+    /** @type {Map<string, {senders: Seen[], receivers: Seen[]}>} */
     const found = new Map();
-    for (const end of this.endpoints()) {
-      if (kinds.includes(end.kind)) found.set(end.name, [...found.get(end.name) ?? [], end]);
+    for (const seen of this.#participant.look() ?? []) {
+      const { kind, name } = seen.endpoint;
+      if (!kinds.includes(kind)) continue;
+      const sides = found.get(name) ?? { senders: [], receivers: [] };
+      (sends(seen.endpoint) ? sides.senders : sides.receivers).push(seen);
+      found.set(name, sides);
     }
-    return [...found].sort(([a], [b]) => (a < b ? -1 : 1));
+    return found;
   }
-}
-
-/** @param {Endpoint[]} ends */
-function sides(ends) {
-  return { senders: ends.filter(sends), receivers: ends.filter((one) => !sends(one)) };
-}
-
-/** @param {Endpoint[]} ends */
-function types(ends) {
-  return [...new Set(ends.map(({ type }) => type))];
 }

@@ -118,6 +118,16 @@ int pthread_attr_setschedpolicy(pthread_attr_t *, int policy)
 
 int pthread_attr_setinheritsched(pthread_attr_t *, int) {return 0;}
 
+int pthread_attr_setscope(pthread_attr_t *, int scope)
+{
+  return scope == PTHREAD_SCOPE_SYSTEM ? 0 : ENOTSUP;
+}
+
+int pthread_getattr_default_np(pthread_attr_t * attributes) {return pthread_attr_init(attributes);}
+
+/// All threads have stacks of the same size, whatever their attributes ask for.
+int pthread_setattr_default_np(const pthread_attr_t *) {return 0;}
+
 /// Names of threads are not shown anywhere, but the limit is that of Linux.
 int pthread_setname_np(pthread_t, const char * name) {return std::strlen(name) > 15 ? ERANGE : 0;}
 

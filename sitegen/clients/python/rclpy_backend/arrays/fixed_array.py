@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from math import pi
 from typing import Any
 
-__all__ = ["array", "empty", "float32", "float64", "ndarray", "pi", "zeros"]
+__all__ = ["array", "empty", "float32", "float64", "ndarray", "number", "pi", "zeros"]
 
 
 class dtype:
@@ -44,6 +44,10 @@ _NAMED = {
 def named(name: str) -> dtype:
     """Return the type with this name in IDL."""
     return _NAMED[name]
+
+
+class number:
+    """The base of numpy's numbers. Nothing is one: the elements of these arrays are Python's."""
 
 
 class ndarray(numbers.array[Any]):

@@ -10,9 +10,27 @@
 namespace message_filters
 {
 
+/// A chain of filters for messages of any type.
+class ChainBase
+{
+public:
+  virtual ~ChainBase() = default;
+
+  /// Null if there is no such filter.
+  template<class F>
+  std::shared_ptr<F> getFilter(std::size_t index) const
+  {
+    return std::static_pointer_cast<F>(getFilterForIndex(index));
+  }
+
+protected:
+  virtual std::shared_ptr<void> getFilterForIndex(std::size_t index) const = 0;
+};
+using ChainBasePtr = std::shared_ptr<ChainBase>;
+
 /// A chain of filters as one filter.
 template<typename M>
-class Chain : public SimpleFilter<M>
+class Chain : public ChainBase, public SimpleFilter<M>
 {
 public:
   using MConstPtr = std::shared_ptr<M const>;
@@ -48,12 +66,6 @@ public:
     links_.push_back({filter, std::make_shared<PassThrough<M>>(*filter)});
     return links_.size() - 1;
   }
-  /// Null if there is no such filter.
-  template<class F>
-  std::shared_ptr<F> getFilter(std::size_t index) const
-  {
-    return index < links_.size() ? std::static_pointer_cast<F>(links_[index].filter) : nullptr;
-  }
 
   template<class F>
   void connectInput(F & filter)
@@ -63,6 +75,12 @@ public:
   }
   void add(const MConstPtr & message) {start_.add(message);}
   void add(const EventType & event) {start_.add(event);}
+
+protected:
+  std::shared_ptr<void> getFilterForIndex(std::size_t index) const override
+  {
+    return index < links_.size() ? links_[index].filter : nullptr;
+  }
 
 private:
   struct Link

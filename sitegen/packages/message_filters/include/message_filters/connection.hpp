@@ -15,7 +15,7 @@ public:
   using VoidDisconnectFunction = std::function<void ()>;
 
   Connection() = default;
-  explicit Connection(VoidDisconnectFunction disconnect)
+  Connection(VoidDisconnectFunction disconnect)  // NOLINT(runtime/explicit)
   : disconnect_(std::move(disconnect)) {}
 
   void disconnect()

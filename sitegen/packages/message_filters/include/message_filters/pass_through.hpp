@@ -17,7 +17,7 @@ public:
 
   PassThrough() = default;
   template<typename F>
-  explicit PassThrough(F & filter) {connectInput(filter);}
+  PassThrough(F & filter) {connectInput(filter);}
   ~PassThrough() {connection_.disconnect();}
 
   template<class F>

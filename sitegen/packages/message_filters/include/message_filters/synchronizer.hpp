@@ -24,6 +24,7 @@ class PolicyBase
 {
 public:
   static constexpr std::size_t N_MESSAGES = sizeof...(Ms);
+  using RealTypeCount = std::integral_constant<int, N_MESSAGES>;
   using Messages = std::tuple<Ms...>;
   using Events = std::tuple<MessageEvent<Ms const>...>;
   using Signal = detail::Signal<Ms...>;
@@ -61,16 +62,16 @@ public:
   using Signal = typename Policy::Signal;
 
   Synchronizer() = default;
-  explicit Synchronizer(const Policy & policy)
+  Synchronizer(const Policy & policy)  // NOLINT(runtime/explicit)
   : Policy(policy) {}
   template<class ... Fs, std::enable_if_t<sizeof...(Fs) == Policy::N_MESSAGES, int> = 0>
-  explicit Synchronizer(const Policy & policy, Fs & ... filters)
+  Synchronizer(const Policy & policy, Fs & ... filters)
   : Policy(policy)
   {
     connectInput(filters ...);
   }
   template<class ... Fs, std::enable_if_t<sizeof...(Fs) == Policy::N_MESSAGES, int> = 0>
-  explicit Synchronizer(Fs & ... filters) {connectInput(filters ...);}
+  Synchronizer(Fs & ... filters) {connectInput(filters ...);}
   Synchronizer(const Synchronizer &) = delete;
   Synchronizer & operator=(const Synchronizer &) = delete;
   ~Synchronizer() {disconnectAll();}
@@ -107,6 +108,10 @@ public:
     const std::lock_guard<std::mutex> lock(mutex_);
     this->template match<I>(event, signal_);
   }
+
+  /// Runs the callbacks.
+  template<class ... Es>
+  void signal(const Es & ... events) {signal_.call(events ...);}
 
   Policy * getPolicy() {return this;}
   void setName(const std::string & name) {name_ = name;}

@@ -19,14 +19,25 @@ public:
   using Policy = sync_policies::ExactTime<Ms...>;
   using Base = Synchronizer<Policy>;
 
-  explicit TimeSynchronizer(std::uint32_t queue_size)
-  : Base(Policy(queue_size)) {}
-  /// Takes a filter for each message, then the size of the queue.
-  template<class ... Args, std::enable_if_t<sizeof...(Args) == sizeof...(Ms) + 1, int> = 0>
-  explicit TimeSynchronizer(Args && ... args)
-  : TimeSynchronizer(static_cast<std::uint32_t>(std::get<sizeof...(Ms)>(std::tie(args ...))))
+  /// Takes the size of the queue, then a filter for each message or none.
+  template<
+    class ... Fs,
+    std::enable_if_t<sizeof...(Fs) == 0 || sizeof...(Fs) == sizeof...(Ms), int> = 0>
+  TimeSynchronizer(std::uint32_t queue_size, Fs & ... filters)  // NOLINT(runtime/explicit)
+  : Base(Policy(queue_size))
   {
-    connect(std::index_sequence_for<Ms...>(), std::tie(args ...));
+    if constexpr (sizeof...(Fs) != 0) {this->connectInput(filters ...);}
+  }
+  /// The same with the size of the queue at the end.
+  template<
+    class F, class ... Args,
+    std::enable_if_t<
+      sizeof...(Args) == sizeof...(Ms) && !std::is_convertible_v<F, std::uint32_t>, int> = 0>
+  TimeSynchronizer(F & first, Args && ... args)
+  : TimeSynchronizer(
+      static_cast<std::uint32_t>(std::get<sizeof...(Ms)>(std::tie(first, args ...))))
+  {
+    connect(std::index_sequence_for<Ms...>(), std::tie(first, args ...));
   }
 
 private:

@@ -47,6 +47,8 @@ export const connections = {
   "'{}' is not an address": "„{}“ ist keine Adresse",
   "Connecting to {}…": "Verbindet mit {} …",
   "Connected to {} ({}).": "Verbunden mit {} ({}).",
+  "The gateway at {} does not answer. Messages wait until it does.":
+    "Das Gateway bei {} antwortet nicht. Nachrichten warten, bis es antwortet.",
   "No gateway answers at {}. Next try in {} s.": "Bei {} antwortet kein Gateway. Nächster Versuch in {} s.",
   "The gateway has ended the connection: {}": "Das Gateway hat die Verbindung beendet: {}",
   "Not connected. The nodes of this page are by themselves.": "Nicht verbunden. Die Nodes dieser Seite sind unter sich.",

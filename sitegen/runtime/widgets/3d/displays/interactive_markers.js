@@ -43,7 +43,7 @@ class InteractiveMarkers {
   #faults = new Map();
   /** @type {import("../../../protocol.js").Publisher | undefined} */
   #feedback;
-  #id = `page-${crypto.randomUUID?.().slice(0, 8) ?? Math.random().toString(36).slice(2, 10)}`;
+  #id = `page-${crypto.getRandomValues(new Uint32Array(1)).join("")}`;
   client;
   keys;
   /** Whether there are others than those in `keys`. */

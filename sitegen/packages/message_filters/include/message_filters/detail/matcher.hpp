@@ -25,7 +25,7 @@ struct Item
 {
   std::shared_ptr<const void> message;
   rclcpp::Time receipt;
-  std::int64_t stamp;
+  std::int64_t stamp = 0;
 };
 
 /// One message of each topic.
@@ -38,12 +38,19 @@ public:
   ExactMatcher(std::size_t topics, std::uint32_t queue_size)
   : topics_(topics), size_(queue_size) {}
 
-  void add(std::size_t topic, Item item, const std::function<void(const Match &)> & emit);
+  /// `drop` is called with each set that will never be complete; absent messages are null.
+  void add(
+    std::size_t topic, Item item, const std::function<void(const Match &)> & emit,
+    const std::function<void(const Match &)> & drop);
 
 private:
+  using Waiting = std::map<std::int64_t, Match>;
+
+  void drop_until(Waiting::iterator end, const std::function<void(const Match &)> & drop);
+
   std::size_t topics_;
   std::size_t size_;
-  std::map<std::int64_t, std::vector<std::optional<Item>>> waiting_;  // by their time
+  Waiting waiting_;  // by their time
 };
 
 /// Matches the oldest messages of all topics if their times differ by at most `epsilon`.

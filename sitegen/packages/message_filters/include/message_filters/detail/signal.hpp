@@ -26,7 +26,11 @@ public:
   : event_(event) {}
 
   operator std::shared_ptr<const M>() const {return event_.getConstMessage();}
-  operator std::shared_ptr<M>() const {return std::make_shared<M>(*event_.getConstMessage());}
+  operator std::shared_ptr<M>() const
+  {
+    const auto message = event_.getConstMessage();
+    return message ? std::make_shared<M>(*message) : nullptr;
+  }
   operator const M &() const {return *event_.getConstMessage();}
   operator const MessageEvent<const M> &() const {return event_;}
   operator MessageEvent<M>() const {return event_;}

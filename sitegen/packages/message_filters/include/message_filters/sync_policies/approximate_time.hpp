@@ -14,7 +14,8 @@ template<typename ... Ms>
 class ApproximateTime : public PolicyBase<Ms...>
 {
 public:
-  explicit ApproximateTime(std::uint32_t queue_size)
+  // Not explicit: programs give a synchronizer only the size of its queue.
+  ApproximateTime(std::uint32_t queue_size)  // NOLINT(runtime/explicit)
   : matcher_(sizeof...(Ms), queue_size) {}
 
   void setAgePenalty(double age_penalty) {matcher_.setAgePenalty(age_penalty);}

@@ -187,6 +187,11 @@ int main(int argc, char ** argv)
   refused("cap_set_proc", [=] {return cap_set_proc(capabilities);});
   std::printf(
     "thread %d\n", pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == EPERM);
+  pthread_attr_t attributes;
+  std::printf(
+    "attributes %d %d %d\n", pthread_getattr_default_np(&attributes),
+    pthread_attr_setscope(&attributes, PTHREAD_SCOPE_SYSTEM),
+    pthread_setattr_default_np(&attributes));
   std::printf("opened %d: %s\n", dlopen("libother.so", RTLD_NOW) != nullptr, dlerror());
   try {
     rcpputils::SharedLibrary library("libother.so");

@@ -81,6 +81,11 @@ int main(int argc, char ** argv)
   message_filters::TimeSynchronizer<Temperature, Imu> first(10);
   first.registerCallback(std::bind(&Listener::both, &exact, _1, _2));
   first.registerCallback(&by_reference);
+  first.registerDropCallback(
+    [](const Temperature::ConstSharedPtr & a, const Imu::ConstSharedPtr & b) {
+      std::printf("dropped %s %s\n", a ? std::to_string(when(*a)).c_str() : "none",
+      b ? std::to_string(when(*b)).c_str() : "none");
+    });
   play(first);
 
   using Near = message_filters::sync_policies::ApproximateTime<Temperature, Imu>;
@@ -100,6 +105,22 @@ int main(int argc, char ** argv)
   fourth.registerCallback(&Listener::both, &close);
   play(fourth);
 
+  // The size of the queue is enough for a policy, with or without the filters.
+  auto sized = std::make_shared<message_filters::Synchronizer<Near>>(10);
+  message_filters::PassThrough<Temperature> warm;
+  message_filters::PassThrough<Imu> turned;
+  sized->connectInput(warm, turned);
+  message_filters::Synchronizer<Near> connected(10, warm, turned);
+  message_filters::TimeSynchronizer<Temperature, Imu> timed(10, warm, turned);
+  int pairs = 0;
+  const auto count_pair = [&](const Temperature & a, const Imu &) {pairs += when(a);};
+  sized->registerCallback(count_pair);
+  connected.registerCallback(count_pair);
+  timed.registerCallback(count_pair);
+  warm.add(message<Temperature>(5));
+  turned.add(message<Imu>(5));
+  std::printf("pairs %d\n", pairs);
+
   message_filters::PassThrough<Imu> start;
   message_filters::Cache<Imu> cache(start, 3);
   for (int i : {1, 2, 4, 3}) {start.add(message<Imu>(i * 1000));}
@@ -111,6 +132,9 @@ int main(int argc, char ** argv)
   message_filters::Chain<Imu> chain(start);
   chain.addFilter(std::make_shared<message_filters::PassThrough<Imu>>());
   chain.addFilter(std::make_shared<message_filters::Cache<Imu>>(2));
+  const message_filters::ChainBase & base = chain;
+  std::printf("second filter: %s\n", base.getFilter<message_filters::Cache<Imu>>(1) ? "one" : "none");
+  std::printf("third filter: %s\n", base.getFilter<message_filters::Cache<Imu>>(2) ? "one" : "none");
   chain.registerCallback([](const Imu & imu) {std::printf("chain %d\n", when(imu));});
   start.add(message<Imu>(7000));
 
