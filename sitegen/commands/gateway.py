@@ -53,12 +53,13 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
 
     def ready(port: int) -> None:
         where = addresses(arguments.bind, port)
-        told = lines(where, secure=bool(tls), site=bool(arguments.site))
+        alone = arguments.bind in HERE
+        told = lines(where, secure=bool(tls), site=bool(arguments.site), alone=alone)
         for line in (*told, *(tls.advice if tls else ())):
             report.say(line.replace("PORT", str(port)))
-        if arguments.site and arguments.bind not in HERE:
-            report.show(code(f"{'https' if tls else 'http'}://{where[-1]}/"))
-        if arguments.bind not in HERE and rules.allow is None:
+        if arguments.site and not alone:
+            report.show(qr_code(f"{'https' if tls else 'http'}://{where[-1]}/"))
+        if not alone and rules.allow is None:
             text = "everyone on the network can reach everything on the graph"
             report.say(f"{text}; write 'allow' in gateway.yaml to choose", "warning")
 
@@ -97,10 +98,12 @@ def addresses(bind: str, port: int) -> list[str]:
     return [f"{f'[{bind}]' if ':' in bind else bind}:{port}"]
 
 
-def lines(where: Sequence[str], *, secure: bool, site: bool) -> list[str]:
-    """Return what to tell when the gateway listens at the addresses `where`."""
+def lines(where: Sequence[str], *, secure: bool, site: bool, alone: bool) -> list[str]:
+    """Return what to tell when the gateway listens at the addresses `where`.
+
+    `alone` says that only this computer reaches it.
+    """
     here, *others = where
-    alone = here.startswith("localhost:") and not others
 
     def written(scheme: str) -> str:
         scheme += "s" if secure else ""
@@ -112,7 +115,7 @@ def lines(where: Sequence[str], *, secure: bool, site: bool) -> list[str]:
     return [*told, f"the site: {written('http')}"] if site else told
 
 
-def code(address: str) -> str:
+def qr_code(address: str) -> str:
     """Return an address as a QR code of characters, for phones."""
     import segno
 

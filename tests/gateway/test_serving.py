@@ -16,7 +16,7 @@ from gateways import Gateway, client, run
 from native import Native
 from yarl import URL
 
-from sitegen.commands.gateway import code
+from sitegen.commands.gateway import qr_code
 
 
 def test_a_page_of_the_site_and_nothing_else(robot: gateways.Process, tmp_path: Path) -> None:
@@ -82,7 +82,7 @@ def test_the_address_of_the_site_is_told_and_drawn_in_a_terminal(tmp_path: Path)
     lines = said.splitlines()
     found = re.fullmatch(r"the site: http://localhost:(\d+)/, for others (http://.+:\1/)", lines[1])
     assert found, said
-    drawn = code(found[2]).splitlines()
+    drawn = qr_code(found[2]).splitlines()
     assert len(drawn) > 10
     assert [line.rstrip() for line in lines[2 : 2 + len(drawn)]] == drawn
 

@@ -49,13 +49,19 @@ def opened(opener: Page, url: str) -> Page:
     return popup.value
 
 
+def connected(opener: Page, serve: Serve, inside: Path) -> Page:
+    """Return the window, which lets the page of another origin in."""
+    allow(inside, opener.url)
+    window = opened(opener, serve(inside))
+    assert opener.evaluate("connect()") == "connected"
+    return window
+
+
 @pytest.mark.firefox
 def test_a_page_uses_the_graph_of_a_window_until_it_closes(
     opener: Page, serve: Serve, inside: Path
 ) -> None:
-    allow(inside, opener.url)
-    window = opened(opener, serve(inside))
-    assert opener.evaluate("connect()") == "connected"
+    window = connected(opener, serve, inside)
     assert opener.evaluate("hear()") == {"data": "once"}
     assert window.evaluate("ros.nodes()").count("/rosbridge") == 1
     window.close()
@@ -69,9 +75,7 @@ def test_a_page_uses_the_graph_of_a_window_until_it_closes(
 def test_a_window_is_connected_again_after_a_reload(
     opener: Page, serve: Serve, inside: Path
 ) -> None:
-    allow(inside, opener.url)
-    window = opened(opener, serve(inside))
-    assert opener.evaluate("connect()") == "connected"
+    window = connected(opener, serve, inside)
     window.reload()
     assert opener.evaluate("ended") == "closed"
     assert opener.evaluate("connect()") == "connected"
@@ -80,9 +84,7 @@ def test_a_window_is_connected_again_after_a_reload(
 
 @pytest.mark.firefox
 def test_the_graph_forgets_a_page_that_goes(opener: Page, serve: Serve, inside: Path) -> None:
-    allow(inside, opener.url)
-    window = opened(opener, serve(inside))
-    assert opener.evaluate("connect()") == "connected"
+    window = connected(opener, serve, inside)
     opener.goto("about:blank")
     window.wait_for_function("!ros.nodes().includes('/rosbridge')")
 

@@ -126,23 +126,11 @@ export class Owns {
 
   /** Send what a subscription of this worker has got. @param {number} local */
   drain(local) {
-    /** @type {Received[]} */
-    const held = [];
-    for (let sample; (sample = this.#graph.take(local));) {
-      if (this.late) held.push(sample);
-      else this.pass(sample);
+    if (this.late) {
+      for (const sample of this.#kept(local)) this.pass(sample);
+      return;
     }
-    /** @type {Map<number, number>} */
-    const counts = new Map();
-    // Natively, a publisher keeps no more than its history for those who cannot be reached: a robot must not drive by the
-    // commands of a minute ago.
-    const fresh = held.reverse().filter(({ writer }) => {
-      const { keepAll, depth } = this.#told.get(writer)?.endpoint.qos ?? DEFAULT_QOS;
-      const count = (counts.get(writer) ?? 0) + 1;
-      counts.set(writer, count);
-      return keepAll || count <= depth;
-    });
-    for (const sample of fresh.reverse()) this.pass(sample);
+    for (let sample; (sample = this.#graph.take(local));) this.pass(sample);
   }
 
   /** Send what collectors have got, and the answers of services. */
@@ -189,6 +177,26 @@ export class Owns {
     for (const { caller } of this.#services.values()) this.#graph.destroy(caller);
     this.#collectors.clear();
     this.#services.clear();
+  }
+
+  /**
+   * What waited for a silent gateway. Natively, a publisher keeps no more than its history for those who cannot be
+   * reached: a robot must not drive by the commands of a minute ago.
+   * @param {number} local a subscription of this worker
+   */
+  #kept(local) {
+    /** @type {Received[]} */
+    const held = [];
+    for (let sample; (sample = this.#graph.take(local));) held.push(sample);
+    /** @type {Map<number, number>} */
+    const counts = new Map();
+    const newestFirst = held.reverse().filter(({ writer }) => {
+      const { keepAll, depth } = this.#told.get(writer)?.endpoint.qos ?? DEFAULT_QOS;
+      const count = (counts.get(writer) ?? 0) + 1;
+      counts.set(writer, count);
+      return keepAll || count <= depth;
+    });
+    return newestFirst.reverse();
   }
 
   /** Whether the gateway is told of an endpoint. @param {Neighbour} neighbour */
