@@ -288,6 +288,24 @@ def _add_gateway(add: Add) -> None:
     gateway.add_argument(
         "--domain", type=int, metavar="ID", help="the ROS domain (default: ROS_DOMAIN_ID)"
     )
+    gateway.add_argument(
+        "--zenoh",
+        nargs="*",
+        metavar="ADDRESS",
+        help="join the graphs of other gateways, and of rmw_zenoh, at these addresses",
+    )
+    gateway.add_argument(
+        "--zenoh-port",
+        type=int,
+        metavar="PORT",
+        help="the port for others with --zenoh; 0 to listen at none (default: 7447)",
+    )
+    gateway.add_argument(
+        "--zenoh-config",
+        type=Path,
+        metavar="FILE",
+        help="Zenoh's own configuration, for encryption and access control",
+    )
     doings = gateway.add_subparsers(dest="doing", metavar="COMMAND", parser_class=Parser)
     keys = doings.add_parser("keys", help="make a key for a person", parents=[_common()])
     keys.add_argument(

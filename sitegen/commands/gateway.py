@@ -8,7 +8,8 @@ import importlib
 import io
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING
 
 from sitegen.errors import SiteError
@@ -16,16 +17,22 @@ from sitegen.gateway.addresses import EVERYWHERE, HERE, own_names
 from sitegen.report import Report
 
 if TYPE_CHECKING:
+    from sitegen.gateway.access import Guard
     from sitegen.gateway.native import Native
+    from sitegen.gateway.rules import Rules
+    from sitegen.gateway.zenoh import Link
 
 # How often the graph is read at the start (four times in a second).
 DISCOVERY = 6
+# Zenoh's own, which need not be named.
+DEFAULT_ZENOH_PORT = 7447
 
 
 def gateway(arguments: argparse.Namespace, report: Report) -> None:
     """Run the gateway until it is stopped."""
     _need_packages()
     _need_ros()
+    joins = _joins(arguments)
     from sitegen.gateway import server
     from sitegen.gateway.config import load
     from sitegen.gateway.log import Log
@@ -39,17 +46,19 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
     write = Log(report.say).write
 
     async def run() -> None:
-        native = Native(domain=arguments.domain)
-        await native.start()
-        await _discover(native)
-        await _log(native)
-        try:
+        async with AsyncExitStack() as ending:
+            native = Native(domain=arguments.domain)
+            await native.start()
+            ending.push_async_callback(native.stop)
+            await _discover(native)
+            await _log(native)
             guard = server.guard(rules, native, write)
+            if joins:
+                link = await _link(arguments, native, rules, guard, write)
+                ending.push_async_callback(link.close)
             shared = server.Gateway(rules, native, server.handlers(), write, files, guard)
             secure = tls.context if tls else None
             await server.run(shared, arguments.bind, arguments.port, tls=secure, ready=ready)
-        finally:
-            await native.stop()
 
     def ready(port: int) -> None:
         where = addresses(arguments.bind, port)
@@ -57,6 +66,9 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
         told = lines(where, secure=bool(tls), site=bool(arguments.site), alone=alone)
         for line in (*told, *(tls.advice if tls else ())):
             report.say(line.replace("PORT", str(port)))
+        if joins and arguments.zenoh_port:
+            host = where[-1].rpartition(":")[0]
+            report.say(_listening(host, arguments.zenoh_port, alone=alone))
         if arguments.site and not alone:
             report.show(qr_code(f"{'https' if tls else 'http'}://{where[-1]}/"))
         if not alone and rules.allow is None:
@@ -64,6 +76,50 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
             report.say(f"{text}; write 'allow' in gateway.yaml to choose", "warning")
 
     asyncio.run(run())
+
+
+def _joins(arguments: argparse.Namespace) -> bool:
+    """Return whether the graphs of other gateways are joined."""
+    if arguments.zenoh is None:
+        for option, given in ("port", arguments.zenoh_port), ("config", arguments.zenoh_config):
+            if given is not None:
+                raise SiteError([f"--zenoh-{option} has no effect without --zenoh"])
+        return False
+    if arguments.zenoh_port is None:
+        arguments.zenoh_port = DEFAULT_ZENOH_PORT
+    for name in ("zenoh", "xxhash"):
+        try:
+            importlib.import_module(name)
+        except ImportError:
+            message = f"--zenoh needs {name}, which is not installed"
+            raise SiteError([f"{message}: pip install 'ros-sitegen[zenoh]'"]) from None
+    return True
+
+
+async def _link(
+    arguments: argparse.Namespace,
+    native: Native,
+    rules: Rules,
+    guard: Guard,
+    write: Callable[[str], None],
+) -> Link:
+    """Join the graphs of other gateways."""
+    from sitegen.gateway import zenoh
+
+    zenoh.check(rules, native)
+    places = (arguments.zenoh, arguments.bind, arguments.zenoh_port, arguments.zenoh_config)
+    # Listening and the first connections take half a second.
+    session = await asyncio.to_thread(zenoh.open_session, *places)
+    link = zenoh.Link(native, session, rules, guard, write)
+    await link.start(len(arguments.zenoh))
+    return link
+
+
+def _listening(host: str, port: int, *, alone: bool) -> str:
+    """Return how other gateways join this one."""
+    address = host if port == DEFAULT_ZENOH_PORT else f"{host}:{port}"
+    told = f"for other gateways: sitegen gateway --zenoh {address}"
+    return f"{told} (on this computer only)" if alone else told
 
 
 async def _log(native: Native) -> None:

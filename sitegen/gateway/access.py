@@ -6,10 +6,11 @@ import asyncio
 import secrets
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sitegen.gateway.keys import Keys, RefusedError
-from sitegen.gateway.names import Use, refusal, subject
+from sitegen.gateway.names import Use, subject
+from sitegen.gateway.people import People
 from sitegen.gateway.recorder import Recorder
 from sitegen.gateway.rules import Rules
 from sitegen.gateway.stopping import Stopping
@@ -27,13 +28,14 @@ MOST_REFUSALS = 1000
 
 @dataclass(frozen=True)
 class Guard:
-    """What decides about all clients; None for what gateway.yaml does not ask for."""
+    """What all clients share; None for what gateway.yaml does not ask for."""
 
     keys: Keys | None = None
     turns: Turns | None = None
     stopping: Stopping | None = None
     # Returns the text that defines a type, for recordings.
     definition: Callable[[str], str] | None = None
+    people: People = field(default_factory=People)
 
 
 class Access:
@@ -55,8 +57,11 @@ class Access:
         self.rules = rules
         self.address = address
         self.session = secrets.token_hex(4)
-        # Who the key belongs to, as the log and other clients see it.
+        # Who the key belongs to, as the log sees it, and as other clients do: "" if it is unknown.
         self.person = ""
+        self.name = ""
+        # Set by the handler of pages, which lists them.
+        self.is_page = False
         self.entered = False
         self.ended: asyncio.Future[str] = asyncio.get_running_loop().create_future()
         # Called when the client's turn begins (True) and ends (False).
@@ -72,6 +77,11 @@ class Access:
         self._recorder: Recorder | None = None
         # The topics to stop that the client has published on.
         self._driven: set[str] = set()
+
+    @property
+    def people(self) -> People:
+        """Who else is at the gateway."""
+        return self._guard.people
 
     @property
     def needs_key(self) -> bool:
@@ -101,12 +111,16 @@ class Access:
                 self.say(f"refused: {error}")
                 raise
             self.person, key_id = grant.person, grant.key_id
+            # Others see neither the id of a key nor where to send mail.
+            self.name = "" if grant.person == f"key {key_id}" else grant.person.partition("@")[0]
             self._until = time.monotonic() + grant.seconds
             self._start(self._end_at(grant.seconds))
             self.say(f"granted for {grant.seconds:.0f} s with the key {key_id}")
         else:
             self.say("entered")
         self.entered = True
+        if not self.is_page:
+            self.people.enter(self)
         if self._guard.turns:
             self._start(self._watch_turn())
         if self.rules.recording and self._guard.definition:
@@ -125,9 +139,7 @@ class Access:
 
     def forbidden(self, use: Use, name: str) -> str:
         """Return why the client may never use `name`, "" if it may when it is its turn."""
-        use, name = subject(use, name)
-        allow = self.rules.allow
-        why = refusal(use, name, None if allow is None else allow.get(use, ()))
+        why = self.rules.refusal(use, name)
         if why:
             self.refused(why)
         return why
@@ -180,6 +192,7 @@ class Access:
 
     async def close(self, why: str) -> None:
         """Stop what the client drove, and end its recording; its endpoints have gone."""
+        self.people.leave(self)
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)

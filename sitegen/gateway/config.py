@@ -75,6 +75,7 @@ def _rules(file: Section, root: Path, problems: Problems) -> Rules:
         keys=_keys(keys, root, problems) if keys else None,
         reservations=_reservations(turns, root, problems) if turns else None,
         stop=_stop(file, problems),
+        people=bool(file.option("people")),
         recording=_recording(record, root) if record else None,
         rowe_topics=_named(rowe, "topics", ROWE_TOPIC, problems) if rowe else {},
         rowe_services=_named(rowe, "services", ROWE_SERVICE, problems) if rowe else {},

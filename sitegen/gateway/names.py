@@ -20,6 +20,20 @@ Use = Literal[
 ]
 USES: tuple[Use, ...] = Use.__args__  # type: ignore[attr-defined]
 
+# By the kind of an endpoint: what a client does that has one, and that could use one of others.
+HAVING: dict[str, Use] = {
+    "publisher": "publish",
+    "subscription": "subscribe",
+    "client": "call_services",
+    "service": "advertise_services",
+}
+USING: dict[str, Use] = {
+    "publisher": "subscribe",
+    "subscription": "publish",
+    "service": "call_services",
+    "client": "advertise_services",
+}
+
 DOES: dict[Use, str] = {
     "subscribe": "subscribing to",
     "publish": "publishing",

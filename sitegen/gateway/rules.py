@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from sitegen.gateway.fieldmap import FieldMap
-from sitegen.gateway.names import Use
+from sitegen.gateway.names import Use, refusal, subject
 
 
 @dataclass(frozen=True)
@@ -91,8 +91,15 @@ class Rules:
     # Topics that get a last zero Twist when a client that published on them leaves.
     stop: tuple[str, ...] = ()
     recording: Recording | None = None
+    # Whether pages see who else is there.
+    people: bool = True
     # By the names that programs of rowe use.
     rowe_topics: Mapping[str, Named] = field(default_factory=dict)
     rowe_services: Mapping[str, Named] = field(default_factory=dict)
     # The field that says what a message of rowe is, besides `topic` and `service`.
     rowe_kind: str = ""
+
+    def refusal(self, use: Use, name: str) -> str:
+        """Return why clients may never use `name`, "" if they may."""
+        use, name = subject(use, name)
+        return refusal(use, name, None if self.allow is None else self.allow.get(use, ()))

@@ -31,6 +31,13 @@ FILE = (
         "topics of type Twist that get a final zero when their driver leaves",
         "stop: [/cmd_vel]",
     ),
+    Key(
+        "people",
+        "flag",
+        "show pages who else has joined",
+        "people: false",
+        default=True,
+    ),
     Key("record", "settings", "record each session to an MCAP file", "record: {folder: sessions}"),
     Key(
         "rowe",

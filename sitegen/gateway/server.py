@@ -20,6 +20,7 @@ from sitegen.gateway import origins
 from sitegen.gateway.access import Access, Guard
 from sitegen.gateway.files import Files
 from sitegen.gateway.keys import Keys
+from sitegen.gateway.people import People
 from sitegen.gateway.rules import Rules
 from sitegen.gateway.stopping import Stopping
 from sitegen.gateway.turns import Turns
@@ -251,7 +252,7 @@ def handlers() -> dict[str, Handler]:
 
 
 def guard(rules: Rules, native: Any, write: Callable[[str], None]) -> Guard:
-    """Return what decides about clients. Raises: SiteError for a secret that cannot be read."""
+    """Return what clients share. Raises: SiteError for a secret that cannot be read."""
     from sitegen.gateway.definitions import full_text
 
     return Guard(
@@ -259,4 +260,5 @@ def guard(rules: Rules, native: Any, write: Callable[[str], None]) -> Guard:
         Turns(rules.reservations, write) if rules.reservations else None,
         Stopping(native, rules.stop, write) if rules.stop else None,
         full_text if rules.recording else None,
+        People(rules.people),
     )

@@ -7,6 +7,7 @@ import json
 import os
 import re
 import signal
+import socket
 import subprocess
 import threading
 from collections.abc import AsyncIterator, Coroutine, Iterator
@@ -32,7 +33,13 @@ class Process:
         self.lines: list[str] = []
         self._news = threading.Condition()
         self.process = subprocess.Popen(
-            command, env=env, cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+            command,
+            env=env,
+            cwd=cwd,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
         )
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -59,6 +66,12 @@ class Process:
         assert text in line, self.lines
         return line
 
+    def say(self, line: str) -> None:
+        """Write a line to its standard input."""
+        assert self.process.stdin
+        self.process.stdin.write(f"{line}\n")
+        self.process.stdin.flush()
+
     def stop(self) -> None:
         """End it with SIGINT."""
         if self.process.poll() is None:
@@ -70,21 +83,37 @@ class Process:
                 raise
         self._reader.join()
         assert self.process.stdout
+        assert self.process.stdin
         self.process.stdout.close()
+        self.process.stdin.close()
 
 
-def environment(native: Native) -> dict[str, str]:
-    """Return the variables for native processes of this test run."""
-    return native.environment | {"PYTHONUNBUFFERED": "1"}
+def free_port() -> int:
+    """Return a port that nobody listens at."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port: int = free.getsockname()[1]
+        return port
+
+
+def environment(native: Native, *, apart: bool = False) -> dict[str, str]:
+    """Return the variables for native processes of this test run.
+
+    Those that are `apart` find one another and nobody else, though they are in the same domain.
+    """
+    found = native.environment | {"PYTHONUNBUFFERED": "1"}
+    # Other ports.
+    profiles = {"FASTDDS_DEFAULT_PROFILES_FILE": str(HERE / "apart.xml")} if apart else {}
+    return found | profiles
 
 
 class Gateway(Process):
     """A gateway that listens."""
 
-    def __init__(self, *options: str | Path, folder: Path) -> None:
+    def __init__(self, *options: str | Path, folder: Path, apart: bool = False) -> None:
         native = Native()
         command = [native.python, "-m", "sitegen", "gateway", "--port", "0", *options]
-        super().__init__(*command, env=environment(native), cwd=folder)
+        super().__init__(*command, env=environment(native, apart=apart), cwd=folder)
         match = ADDRESS.search(self.expect("localhost"))
         assert match
         self.port = int(match[2])
@@ -98,9 +127,9 @@ class Gateway(Process):
 
 
 @contextmanager
-def gateway(*options: str | Path, folder: Path) -> Iterator[Gateway]:
+def gateway(*options: str | Path, folder: Path, apart: bool = False) -> Iterator[Gateway]:
     """Run a gateway."""
-    running = Gateway(*options, folder=folder)
+    running = Gateway(*options, folder=folder, apart=apart)
     try:
         yield running
     except BaseException:

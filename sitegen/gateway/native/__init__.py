@@ -25,6 +25,7 @@ says. A burst arrives whole only if the subscription's depth allows for it.
 from sitegen.gateway.native.descriptions import describe, hash_of
 from sitegen.gateway.native.endpoint import (
     Endpoint,
+    Kind,
     MalformedMessageError,
     NativeError,
     Qos,
@@ -40,6 +41,7 @@ from sitegen.gateway.native.types import definition, from_cdr, installed, load_t
 __all__ = [
     "Client",
     "Endpoint",
+    "Kind",
     "MalformedMessageError",
     "Native",
     "NativeError",

@@ -27,6 +27,11 @@ class Party:
         self._open: set[Part] = set()
         self._closed = False
 
+    @property
+    def nodes(self) -> list[str]:
+        """The names of its native nodes, with their namespaces."""
+        return list(self._nodes)
+
     async def add_node(self, full: str) -> None:
         """Make a native node, whose name begins with its namespace: "/robot/talker".
 

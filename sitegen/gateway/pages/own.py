@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from sitegen.gateway.access import Access
-from sitegen.gateway.names import PARAMETERS, Use
+from sitegen.gateway.names import HAVING, PARAMETERS
 from sitegen.gateway.native import (
     Client,
     NativeError,
@@ -25,14 +25,6 @@ from sitegen.gateway.pages.wire import Announced, InvalidMessageError, Record
 # The nodes of a page, and requests that wait for its answer.
 _MOST_NODES = 200
 _MOST_REQUESTS = 1000
-
-# What a page does with its own endpoints.
-USES: dict[str, Use] = {
-    "publisher": "publish",
-    "subscription": "subscribe",
-    "client": "call_services",
-    "service": "advertise_services",
-}
 
 
 @dataclass
@@ -143,7 +135,7 @@ class Owns:
             # Refused, or gone while the record was on its way.
             return None
         announced = own.announced
-        use = USES[announced.kind]
+        use = HAVING[announced.kind]
         if why := self._access.postponed(use, announced.name):
             # What it sends comes in numbers, and the page hears it once.
             if not own.postponed:

@@ -6,19 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from sitegen.gateway.access import Access
-from sitegen.gateway.names import PROTECTED, Use, refusal, subject
+from sitegen.gateway.names import PROTECTED, USING
 from sitegen.gateway.native import Endpoint, Native, NativeError, Party, Qos, Sample, Subscription
 from sitegen.gateway.pages.feeds import Feed, Feeds
 from sitegen.gateway.pages.own import Owns
 from sitegen.gateway.pages.wire import described
 
-# What a page could do with the endpoints of others.
-_USES: dict[str, Use] = {
-    "publisher": "subscribe",
-    "subscription": "publish",
-    "service": "call_services",
-    "client": "advertise_services",
-}
 # The histories of the gateway's own subscriptions.
 _RELIABLE, _NEWEST = 1000, 10
 
@@ -155,9 +148,7 @@ class Remotes:
         if endpoint.kind == "node":
             return True
         # Not by `access.refusal`: what nobody has asked for is no refusal to log.
-        use, name = subject(_USES[endpoint.kind], endpoint.name)
-        allow = self._access.rules.allow
-        return not refusal(use, name, None if allow is None else allow.get(use, ()))
+        return not self._access.rules.refusal(USING[endpoint.kind], endpoint.name)
 
     def _tell(self, endpoint: Endpoint) -> _Told:
         self._ids += 1

@@ -14,9 +14,10 @@ from aiohttp import WSMsgType
 from aiohttp.web import WebSocketResponse
 
 from sitegen.gateway.access import Access, RefusedError
+from sitegen.gateway.names import HAVING
 from sitegen.gateway.native import Native, NativeError, describe
 from sitegen.gateway.pages.feeds import Feeds
-from sitegen.gateway.pages.own import USES, Owns
+from sitegen.gateway.pages.own import Owns
 from sitegen.gateway.pages.remotes import Remotes
 from sitegen.gateway.pages.wire import (
     InvalidMessageError,
@@ -27,6 +28,7 @@ from sitegen.gateway.pages.wire import (
     record,
     records,
 )
+from sitegen.gateway.people import Visitor
 from sitegen.gateway.turns import Turn
 
 # A page that sends nothing for so long is gone (s): it asks for the time every few seconds.
@@ -64,6 +66,10 @@ class Session:
         self.name = f"page {next(_numbers)}"
         self._socket = socket
         self._access = access
+        access.is_page = True
+        self._visitor: Visitor | None = None
+        # Whether the page is to be told who is there.
+        self._news = False
         self._native = native
         self._party = native.join(self.name)
         self._wake = asyncio.Event()
@@ -101,6 +107,8 @@ class Session:
         """Remove everything of the page from the native graph."""
         if _sessions.get(self._page) is self:
             del _sessions[self._page]
+        self._access.people.watchers.discard(self._tell)
+        self._access.people.leave(self._access)
         self._owns.close()
         await self._party.close()
         if not self._socket.closed:
@@ -132,14 +140,19 @@ class Session:
                 await self._write(_json({"op": "ended", "reason": str(error)}))
             self._access.end(f"refused: {error}")
             return False
-        page = hello.get("page")
+        page, before = hello.get("page"), None
         if isinstance(page, str) and 0 < len(page) <= 100:
             self._page = page
             before = _sessions.get(page)
             _sessions[page] = self
             if before:
                 await before.close()
-        native = self._native
+        people, native = self._access.people, self._native
+        people.watchers.add(self._tell)
+        who = before._visitor if before else None
+        self._visitor = people.join(self._access, self._access.name, lambda: self._party.nodes, who)
+        if people.shown:
+            self._access.say(f"is visitor {self._visitor.number}")
         welcome = {
             "op": "welcome",
             "session": self._access.session,
@@ -148,12 +161,18 @@ class Session:
             "domain": native.domain,
             "distribution": native.distribution,
             "until": self._access.seconds_left,
+            "you": self._visitor.number if people.shown else None,
         }
         await self._write(_json(welcome))
         self._access.shown.append(self._show)
         if turn := self._access.turn:
             self._show(turn)
         return True
+
+    def _tell(self) -> None:
+        """Tell who is there; a page that reads slowly gets only the last news of it."""
+        self._news = True
+        self._wake.set()
 
     def _show(self, turn: Turn) -> None:
         """Tell whose turn it is, and when that of the page is (s from now)."""
@@ -219,7 +238,7 @@ class Session:
             await self._remotes.settle()
         for given in come:
             endpoint = announced(given)
-            use = USES.get(endpoint.kind)
+            use = HAVING.get(endpoint.kind)
             reason = self._access.forbidden(use, endpoint.name) if use else ""
             try:
                 if not reason:
@@ -229,6 +248,7 @@ class Session:
                 self._access.refused(reason)
             if reason:
                 self._refuse(endpoint.id, reason)
+        self._access.people.changed()
         self._wake.set()
 
     async def _deliver(self, frame: bytes) -> None:
@@ -282,6 +302,9 @@ class Session:
                 await self._socket.send_bytes(frame)
             for message in await self._remotes.news():
                 await self._write(_json(message))
+            if self._news:
+                self._news = False
+                await self._write(self._access.people.message)
             while self._control:
                 item = self._control.popleft()
                 self._waiting -= len(item)

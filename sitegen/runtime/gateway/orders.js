@@ -2,6 +2,7 @@
 // What the page and the worker of a connection say to each other.
 
 /** @import { MessageType } from "../protocol.js" */
+/** @import { People } from "./people.js" */
 
 /**
  * `connect:` of site.yaml. Names are patterns: `*` stands for part of a name between two slashes, `**` for any.
@@ -24,6 +25,7 @@
  *   | {op: "differs", type: string, name: string}
  *   | {op: "types", types: Record<string, MessageType>}
  *   | {op: "clock", offset: number}
+ *   | {op: "people", people: People}
  *   | {op: "turn"} & Turn
  *   | {op: "until", seconds: number | null}} FromGateway
  * @typedef {{now: string, nowLeft: number | null, mineIn: number | null, mineLeft: number | null}} Turn whose turn it is

@@ -5,6 +5,7 @@ import { button, create, setNote, setText } from "../ui/elements.js";
 import { say } from "../ui/words.js";
 import { addressOf, blocked, hint, isAddress } from "./connect/address.js";
 import { Countdown } from "./connect/countdown.js";
+import { PeopleList } from "./connect/people.js";
 import { clockNote, describe, keptNote, turnNote, untilNote } from "./connect/texts.js";
 
 /** @import { Companion, MessageType, Ros } from "../protocol.js" */
@@ -43,6 +44,7 @@ class ConnectPanel {
   #title = create("p", "ros-connect-note");
   #good = new Countdown();
   #turn = new Countdown();
+  #people = new PeopleList();
   /** @type {Companion | undefined} */
   #worker;
   /** @type {State} */
@@ -74,7 +76,8 @@ class ConnectPanel {
     const title = create("span", "ros-title", say("Connection"));
     const controls = create("div", "ros-controls", this.#choice, this.#key, this.#button);
     const body = create(
-      "div", "ros-connect-body", this.#state, this.#turn.element, this.#good.element, this.#clock, this.#notes, this.#title, this.#nodes);
+      "div", "ros-connect-body", this.#state, this.#turn.element, this.#good.element, this.#clock, this.#notes, this.#people.element,
+      this.#title, this.#nodes);
     const bar = create("div", "ros-bar", title, controls);
     element.replaceChildren(bar, body);
     this.#listNodes([]);
@@ -135,6 +138,9 @@ class ConnectPanel {
       case "until":
         this.#until(message.seconds);
         break;
+      case "people":
+        this.#people.show(message.people);
+        break;
       case "turn":
         this.#turn.begin((passed) => turnNote(message, passed));
         break;
@@ -192,6 +198,7 @@ class ConnectPanel {
     if (state === "lost") this.#timer = setInterval(write, 1000);
     if (state === "connected" || state === "late") return;
     setText(this.#clock, "");
+    this.#people.hide();
     this.#good.end();
     this.#turn.end();
   }

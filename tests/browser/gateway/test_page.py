@@ -15,23 +15,15 @@ from browser import Built, resolving
 from joined import Gateway, Robot
 from native import Native
 from paths import SITES
-from playwright.sync_api import Browser, Locator, Page, expect
+from playwright.sync_api import Browser, Page, expect
 from roweprograms import compiled
+from station import CALL, GRAPH, printed, state, use_each_other
 from terminal import Terminal
 from waiting import until
 from websockets.sync.client import connect
 
 SITE = SITES / "gateway"
-GRAPH = """async () => {
-  const { ros } = await import(document.querySelector("script[type=module]").src);
-  return ros.graph.endpoints().map(({ kind, node, name }) => `${kind} ${node} ${name}`);
-}"""
 CHATTER = "publisher /station /page/chatter"
-CALL = """async ([service, type, request]) => {
-  const { ros } = await import(document.querySelector("script[type=module]").src);
-  return JSON.stringify(await ros.call(service, type, request),
-    (key, value) => (typeof value === "bigint" ? Number(value) : value));
-}"""
 # A publisher that keeps 3 messages; it goes on after the page has matched the robot's subscription.
 FAST = """async () => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
@@ -40,7 +32,6 @@ FAST = """async () => {
     for (let n = first; n <= last; n++) publisher.publish({ data: `fast ${n}` });
   };
 }"""
-PARAMETERS = ["/robot/get_parameters", "rcl_interfaces/srv/GetParameters", {"names": ["gain"]}]
 
 
 @pytest.fixture(scope="module")
@@ -78,60 +69,15 @@ def joined(browser: Browser, gateway: Gateway) -> Iterator[Page]:
     context.close()
 
 
-def state(tab: Page) -> Locator:
-    return tab.locator(".ros-connect-state")
-
-
-def printed(tab: Page, text: str) -> list[str]:
-    """The lines of the station that begin with a text."""
-    lines: list[str] = tab.locator(".ros-console").first.inner_text().splitlines()
-    found = (re.search(rf"\[station\]: ({text}.*)", line) for line in lines)
-    return [one.group(1) for one in found if one]
-
-
 def test_a_node_of_the_page_and_native_ones_are_one_graph(joined: Page, robot: Robot) -> None:
-    until(lambda: "/station" in robot.nodes())
-    until(lambda: printed(joined, "heard robot"))
-    # What was published before it looked, for the subscription that asks for that alone.
-    until(lambda: printed(joined, "charted"))
-    assert printed(joined, "charted") == ["charted map of the robot"]
-    assert printed(joined, "late") == []
-    until(lambda: printed(joined, "answered"))
-    assert printed(joined, "answered") == ["answered from the robot"]
-    until(lambda: printed(joined, "reached"))
-    assert printed(joined, "reached") == ["reached 0 1 1 2 3 5"]
-    assert robot.topic("/page/chatter") == {
-        "publishers": [["station", "RELIABLE", "VOLATILE"]],
-        "subscriptions": [["robot", "RELIABLE", "VOLATILE"]],
-    }
-    assert robot.topic("/page/map")["publishers"] == [["station", "RELIABLE", "TRANSIENT_LOCAL"]]
-    assert "/page/set" in robot.services("station")
-    robot.listen("/page/map", True)
-    until(lambda: robot.texts("/page/map"))
-    assert robot.texts("/page/map") == ["map of the page"]
-    assert robot.call() == "from the page"
-    assert robot.goal(5) == {"result": [0, 1, 1, 2, 3, 5], "feedback": 4}
-    assert robot.speed() == 1.5
-    assert robot.set_speed(3.0) is True
-    assert robot.speed() == 3.0
-    assert '"double_value":' in joined.evaluate(CALL, PARAMETERS)
-    graph = joined.evaluate(GRAPH)
-    assert "node /robot /robot" in graph
-    # Each endpoint once, though both sides are told of both.
-    remote = [one for one in graph if " /robot " in one]
-    assert sorted(set(remote)) == sorted(remote)
-    assert printed(joined, "late") == []
-    count = len(robot.texts("/page/chatter"))
-    until(lambda: len(robot.texts("/page/chatter")) > count + 10)
-    numbers = [int(text.split()[1]) for text in robot.texts("/page/chatter")]
-    assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+    use_each_other(joined, robot)
 
 
 def test_a_program_without_ros_and_a_node_of_the_page_reach_each_other(
     joined: Page, gateway: Gateway, robot: Robot
 ) -> None:
     """The program is a plain WebSocket client, as in a language that has no module of rowe."""
-    until(lambda: "/station" in robot.nodes())
+    until(lambda: "/station" in robot.nodes() and "/page/set" in robot.services("station"))
     with connect(f"{gateway.http.replace('http', 'ws')}rowe") as socket:
         socket.send(json.dumps({"message_id": "1", "service": "/page/set", "data": True}))
         answer = json.loads(socket.recv(10))
@@ -145,7 +91,7 @@ def test_a_program_without_ros_and_a_node_of_the_page_reach_each_other(
 def test_a_program_in_c_calls_the_cpp_node_of_the_page(
     joined: Page, gateway: Gateway, robot: Robot, tmp_path: Path
 ) -> None:
-    until(lambda: "/station" in robot.nodes())
+    until(lambda: "/station" in robot.nodes() and "/page/set" in robot.services("station"))
     program = compiled(tmp_path, "ask")
     url = f"{gateway.http.replace('http', 'ws')}rowe"
     request = json.dumps({"service": "/page/set", "data": True})
@@ -261,7 +207,7 @@ def test_pages_on_one_gateway_are_on_one_graph(
     expect(state(other)).to_contain_text("Connected to")
     nodes = other.locator(".ros-connect-nodes")
     expect(nodes).to_contain_text("/station")
-    until(lambda: CHATTER in other.evaluate(GRAPH))
+    until(lambda: "service /station /page/set" in other.evaluate(GRAPH))
     answer = other.evaluate(CALL, ["/page/set", "std_srvs/srv/SetBool", {"data": True}])
     assert "from the page" in answer
     joined.context.close()

@@ -14,6 +14,7 @@ from typing import Any
 import rclpy
 from rcl_interfaces.srv import GetParameters, SetParameters
 from rclpy.action import ActionClient, ActionServer
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -37,6 +38,12 @@ class Robot:
         self.map.publish(String(data="map of the robot"))
         self.listen("/page/chatter", False)
         self.node.create_service(SetBool, "/robot/set", self._set)
+        # Answers when it is told to.
+        self.released = threading.Event()
+        self.held = 0
+        together = ReentrantCallbackGroup()
+        self.node.create_service(SetBool, "/robot/slow", self._slow, callback_group=together)
+        self.asked: dict[str, list[Any]] = {}
         self.clients = {
             SetBool: self.node.create_client(SetBool, "/page/set"),
             GetParameters: self.node.create_client(GetParameters, "/station/get_parameters"),
@@ -56,6 +63,34 @@ class Robot:
     def _set(self, request: Any, response: Any) -> Any:
         response.success, response.message = request.data, "from the robot"
         return response
+
+    def _slow(self, request: Any, response: Any) -> Any:
+        self.held += 1
+        self.released.wait(60)
+        response.success, response.message = request.data, "slowly"
+        return response
+
+    def holds(self) -> int:
+        return self.held
+
+    def release(self) -> None:
+        self.released.set()
+
+    def ask(self, service: str) -> None:
+        client = self.node.create_client(SetBool, service)
+        assert client.wait_for_service(10)
+        calls = self.asked.setdefault(service, [])
+        calls.append((client, client.call_async(SetBool.Request(data=True))))
+
+    def answers(self, service: str) -> list[str]:
+        calls = self.asked[service]
+        return [call.result().message if call.done() else "" for _, call in calls]
+
+    def ready(self, service: str) -> list[bool]:
+        return [client.service_is_ready() for client, _ in self.asked[service]]
+
+    def sides(self, service: str) -> list[int]:
+        return [self.node.count_services(service), self.node.count_clients(service)]
 
     def _execute(self, goal: Any) -> Any:
         numbers = [0, 1]

@@ -2,6 +2,7 @@
 // A connection to a gateway, which is opened again when it is lost.
 
 import { now } from "../../protocol.js";
+import { peopleOf } from "../../gateway/people.js";
 import { PROTOCOL, parse } from "../../gateway/wire.js";
 import { Clock } from "./clock.js";
 import { Exchange } from "./exchange.js";
@@ -37,6 +38,9 @@ export class Connection {
   /** Whether the visitor was told that the gateway does not answer. */
   #late = false;
   #closed = false;
+  /** Which of those who are there this page is, and the time of the gateway minus that of the page (ms). */
+  #you = 0;
+  #ahead = 0;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
@@ -104,6 +108,9 @@ export class Connection {
           mineLeft: seconds(message.mineLeft),
         });
         break;
+      case "people":
+        this.#tell({ op: "people", people: peopleOf(message, this.#you, this.#ahead) });
+        break;
       case "until":
         this.#tell({ op: "until", seconds: Number(message.seconds) });
         break;
@@ -124,6 +131,8 @@ export class Connection {
     if (this.#exchange) return;
     clearTimeout(this.#timer);
     this.#wait = FIRST;
+    this.#you = Number(message.you);
+    this.#ahead = Number.isFinite(message.time) ? message.time - now() : 0;
     const { connect, hashes } = this.#order;
     this.#exchange = new Exchange(this.#graph, /** @type {WebSocket} */ (this.#socket), connect, hashes, this.#tell);
     this.#tell({
