@@ -30,6 +30,7 @@ from bench import (
     scene,
     scripts,
     terminals,
+    zenoh_gateways,
 )
 from bench.counts import FULL, SMALLEST, Counts
 from bench.figure import Figure, table
@@ -53,6 +54,7 @@ PARTS: dict[str, Callable[[Counts], list[Figure]]] = {
     "python": python.python,
     "notebooks": notebooks.notebooks,
     "gateway": gateway.gateway,
+    "zenoh": zenoh_gateways.zenoh,
     "rowe": rowe.rowe,
     "size": pages.size,
     "build": building.build,

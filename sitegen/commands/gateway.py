@@ -10,7 +10,8 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from contextlib import AsyncExitStack
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from sitegen.errors import SiteError
 from sitegen.gateway.addresses import EVERYWHERE, HERE, own_names
@@ -32,7 +33,7 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
     """Run the gateway until it is stopped."""
     _need_packages()
     _need_ros()
-    joins = _joins(arguments)
+    joining = _joining(arguments)
     from sitegen.gateway import server
     from sitegen.gateway.config import load
     from sitegen.gateway.log import Log
@@ -53,8 +54,8 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
             await _discover(native)
             await _log(native)
             guard = server.guard(rules, native, write)
-            if joins:
-                link = await _link(arguments, native, rules, guard, write)
+            if joining:
+                link = await _link(joining, arguments.bind, native, rules, guard, write)
                 ending.push_async_callback(link.close)
             shared = server.Gateway(rules, native, server.handlers(), write, files, guard)
             secure = tls.context if tls else None
@@ -66,9 +67,9 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
         told = lines(where, secure=bool(tls), site=bool(arguments.site), alone=alone)
         for line in (*told, *(tls.advice if tls else ())):
             report.say(line.replace("PORT", str(port)))
-        if joins and arguments.zenoh_port:
+        if joining and joining.port:
             host = where[-1].rpartition(":")[0]
-            report.say(_listening(host, arguments.zenoh_port, alone=alone))
+            report.say(_listening(host, joining.port, alone=alone))
         if arguments.site and not alone:
             report.show(qr_code(f"{'https' if tls else 'http'}://{where[-1]}/"))
         if not alone and rules.allow is None:
@@ -78,26 +79,35 @@ def gateway(arguments: argparse.Namespace, report: Report) -> None:
     asyncio.run(run())
 
 
-def _joins(arguments: argparse.Namespace) -> bool:
-    """Return whether the graphs of other gateways are joined."""
+class _Joining(NamedTuple):
+    """How the graphs of other gateways are joined."""
+
+    addresses: Sequence[str]
+    # Where others can connect; 0 for nowhere.
+    port: int
+    config: Path | None
+
+
+def _joining(arguments: argparse.Namespace) -> _Joining | None:
+    """Return how the graphs of other gateways are joined, None if they are not."""
+    port, config = arguments.zenoh_port, arguments.zenoh_config
     if arguments.zenoh is None:
-        for option, given in ("port", arguments.zenoh_port), ("config", arguments.zenoh_config):
+        for option, given in ("port", port), ("config", config):
             if given is not None:
                 raise SiteError([f"--zenoh-{option} has no effect without --zenoh"])
-        return False
-    if arguments.zenoh_port is None:
-        arguments.zenoh_port = DEFAULT_ZENOH_PORT
+        return None
     for name in ("zenoh", "xxhash"):
         try:
             importlib.import_module(name)
         except ImportError:
             message = f"--zenoh needs {name}, which is not installed"
             raise SiteError([f"{message}: pip install 'ros-sitegen[zenoh]'"]) from None
-    return True
+    return _Joining(arguments.zenoh, DEFAULT_ZENOH_PORT if port is None else port, config)
 
 
 async def _link(
-    arguments: argparse.Namespace,
+    joining: _Joining,
+    bind: str,
     native: Native,
     rules: Rules,
     guard: Guard,
@@ -107,11 +117,11 @@ async def _link(
     from sitegen.gateway import zenoh
 
     zenoh.check(rules, native)
-    places = (arguments.zenoh, arguments.bind, arguments.zenoh_port, arguments.zenoh_config)
+    addresses, port, config = joining
     # Listening and the first connections take half a second.
-    session = await asyncio.to_thread(zenoh.open_session, *places)
+    session = await asyncio.to_thread(zenoh.open_session, addresses, bind, port, config)
     link = zenoh.Link(native, session, rules, guard, write)
-    await link.start(len(arguments.zenoh))
+    await link.start(len(addresses))
     return link
 
 

@@ -1,0 +1,67 @@
+"""Bytes over Zenoh alone: `publish PORT` sends them, `listen PORT` prints when they were got."""
+
+from __future__ import annotations
+
+import json
+import struct
+import sys
+import time
+
+import zenoh
+from zenoh import handlers
+
+KEY = "bytes"
+QUIET = 2.0
+
+
+def main(does: str, port: str) -> None:
+    """Follow the orders of the standard input: size, count and period (s) as text."""
+    publishes = does == "publish"
+    settings = zenoh.Config()
+    settings.insert_json5("scouting/multicast/enabled", "false")
+    side = "listen" if publishes else "connect"
+    settings.insert_json5(f"{side}/endpoints", json.dumps([f"tcp/127.0.0.1:{port}"]))
+    with zenoh.open(settings) as session:
+        if publishes:
+            publish(session)
+        else:
+            listen(session)
+
+
+def publish(session: zenoh.Session) -> None:
+    block = zenoh.CongestionControl.BLOCK
+    publisher = session.declare_publisher(KEY, congestion_control=block)
+    print("ready", flush=True)
+    for order in sys.stdin:
+        size, count, period = order.split()
+        rest = bytes(int(size) - 8)
+        due = time.monotonic()
+        for _ in range(int(count)):
+            publisher.put(struct.pack("<Q", time.monotonic_ns()) + rest)
+            due += float(period)
+            time.sleep(max(0.0, due - time.monotonic()))
+
+
+def listen(session: zenoh.Session) -> None:
+    found: list[tuple[int, int]] = []
+
+    def received(sample: zenoh.Sample) -> None:
+        data = sample.payload.to_bytes()
+        found.append((struct.unpack_from("<Q", data)[0], time.monotonic_ns()))
+
+    session.declare_subscriber(KEY, handlers.Callback(received, indirect=False))
+    time.sleep(1)
+    print("ready", flush=True)
+    for order in sys.stdin:
+        found.clear()
+        print("listening", flush=True)
+        count = int(order.split()[1])
+        last = time.monotonic_ns()
+        while len(found) < count and time.monotonic_ns() - last < QUIET * 1e9:
+            time.sleep(0.01)
+            last = max(last, found[-1][1] if found else last)
+        print(json.dumps(found), flush=True)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
