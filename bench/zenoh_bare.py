@@ -10,8 +10,9 @@ import time
 import zenoh
 from zenoh import handlers
 
+from bench.orders import follow
+
 KEY = "bytes"
-QUIET = 2.0
 
 
 def main(does: str, port: str) -> None:
@@ -51,16 +52,7 @@ def listen(session: zenoh.Session) -> None:
 
     session.declare_subscriber(KEY, handlers.Callback(received, indirect=False))
     time.sleep(1)
-    print("ready", flush=True)
-    for order in sys.stdin:
-        found.clear()
-        print("listening", flush=True)
-        count = int(order.split()[1])
-        last = time.monotonic_ns()
-        while len(found) < count and time.monotonic_ns() - last < QUIET * 1e9:
-            time.sleep(0.01)
-            last = max(last, found[-1][1] if found else last)
-        print(json.dumps(found), flush=True)
+    follow(found, lambda order: print("listening", flush=True))
 
 
 if __name__ == "__main__":

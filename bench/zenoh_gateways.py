@@ -6,6 +6,7 @@ import json
 import sys
 import tempfile
 import time
+from contextlib import ExitStack
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -24,39 +25,32 @@ def zenoh(counts: Counts) -> list[Figure]:
     """Latency and throughput beside bare Zenoh between two processes; natively in the details."""
     sys.path.append(str(SUPPORT))
     import gateways
+    from gateways import Process
     from native import Native
 
     native = Native()
     port, bare = str(gateways.free_port()), str(gateways.free_port())
-    environments = [gateways.environment(native, apart=apart) for apart in (False, True)]
-    with tempfile.TemporaryDirectory() as folder:
-        near, far = Path(folder, "near"), Path(folder, "far")
-        near.mkdir()
-        far.mkdir()
-        running = [gateways.Process(native.python, HERE / "gateway_robot.py", env=environments[0])]
-        running[0].expect("ready")
-        joining = ["--zenoh", f"localhost:{port}", "--zenoh-port", "0"]
-        try:
-            with (
-                gateways.gateway("--zenoh", "--zenoh-port", port, folder=near),
-                gateways.gateway(*joining, folder=far, apart=True),
-            ):
-                listener = HERE / "zenoh_listener.py"
-                running += [gateways.Process(native.python, listener, env=e) for e in environments]
-                publisher = gateways.Process(
-                    sys.executable, HERE / "zenoh_bare.py", "publish", bare, env=environments[0]
-                )
-                publisher.expect("ready")
-                running += [publisher]
-                running += [
-                    gateways.Process(
-                        sys.executable, HERE / "zenoh_bare.py", "listen", bare, env=environments[0]
-                    )
-                ]
-                return _measure(running[1], running[2], publisher, running[4], counts)
-        finally:
-            for process in reversed(running):
-                process.stop()
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
+
+        def start(python: str | Path, *command: str, apart: bool = False) -> Process:
+            env = gateways.environment(native, apart=apart)
+            running = Process(python, HERE / command[0], *command[1:], env=env)
+            stack.callback(running.stop)
+            return running
+
+        def join(*options: str, apart: bool = False) -> None:
+            own = Path(tempfile.mkdtemp(dir=folder))
+            stack.enter_context(gateways.gateway("--zenoh", *options, folder=own, apart=apart))
+
+        start(native.python, "gateway_robot.py").expect("ready")
+        join("--zenoh-port", port)
+        join(f"localhost:{port}", "--zenoh-port", "0", apart=True)
+        natively = start(native.python, "zenoh_listener.py")
+        joined = start(native.python, "zenoh_listener.py", apart=True)
+        publisher = start(sys.executable, "zenoh_bare.py", "publish", bare)
+        publisher.expect("ready")
+        plain = start(sys.executable, "zenoh_bare.py", "listen", bare)
+        return _measure(natively, joined, publisher, plain, counts)
 
 
 def _measure(

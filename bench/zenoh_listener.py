@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import struct
-import sys
 import threading
 import time
 
@@ -12,9 +10,10 @@ import rclpy
 from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import String, UInt8MultiArray
 
+from bench.orders import follow
+
 # Layout, offset and length of the type, after the head of CDR.
 BEFORE = 4 + 12
-QUIET = 2.0
 
 
 def main() -> None:
@@ -29,23 +28,16 @@ def main() -> None:
     node.create_subscription(UInt8MultiArray, "/bytes", received, 1000, raw=True)
     go = node.create_publisher(String, "/go", 10)
 
-    def follow() -> None:
-        while go.get_subscription_count() == 0:
-            time.sleep(0.05)
-        # The robot's publisher, through the gateways, finds the subscription a little later.
-        time.sleep(2)
-        print("ready", flush=True)
-        for order in sys.stdin:
-            found.clear()
-            go.publish(String(data=order.strip()))
-            count = int(order.split()[1])
-            last = time.monotonic_ns()
-            while len(found) < count and time.monotonic_ns() - last < QUIET * 1e9:
-                time.sleep(0.01)
-                last = max(last, found[-1][1] if found else last)
-            print(json.dumps(found), flush=True)
+    def listen() -> None:
+        # Both ways through the gateways are there when the robot answers.
+        while not found:
+            go.publish(String(data="16 1 0"))
+            time.sleep(0.2)
+        # What is still on its way.
+        time.sleep(0.5)
+        follow(found, lambda order: go.publish(String(data=order)))
 
-    threading.Thread(target=follow, daemon=True).start()
+    threading.Thread(target=listen, daemon=True).start()
     try:
         rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):

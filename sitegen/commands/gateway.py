@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 
 # How often the graph is read at the start (four times in a second).
 DISCOVERY = 6
-# Zenoh's own, which need not be named.
-DEFAULT_ZENOH_PORT = 7447
 
 
 def gateway(arguments: argparse.Namespace, report: Report) -> None:
@@ -83,7 +81,7 @@ class _Joining(NamedTuple):
     """How the graphs of other gateways are joined."""
 
     addresses: Sequence[str]
-    # Where others can connect; 0 for nowhere.
+    # Where others can connect; 0 for nowhere, or where `config` says.
     port: int
     config: Path | None
 
@@ -102,7 +100,14 @@ def _joining(arguments: argparse.Namespace) -> _Joining | None:
         except ImportError:
             message = f"--zenoh needs {name}, which is not installed"
             raise SiteError([f"{message}: pip install 'ros-sitegen[zenoh]'"]) from None
-    return _Joining(arguments.zenoh, DEFAULT_ZENOH_PORT if port is None else port, config)
+    from sitegen.gateway.zenoh import PORT
+
+    if config:
+        if port is not None:
+            message = "--zenoh-port has no effect with --zenoh-config"
+            raise SiteError([f"{message}; write listen: {{endpoints: […]}} into {config}"])
+        return _Joining(arguments.zenoh, 0, config)
+    return _Joining(arguments.zenoh, PORT if port is None else port, None)
 
 
 async def _link(
@@ -127,7 +132,9 @@ async def _link(
 
 def _listening(host: str, port: int, *, alone: bool) -> str:
     """Return how other gateways join this one."""
-    address = host if port == DEFAULT_ZENOH_PORT else f"{host}:{port}"
+    from sitegen.gateway.zenoh import PORT
+
+    address = host if port == PORT else f"{host}:{port}"
     told = f"for other gateways: sitegen gateway --zenoh {address}"
     return f"{told} (on this computer only)" if alone else told
 

@@ -5,14 +5,20 @@ from __future__ import annotations
 import json
 import subprocess
 from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import gateways
 import pytest
 import zenoh
+from cryptography import x509
+from cryptography.hazmat.primitives import hashes
+from cryptography.hazmat.primitives.asymmetric import ec
+from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
+from cryptography.x509.oid import NameOID
 from gateways import Gateway, Process, client, free_port, run
-from native import HERE, Native
+from native import HERE, Native, own_domain
 from waiting import until
 
 # The end of a token: the type of a topic or service, its hash, and the quality of service.
@@ -32,12 +38,46 @@ def refused(*options: str | Path, folder: Path) -> str:
     return why
 
 
-def joined(port: int) -> zenoh.Session:
-    """Return a session of Zenoh that has joined a gateway."""
+def connecting(address: str) -> zenoh.Config:
     settings = zenoh.Config()
     settings.insert_json5("scouting/multicast/enabled", "false")
-    settings.insert_json5("connect/endpoints", json.dumps([f"tcp/localhost:{port}"]))
-    return zenoh.open(settings)
+    settings.insert_json5("connect/endpoints", json.dumps([address]))
+    return settings
+
+
+def joined(port: int) -> zenoh.Session:
+    """Return a session of Zenoh that has joined a gateway."""
+    return zenoh.open(connecting(f"tcp/localhost:{port}"))
+
+
+def write(file: Path, content: dict[str, object]) -> None:
+    file.write_text(json.dumps(content))
+
+
+def certificate(folder: Path) -> None:
+    """Make a certificate for localhost, its key, and the authority that has signed it."""
+
+    def name(common: str) -> x509.Name:
+        return x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, common)])
+
+    now = datetime.now(UTC)
+    authority, key = (ec.generate_private_key(ec.SECP256R1()) for _ in range(2))
+    for subject, own, file in (
+        ("authority", authority, "authority"),
+        ("localhost", key, "listen_certificate"),
+    ):
+        signed = (
+            x509.CertificateBuilder(name("authority"), name(subject), own.public_key())
+            .serial_number(x509.random_serial_number())
+            .not_valid_before(now - timedelta(hours=1))
+            .not_valid_after(now + timedelta(days=1))
+            .add_extension(x509.BasicConstraints(own is authority, None), critical=True)
+            .add_extension(x509.SubjectAlternativeName([x509.DNSName(subject)]), critical=False)
+            .sign(authority, hashes.SHA256())
+        )
+        (folder / f"{file}.pem").write_bytes(signed.public_bytes(Encoding.PEM))
+    plain = key.private_bytes(Encoding.PEM, PrivateFormat.PKCS8, NoEncryption())
+    (folder / "listen_private_key.pem").write_bytes(plain)
 
 
 @pytest.fixture(scope="module")
@@ -141,7 +181,8 @@ def test_a_gateway_that_is_killed_leaves_no_ghosts_and_comes_back(
         visitor.stop()
 
 
-def test_a_client_of_rmw_zenoh_that_others_have_written(here: Gateway, port: int) -> None:
+def use_the_robot(port: int, listening: Gateway) -> None:
+    """Run a client of rmw_zenoh that others have written; it connects at `port`."""
     native = Native()
     environment = gateways.environment(native, apart=True)
     domain = environment["ROS_DOMAIN_ID"]
@@ -153,16 +194,50 @@ def test_a_client_of_rmw_zenoh_that_others_have_written(here: Gateway, port: int
             assert sdk.stdout
             told = json.loads(sdk.stdout.readline())
             assert told == {"heard": [str(n) for n in range(90)], "set": "from the robot"}
-            assert "/sdk" in nodes(here)
+            assert "/sdk" in nodes(listening)
 
             async def work() -> None:
-                async with client(here) as page:
+                async with client(listening) as page:
                     answer = await page.call("/of_sdk", {"data": True})
                     assert answer["values"] == {"success": True, "message": "from the sdk"}
 
             run(work())
         finally:
             sdk.kill()
+
+
+def test_a_client_of_rmw_zenoh_that_others_have_written(here: Gateway, port: int) -> None:
+    use_the_robot(port, here)
+
+
+def test_a_gateway_passes_on_what_is_for_another(here: Gateway, port: int, tmp_path: Path) -> None:
+    between = gateways.free_port()
+    options = ["--zenoh", f"localhost:{port}", "--zenoh-port", str(between)]
+    with gateways.gateway(*options, folder=tmp_path, apart=True):
+        use_the_robot(between, here)
+
+
+def test_the_connection_is_encrypted_as_a_file_says(tmp_path: Path) -> None:
+    secure = gateways.free_port()
+    certificate(tmp_path)
+    listening = {"endpoints": [f"tls/localhost:{secure}"]}
+    tls = {
+        name: str(tmp_path / f"{name}.pem") for name in ("listen_certificate", "listen_private_key")
+    }
+    write(tmp_path / "listens.json5", {"listen": listening, "transport": {"link": {"tls": tls}}})
+    trusted = {"root_ca_certificate": str(tmp_path / "authority.pem")}
+    write(tmp_path / "connects.json5", {"transport": {"link": {"tls": trusted}}})
+    address = ["--zenoh", f"tls/localhost:{secure}", "--zenoh-config", "connects.json5"]
+    # In a domain of their own, in which nobody else has joined.
+    with (
+        own_domain(),
+        gateways.gateway("--zenoh", "--zenoh-config", "listens.json5", folder=tmp_path) as near,
+        gateways.gateway(*address, folder=tmp_path, apart=True),
+    ):
+        near.expect("zenoh: connected to router")
+        # Nothing listens besides.
+        with zenoh.open(connecting(f"tcp/localhost:{secure}")) as plain:
+            assert plain.info.transports() == []
 
 
 def test_definitions_that_differ_are_told_with_both_hashes(here: Gateway, port: int) -> None:
@@ -233,6 +308,8 @@ def test_what_cannot_work_is_said_in_a_line(here: Gateway, port: int, tmp_path: 
     wrong = "--zenoh: 'robot:99999' is not an address; write it like robot:7447"
     assert error("--zenoh", "robot:99999") == wrong
     assert error("--zenoh", "--zenoh-port", "-4") == "--zenoh-port: -4 is not a port"
+    twice = error("--zenoh", "--zenoh-port", "7447", "--zenoh-config", "zenoh.json5")
+    assert twice.startswith("--zenoh-port has no effect with --zenoh-config")
     assert error("--zenoh-port", "7447") == "--zenoh-port has no effect without --zenoh"
     (tmp_path / "zenoh.json5").write_text("{listn: 3}")
     unknown = "--zenoh-config: zenoh.json5: unknown field `listn`"

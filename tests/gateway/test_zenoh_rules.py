@@ -13,7 +13,8 @@ def test_rules_hold_for_other_gateways_and_a_robot_stops_when_they_go(
 ) -> None:
     port = str(free_port())
     (tmp_path / "gateway.yaml").write_text(
-        "allow: {publish: [/cmd_vel], subscribe: [/heard]}\nstop: [/cmd_vel]\n"
+        "allow: {publish: [/cmd_vel], subscribe: [/heard]}\n"
+        "stop: [/cmd_vel]\nrecord: {folder: sessions}\n"
     )
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
@@ -43,4 +44,5 @@ def test_rules_hold_for_other_gateways_and_a_robot_stops_when_they_go(
 
     with gateways.gateway("--zenoh", "--zenoh-port", port, folder=tmp_path) as running:
         run(work(running))
+        assert any(b"/cmd_vel" in file.read_bytes() for file in tmp_path.glob("sessions/*.mcap"))
         assert running.expect("does not allow").endswith("gateway.yaml does not allow /tell")

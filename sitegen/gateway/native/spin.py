@@ -33,7 +33,7 @@ class Source(Protocol):
     def kind(self) -> str:
         """One of "subscription", "client" and "service"."""
 
-    def take(self) -> Callable[[], object] | None:
+    def take(self) -> Callable[[], None] | None:
         """Take one item and return what to call in the event loop, or None if there is none."""
 
 
@@ -117,7 +117,7 @@ class Spin:
                 self._behind.acquire()
                 self._call(self._deliver, arrived)
 
-    def _deliver(self, arrived: list[Callable[[], object]]) -> None:
+    def _deliver(self, arrived: list[Callable[[], None]]) -> None:
         self._behind.release()
         for item in arrived:
             try:
@@ -151,7 +151,7 @@ class Spin:
             ]
 
 
-def _taken(source: Source) -> list[Callable[[], object]]:
+def _taken(source: Source) -> list[Callable[[], None]]:
     items = []
     for _ in range(_TURN):
         try:

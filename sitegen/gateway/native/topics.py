@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 _PATIENCE = 1.0
 # One that goes waits for so long until what it sent has arrived (s).
 _ACKNOWLEDGED = 0.2
-Received = Callable[[Sample], object]
+Received = Callable[[Sample], None]
 
 
 class Subscription(Part):
@@ -64,7 +64,7 @@ class Subscription(Part):
         count = getattr(entity, "get_publisher_count", None)
         return count is None or await self._native.spin.do(count) > 0
 
-    def take(self) -> Callable[[], object] | None:
+    def take(self) -> Callable[[], None] | None:
         """Take a message, in the thread of ROS."""
         taken = self.handle.take_message(None, True)
         if taken is None:

@@ -6,10 +6,12 @@ from collections import deque
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
+K = TypeVar("K")
 T = TypeVar("T")
 
 _MOST = 1000
 _MOST_BYTES = 16 * 1024 * 1024
+_MOST_QUEUES = 16
 
 
 class Held(Generic[T]):
@@ -32,3 +34,12 @@ class Held(Generic[T]):
             item, size = self._items.popleft()
             self._bytes -= size
             take(item)
+
+
+def hold(queues: dict[K, Held[T]], key: K) -> Held[T]:
+    """Return the queue of `key`; of too many, the oldest goes, whose endpoint never came."""
+    if key not in queues:
+        if len(queues) >= _MOST_QUEUES:
+            del queues[next(iter(queues))]
+        queues[key] = Held()
+    return queues[key]

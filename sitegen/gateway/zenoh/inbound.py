@@ -13,11 +13,8 @@ from zenoh import ext, handlers
 from sitegen.gateway.access import Access
 from sitegen.gateway.native import NativeError, Publisher
 from sitegen.gateway.zenoh.attachment import Attachment
-from sitegen.gateway.zenoh.held import Held
+from sitegen.gateway.zenoh.held import Held, hold
 from sitegen.gateway.zenoh.keys import Token
-
-# Keys with messages of publishers that are not known yet.
-_MOST_UNCLAIMED = 16
 
 
 @dataclass(frozen=True)
@@ -88,9 +85,8 @@ class Inbound:
         """Publish a message; the future is done when the middleware has it."""
         incoming = self._find(arrived)
         if incoming is None:
-            if arrived.key in self._subscribers and len(self._unclaimed) < _MOST_UNCLAIMED:
-                held = self._unclaimed.setdefault(arrived.key, Held())
-                held.add(arrived, len(arrived.data))
+            if arrived.key in self._subscribers:
+                hold(self._unclaimed, arrived.key).add(arrived, len(arrived.data))
             return None
         # The history of a publisher comes again with each subscriber.
         if arrived.attachment.sequence <= incoming.last:

@@ -38,13 +38,13 @@ _AUTOMATIC, _MANUAL_BY_TOPIC = "1", "3"
 # What is meant where a token leaves the depth out.
 _DEPTH = 42
 # ROS 2 Humble has no hashes.
-NO_HASH = "TypeHashNotSupported"
+_NO_HASH = "TypeHashNotSupported"
 
 
 def data_key(domain: int, name: str, type_name: str, hash: str) -> str:
     """Return the key of the messages of a topic, or of the requests to a service."""
     package, kind, short = type_name.split("/")
-    return f"{domain}/{name.strip('/')}/{package}::{kind}::dds_::{short}_/{hash or NO_HASH}"
+    return f"{domain}/{name.strip('/')}/{package}::{kind}::dds_::{short}_/{hash or _NO_HASH}"
 
 
 def tokens_of(domain: int) -> str:
@@ -116,7 +116,7 @@ def parse(key: str) -> Token | None:
     qos = _read(parts[12])
     if kind == "node" or not (_is_name(name) and type_part and _HASH.fullmatch(hash) and qos):
         return None
-    return Token(*same, name, "/".join(type_part.groups()), "" if hash == NO_HASH else hash, qos)
+    return Token(*same, name, "/".join(type_part.groups()), "" if hash == _NO_HASH else hash, qos)
 
 
 def _is_name(text: str) -> bool:

@@ -21,21 +21,12 @@ _ADDRESS = re.compile(
 _LEASE = 15_000
 
 
-def endpoint(address: str) -> str:
-    """Return an address that a user has written as Zenoh writes it. Raises: SiteError."""
-    match = _ADDRESS.fullmatch(address)
-    if not match or not 0 < int(match["port"] or PORT) < 2**16:
-        message = f"--zenoh: '{address}' is not an address; write it like robot:7447"
-        raise SiteError([message])
-    return f"{(match['protocol'] or 'tcp').lower()}/{match['host']}:{match['port'] or PORT}"
-
-
 def open_session(
     connect: Sequence[str], bind: str, port: int, config: Path | None
 ) -> zenoh.Session:
     """Connect to the addresses `connect`, and listen at `port` of `bind`, or not at all with 0.
 
-    With `config`, Zenoh's own configuration file, that file says everything else.
+    With `config`, Zenoh's own configuration file, that file says where to listen, and how.
 
     Raises:
         SiteError: an address or the file is not valid, or the port cannot be used
@@ -47,29 +38,38 @@ def open_session(
     except zenoh.ZError as error:
         raise SiteError([f"--zenoh-config: {config}: {_plain(error)}"]) from None
     if config is None:
-        # What rmw_zenoh does by default: no search by multicast, and messages have timestamps,
-        # without which publishers keep nothing for late subscriptions.
+        # As rmw_zenoh, it looks for nobody by multicast.
         _set(settings, "scouting/multicast/enabled", value=False)
-        _set(settings, "timestamping/enabled", value=True)
         _set(settings, "transport/link/tx/lease", value=_LEASE)
+        host = f"[{bind}]" if ":" in bind else bind
+        _set(settings, "listen/endpoints", value=[f"tcp/{host}:{port}"] if port else [])
     # Routers pass on what is for others, in whatever way they are connected.
     _set(settings, "mode", value="router")
-    host = f"[{bind}]" if ":" in bind else bind
-    _set(settings, "listen/endpoints", value=[f"tcp/{host}:{port}"] if port else [])
+    # Without timestamps, publishers keep nothing for late subscriptions.
+    _set(settings, "timestamping/enabled", value=True)
     if connect:
-        _set(settings, "connect/endpoints", value=[endpoint(one) for one in connect])
+        _set(settings, "connect/endpoints", value=[_endpoint(one) for one in connect])
     # Those that are not there yet are tried again and again.
     _set(settings, "connect/timeout_ms", value=0)
     _set(settings, "connect/exit_on_failure", value=False)
     try:
         return zenoh.open(settings)
     except zenoh.ZError as error:
-        if "in use" in str(error):
+        if "in use" in str(error) and not config:
             why = f"port {port} is in use, perhaps by a router of Zenoh"
             how = "to join that one: --zenoh localhost --zenoh-port 0"
             raise SiteError([f"--zenoh: {why}; {how}"]) from None
-        where = f"cannot listen on {bind} port {port}" if port else "cannot connect"
+        where = f"cannot listen on {bind} port {port}" if port and not config else "cannot start"
         raise SiteError([f"--zenoh: {where}: {_plain(error)}"]) from None
+
+
+def _endpoint(address: str) -> str:
+    """Return an address that a user has written as Zenoh writes it. Raises: SiteError."""
+    match = _ADDRESS.fullmatch(address)
+    if not match or not 0 < int(match["port"] or PORT) < 2**16:
+        message = f"--zenoh: '{address}' is not an address; write it like robot:7447"
+        raise SiteError([message])
+    return f"{(match['protocol'] or 'tcp').lower()}/{match['host']}:{match['port'] or PORT}"
 
 
 def _set(settings: zenoh.Config, key: str, *, value: object) -> None:

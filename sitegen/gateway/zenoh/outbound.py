@@ -25,16 +25,14 @@ from sitegen.gateway.native import (
 )
 from sitegen.gateway.rules import Rules
 from sitegen.gateway.zenoh.attachment import Attachment
-from sitegen.gateway.zenoh.held import Held
+from sitegen.gateway.zenoh.held import Held, hold
 from sitegen.gateway.zenoh.keys import Token, data_key
 from sitegen.gateway.zenoh.outbox import Outbox
-from sitegen.gateway.zenoh.peer import is_peer
+from sitegen.gateway.zenoh.peer import DEPTHS, is_peer
 from sitegen.gateway.zenoh.serving import Serving
 
 # The gateways that join the same graph find each other by the names of these nodes.
 MARK = "/_sitegen_zenoh_"
-# Publishers whose messages come before they are known.
-_MOST_EARLY = 16
 
 
 @dataclass
@@ -114,9 +112,8 @@ class Outbound:
             return False
         offer = self._by_gid.get(sample.gid)
         if offer is None:
-            # It is known when the graph has been read.
-            if sample.gid in self._early or len(self._early) < _MOST_EARLY:
-                self._early.setdefault(sample.gid, Held()).add(sample, len(sample.data))
+            # It is known when the graph has been read, or never.
+            hold(self._early, sample.gid).add(sample, len(sample.data))
             return False
         number = sample.time if sample.sequence is None else sample.sequence
         if number <= offer.last:
@@ -183,9 +180,12 @@ class Outbound:
             offer.collector = await self._collect(endpoint)
 
     async def _collect(self, endpoint: Endpoint) -> Subscription | None:
+        def collected(sample: Sample) -> None:
+            self.send(sample)
+
         try:
-            qos = replace(endpoint.qos, depth=max(endpoint.qos.depth, 1000))
-            return await self._party.subscribe(endpoint.name, endpoint.type, qos, self.send)
+            qos = replace(endpoint.qos, depth=max(endpoint.qos.depth, DEPTHS["subscription"]))
+            return await self._party.subscribe(endpoint.name, endpoint.type, qos, collected)
         except NativeError as error:
             self._write(f"zenoh: {endpoint.name}: {error}")
             return None

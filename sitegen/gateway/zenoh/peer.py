@@ -25,7 +25,7 @@ from sitegen.gateway.zenoh.keys import Token
 _OWNER = "zenoh "
 # The least histories of reliable endpoints: the graph of ROS 2 tells no depths, so other gateways
 # do not know them. A publisher may keep so much for a slow subscription, of large images, too.
-_DEPTHS = {"subscription": 1000, "publisher": 100}
+DEPTHS = {"subscription": 1000, "publisher": 100}
 # Nodes and endpoints of one peer. Unlike a page, it stands for a whole robot.
 _MOST = 10_000
 
@@ -131,7 +131,7 @@ class Peer:
         name, kind, node, qos = token.name, token.type, self._node(token), token.qos
         # Of what a publisher keeps for late subscriptions, they are to get no more than it kept.
         if qos.reliable and not (qos.transient_local and token.kind == "publisher"):
-            qos = replace(qos, depth=max(qos.depth, _DEPTHS.get(token.kind, 0)))
+            qos = replace(qos, depth=max(qos.depth, DEPTHS.get(token.kind, 0)))
         if token.kind == "publisher":
             return await self._party.advertise(name, kind, qos, node=node)
         if token.kind == "client":

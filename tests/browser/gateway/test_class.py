@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from browser import Built, serving
+from classroom import classroom
 from joined import Gateway
 from native import Native
 from pageclient import Client, connected, endpoint, record, text
@@ -19,16 +20,6 @@ from waiting import until
 
 # Two are tabs of a browser; the others speak the protocol only.
 CLASS, TABS = 20, 2
-SITE = """
-site: {{title: Class}}
-connect: {{addresses: [ws://127.0.0.1:{port}], autoconnect: true, namespace: /student{number}}}
-pages:
-  - path: /
-    title: Class
-    content:
-      - topics:
-      - connect:
-"""
 # Each page says its number again and again, and notes whom it hears on which topic.
 TALK = """async ([number, others]) => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
@@ -123,11 +114,9 @@ def test_twenty_pages_with_namespaces_of_their_own_hear_each_other(
     with ExitStack() as stack:
         sites = []
         for number in range(TABS):
-            folder = tmp_path / str(number)
-            folder.mkdir()
-            site = SITE.format(port=gateway.port, number=number)
-            folder.joinpath("site.yaml").write_text(site, encoding="utf-8")
-            sites.append(stack.enter_context(serving(built(folder))))
+            address = f"ws://127.0.0.1:{gateway.port}"
+            site = classroom(tmp_path / str(number), address, f"/student{number}")
+            sites.append(stack.enter_context(serving(built(site))))
         found = stack.enter_context(students(gateway))
         for number, address in enumerate(sites):
             tab = browser.new_context().new_page()

@@ -11,22 +11,13 @@ from typing import Any
 
 import pytest
 from browser import Built, serving
+from classroom import classroom
 from joined import Gateway
 from native import Native
 from playwright.sync_api import Browser, Locator, Page, expect
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
-SITE = """
-site: {{title: Class, language: {language}}}
-connect: {{addresses: [{address}], autoconnect: true, namespace: {namespace}}}
-pages:
-  - path: /
-    title: Class
-    content:
-      - topics:
-      - connect:
-"""
 # Of a page without nodes.
 NONE = "\u2013"
 NODE = """async (name) => {
@@ -59,11 +50,8 @@ def test_pages_see_each_other_come_and_go(
     sites = []
     for number, language in ((1, "en"), (2, "de")):
         address = f"ws://127.0.0.1:{gateway.port}"
-        text = SITE.format(language=language, address=address, namespace=f"/student{number}")
         folder = tmp_path / str(number)
-        folder.mkdir()
-        folder.joinpath("site.yaml").write_text(text, encoding="utf-8")
-        sites.append(built(folder))
+        sites.append(built(classroom(folder, address, f"/student{number}", language)))
     with serving(sites[0]) as first, serving(sites[1]) as second:
         tab = browser.new_context().new_page()
         tab.goto(first)
@@ -149,31 +137,31 @@ def test_what_a_hostile_gateway_says_is_text_and_bounded(
         {"op": "nobody knows this"},
         {"op": "people", "pages": [*wrong, visitor(1, name="<b>Ada</b>"), *many], "others": 1},
     ]
-    with pretending(*messages) as address:
-        text = SITE.format(language="en", address=address, namespace="/student1")
-        tmp_path.joinpath("site.yaml").write_text(text, encoding="utf-8")
-        with serving(built(tmp_path)) as site:
-            tab.goto(site)
-            # 200 of the 315 entries are looked at, and 14 of these are wrong.
-            summary = "Here now: 301 pages and 1 other client"
-            expect(people(tab).locator("summary")).to_have_text(summary)
-            people(tab).locator("summary").click()
-            found = rows(tab)
-            assert len(found) == 200 - len(wrong)
-            assert found[0] == ["<b>Ada</b> (you)", "/a", "1"]
-            expect(people(tab)).to_contain_text("… and 115 more")
-            assert tab.locator(".ros-connect b").count() == 0
-            expect(tab.locator(".ros-connect-state")).to_contain_text("Connected to")
+    with (
+        pretending(*messages) as address,
+        serving(built(classroom(tmp_path, address, "/student1"))) as site,
+    ):
+        tab.goto(site)
+        # 200 of the 315 entries are looked at, and 14 of these are wrong.
+        summary = "Here now: 301 pages and 1 other client"
+        expect(people(tab).locator("summary")).to_have_text(summary)
+        people(tab).locator("summary").click()
+        found = rows(tab)
+        assert len(found) == 200 - len(wrong)
+        assert found[0] == ["<b>Ada</b> (you)", "/a", "1"]
+        expect(people(tab)).to_contain_text("… and 115 more")
+        assert tab.locator(".ros-connect b").count() == 0
+        expect(tab.locator(".ros-connect-state")).to_contain_text("Connected to")
 
 
 def test_a_gateway_that_does_not_tell_who_is_there_is_no_empty_list(
     tab: Page, built: Built, tmp_path: Path
 ) -> None:
     """An older one, or one with `people: false`."""
-    with pretending() as address:
-        text = SITE.format(language="en", address=address, namespace="/student1")
-        tmp_path.joinpath("site.yaml").write_text(text, encoding="utf-8")
-        with serving(built(tmp_path)) as site:
-            tab.goto(site)
-            expect(tab.locator(".ros-connect-state")).to_contain_text("Connected to")
-            expect(people(tab)).to_be_hidden()
+    with (
+        pretending() as address,
+        serving(built(classroom(tmp_path, address, "/student1"))) as site,
+    ):
+        tab.goto(site)
+        expect(tab.locator(".ros-connect-state")).to_contain_text("Connected to")
+        expect(people(tab)).to_be_hidden()
