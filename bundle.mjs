@@ -38,6 +38,7 @@ const ALONE = [
   "page/searchIndex.js",
   "rosbridge/encoding.js",
   "rosbridge/outside.js",
+  "rosbridge/robot/bridge.js",
   "rosbridge/rosbridge.js",
   "ui/caption.js",
   "ui/escapes.js",

@@ -12,6 +12,7 @@ const BUNDLES = {
   cdr: 'export { MessageReader, MessageWriter } from "@foxglove/rosmsg2-serialization";',
   cbor: `
     import "cbor2/types";
+    export { decode } from "cbor2/decoder";
     export { encode } from "cbor2/encoder";`,
   png: 'export { encode } from "fast-png";',
   yaml: 'export { FAILSAFE_SCHEMA, load } from "js-yaml";',

@@ -80,7 +80,8 @@ def runtime(site: Site, programs: Programs, *, debug: bool = False) -> list[Arti
     if JAVASCRIPT in kinds:
         names.add(JAVASCRIPT_WORKER)
     if "connect" in kinds:
-        names.add("workers/gateway/gatewayNode.js")
+        # The second is loaded when a server speaks rosbridge.
+        names |= {"workers/gateway/gatewayNode.js", "rosbridge/robot/bridge.js"}
     if "console" in kinds:
         # Loaded by consoles whose program reads its input.
         names.add("ui/keyboard.js")

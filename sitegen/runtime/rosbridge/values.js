@@ -9,6 +9,8 @@ import { MOST_TEXT } from "./limits.js";
 
 const TIMES = ["builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration"];
 const HEADER = "std_msgs/msg/Header";
+// Bytes in a list.
+const MOST_LISTED = 1000;
 /** How ROS 1 names the fields of times. @type {Record<string, string>} */
 const OLD = { secs: "sec", nsecs: "nanosec" };
 
@@ -24,6 +26,14 @@ export class Values extends Checker {
    */
   toJson(type, message) {
     return this.#out(type, message, jsonScalar, jsonArray);
+  }
+
+  /**
+   * Return a message as JSON has it, but with the numbers that JSON lacks as they are.
+   * @param {string} type @param {any} message @returns {any}
+   */
+  toExact(type, message) {
+    return this.#out(type, message, (value) => value, exactArray);
   }
 
   /**
@@ -141,6 +151,12 @@ function cborScalar(value) {
 function jsonArray(array, base) {
   if (array instanceof Uint8Array && base === "uint8") return encoded(array);
   return Array.from(array, jsonScalar);
+}
+
+/** @param {any} array */
+function exactArray(array) {
+  // Servers want lists of byte[], which the page cannot tell from uint8[]. Long ones are images and the like.
+  return array instanceof Uint8Array && array.length > MOST_LISTED ? encoded(array) : Array.from(array);
 }
 
 /** @param {Uint8Array} bytes */

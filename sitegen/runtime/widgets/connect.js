@@ -5,8 +5,9 @@ import { button, create, setNote, setText } from "../ui/elements.js";
 import { say } from "../ui/words.js";
 import { addressOf, blocked, hint, isAddress } from "./connect/address.js";
 import { Countdown } from "./connect/countdown.js";
+import { withNested } from "./connect/nested.js";
 import { PeopleList } from "./connect/people.js";
-import { clockNote, describe, keptNote, turnNote, untilNote } from "./connect/texts.js";
+import { clockNote, describe, graphText, keptNote, rosbridgeNote, turnNote, untilNote } from "./connect/texts.js";
 
 /** @import { Companion, MessageType, Ros } from "../protocol.js" */
 /** @import { Connect, FromGateway, State } from "../gateway/orders.js" */
@@ -88,8 +89,7 @@ class ConnectPanel {
   join() {
     const address = addressOf(this.#choice.value);
     const why = isAddress(address) ? blocked(address) : say("'{}' is not an address", address);
-    this.#kept.clear();
-    this.#notes.replaceChildren();
+    this.#clearNotes();
     if (why) {
       this.#show("refused", why);
       return;
@@ -123,13 +123,18 @@ class ConnectPanel {
         this.#show(message.state, message.reason, message.retry);
         break;
       case "joined":
-        this.#graph = [message.distribution, message.rmw, say("domain {}", message.domain)].filter(Boolean).join(", ");
+        this.#graph = graphText(message);
+        this.#clearNotes();
+        if (message.rmw === "rosbridge") this.#note(rosbridgeNote());
         break;
       case "nodes":
         this.#listNodes(message.nodes);
         break;
       case "kept":
         this.#note(keptNote(message.name, message.reason));
+        break;
+      case "note":
+        this.#note(`${message.name}: ${message.reason}`);
         break;
       case "differs":
         this.#note(say("{} is left out: its type {} differs from the one that this page was built with.",
@@ -146,6 +151,9 @@ class ConnectPanel {
         break;
       case "types":
         this.#learn(message.types);
+        break;
+      case "describe":
+        this.#worker?.tell({ op: "types", types: withNested(this.#ros.types, message.types) });
         break;
       case "clock":
         setText(this.#clock, clockNote(message.offset));
@@ -208,6 +216,11 @@ class ConnectPanel {
     if (this.#kept.has(text) || this.#kept.size >= MOST) return;
     this.#kept.add(text);
     this.#notes.append(create("p", "ros-connect-note", text));
+  }
+
+  #clearNotes() {
+    this.#kept.clear();
+    this.#notes.replaceChildren();
   }
 
   /** @param {string[]} nodes */

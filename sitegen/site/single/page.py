@@ -39,6 +39,9 @@ LATER = (
 PYTHON_WORKERS = "runtime/workers/python/"
 CPP_WORKER = "runtime/workers/cpp/cppNode.js"
 JAVASCRIPT_WORKER = "runtime/workers/javascript/javascriptNode.js"
+GATEWAY_WORKER = "runtime/workers/gateway/gatewayNode.js"
+# What it loads if a server speaks rosbridge.
+BRIDGE = "runtime/rosbridge/robot/bridge.js"
 # The modules that cells of JavaScript may import.
 CLIENTS = ("runtime/client/", "runtime/rosbridge/", "runtime/vendor/roslib.js")
 # Files that are useless without a server.
@@ -231,6 +234,9 @@ class _Writer(HTMLParser):
                 meshes.append(self._path(address) or "")
                 widget["options"]["bags"][name] = f"sitegen:{meshes[-1]}"
             for name in {"interfaces", "texts", "hashes"} & widget["options"].keys():
+                # A connection has its hashes in the page.
+                if isinstance(widget["options"][name], dict):
+                    continue
                 meshes.append(self._path(widget["options"][name]) or "")
                 widget["options"][name] = f"sitegen:{meshes[-1]}"
             if "module" in widget["options"]:
@@ -261,6 +267,9 @@ class _Writer(HTMLParser):
         }
         if CPP_WORKER in starts:
             starts[CPP_WORKER] += dict.fromkeys(shared)
+        if GATEWAY_WORKER in starts:
+            starts[GATEWAY_WORKER].append(BRIDGE)
+            modules.remove(BRIDGE)
         if JAVASCRIPT_WORKER in starts:
             defined = [path for path in meshes if path.startswith("interfaces")]
             starts[JAVASCRIPT_WORKER] = [path for path in modules if path.startswith(CLIENTS)]

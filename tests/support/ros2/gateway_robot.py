@@ -18,6 +18,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs import msg as std
 from std_msgs.msg import String
 from std_srvs.srv import SetBool
 from test_msgs.action import Fibonacci
@@ -30,7 +31,7 @@ class Robot:
         rclpy.init()
         self.node = rclpy.create_node("robot")
         self.node.declare_parameter("gain", 2.5)
-        self.heard: dict[str, list[str]] = {}
+        self.heard: dict[str, list[Any]] = {}
         self.publishers: dict[str, Any] = {}
         self.count = 0
         self.chatter = self.node.create_publisher(String, "/robot/chatter", 100)
@@ -99,12 +100,14 @@ class Robot:
         goal.succeed()
         return Fibonacci.Result(sequence=numbers)
 
-    def listen(self, topic: str, latched: bool) -> None:
+    def listen(self, topic: str, latched: bool, kind: str = "String") -> None:
         heard = self.heard.setdefault(topic, [])
         qos = LATCHED if latched else QoSProfile(depth=1000)
-        self.node.create_subscription(String, topic, lambda m: heard.append(m.data), qos)
+        self.node.create_subscription(
+            getattr(std, kind), topic, lambda m: heard.append(m.data), qos
+        )
 
-    def texts(self, topic: str) -> list[str]:
+    def texts(self, topic: str) -> list[Any]:
         return self.heard[topic]
 
     def nodes(self) -> list[str]:
@@ -167,13 +170,14 @@ class Robot:
             time.sleep(0.01)
         return future.result()
 
-    def publish(self, topic: str, texts: list[str], depth: int) -> None:
+    def publish(self, topic: str, values: list[Any], depth: int, kind: str = "String") -> None:
+        message = getattr(std, kind)
         publisher = self.publishers.get(topic)
         if publisher is None:
-            publisher = self.node.create_publisher(String, topic, depth)
+            publisher = self.node.create_publisher(message, topic, depth)
             self.publishers[topic] = publisher
-        for text in texts:
-            publisher.publish(String(data=text))
+        for value in values:
+            publisher.publish(message(data=value))
 
     def subscriptions(self, topic: str) -> int:
         return int(self.node.count_subscribers(topic))

@@ -34,6 +34,16 @@ export function describe(state, { address, graph, reason, seconds }) {
   }
 }
 
+/** Describe the graph of a gateway. @param {{rmw: string, domain: number | null, distribution: string}} joined */
+export function graphText({ rmw, domain, distribution }) {
+  return [distribution, rmw, domain === null ? "" : say("domain {}", domain)].filter(Boolean).join(", ");
+}
+
+/** Say what a server that speaks rosbridge cannot do. */
+export function rosbridgeNote() {
+  return say("This server speaks rosbridge: the robot can use the topics, services and actions of this page, but does not see its nodes.");
+}
+
 /** @param {string} name @param {string} reason */
 export function keptNote(name, reason) {
   return say("{} stays in this page: {}", name, reason);

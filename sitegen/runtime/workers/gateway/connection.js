@@ -4,11 +4,13 @@
 import { now } from "../../protocol.js";
 import { peopleOf } from "../../gateway/people.js";
 import { PROTOCOL, parse } from "../../gateway/wire.js";
+import { place } from "../../place.js";
 import { Clock } from "./clock.js";
 import { Exchange } from "./exchange.js";
 
 /** @import { Participant } from "../../participant/participant.js" */
-/** @import { FromGateway, ToGateway } from "../../gateway/orders.js" */
+/** @import { MessageType } from "../../protocol.js" */
+/** @import { FromGateway, Socket, ToGateway } from "../../gateway/orders.js" */
 
 // The time until the next try (ms): doubled each time, and a little random, so that a class does not return at once.
 const FIRST = 500;
@@ -27,7 +29,7 @@ export class Connection {
   #tell;
   /** The gateway replaces the lost connection of the same page. Pages from plain http have no randomUUID. */
   #page = crypto.getRandomValues(new Uint32Array(4)).join("-");
-  /** @type {WebSocket | undefined} */
+  /** @type {Socket | undefined} */
   #socket;
   /** @type {Exchange | undefined} */
   #exchange;
@@ -61,6 +63,11 @@ export class Connection {
     this.#exchange?.turn();
   }
 
+  /** Tell the gateway of types that it has asked for. @param {Record<string, MessageType>} types */
+  describe(types) {
+    this.#send({ op: "types", types });
+  }
+
   /** Leave for good. */
   close() {
     this.#closed = true;
@@ -70,18 +77,46 @@ export class Connection {
 
   #open() {
     this.#tell({ op: "state", state: "connecting" });
+    this.#heard = now();
+    this.#timer = setTimeout(() => this.#lose(""), WELCOME);
     const socket = new WebSocket(this.#order.address, PROTOCOL);
     socket.binaryType = "arraybuffer";
+    let isOpen = false;
+    // A server that does not know the protocol refuses the connection, or has none.
+    socket.onopen = () => {
+      isOpen = true;
+      if (socket.protocol !== PROTOCOL) this.#translate(socket);
+    };
+    this.#listen(socket);
+    socket.onclose = ({ reason }) => (isOpen ? this.#lose(reason) : this.#openPlain());
+  }
+
+  /** The server may speak rosbridge, if there is one. */
+  #openPlain() {
+    const socket = new WebSocket(this.#order.address);
+    socket.onopen = () => this.#translate(socket);
+    socket.onclose = ({ reason }) => this.#lose(reason);
     this.#socket = socket;
-    this.#heard = now();
+  }
+
+  /** Let a server that speaks rosbridge be a gateway. @param {WebSocket} socket that is open */
+  async #translate(socket) {
+    const { Bridge } = await import(place("rosbridge/robot/bridge.js"));
+    if (this.#socket !== socket) return;
+    const bridge = new Bridge(socket);
+    this.#listen(bridge);
+    bridge.onclose = (/** @type {{reason: string}} */ { reason }) => this.#lose(reason);
+  }
+
+  /** @param {Socket} socket */
+  #listen(socket) {
+    this.#socket = socket;
     socket.onmessage = ({ data }) => {
       this.#heard = now();
       if (this.#late) this.#recover();
       if (typeof data === "string") this.#receive(parse(data));
       else this.#exchange?.deliver(data);
     };
-    socket.onclose = ({ reason }) => this.#lose(reason);
-    this.#timer = setTimeout(() => this.#lose(""), WELCOME);
   }
 
   /** @param {any} message */
@@ -95,6 +130,12 @@ export class Connection {
         break;
       case "refused":
         this.#exchange?.refuse(message.id, String(message.reason));
+        break;
+      case "describe":
+        this.#tell({ op: "describe", types: textsOf(message.types) });
+        break;
+      case "note":
+        this.#tell({ op: "note", name: String(message.name), reason: String(message.reason) });
         break;
       case "ended":
         this.#end(this.#exchange ? "ended" : "refused", String(message.reason));
@@ -134,9 +175,9 @@ export class Connection {
     this.#you = Number(message.you);
     this.#ahead = Number.isFinite(message.time) ? message.time - now() : 0;
     const { connect, hashes } = this.#order;
-    this.#exchange = new Exchange(this.#graph, /** @type {WebSocket} */ (this.#socket), connect, hashes, this.#tell);
+    this.#exchange = new Exchange(this.#graph, /** @type {Socket} */ (this.#socket), connect, hashes, this.#tell);
     this.#tell({
-      op: "joined", rmw: String(message.rmw), domain: Number(message.domain),
+      op: "joined", rmw: String(message.rmw), domain: message.domain === null ? null : Number(message.domain),
       distribution: String(message.distribution ?? ""),
     });
     this.#tell({ op: "until", seconds: typeof message.until === "number" ? message.until : null });
@@ -193,7 +234,8 @@ export class Connection {
     const socket = this.#socket;
     this.#socket = undefined;
     if (socket) {
-      socket.onclose = socket.onmessage = socket.onopen = null;
+      socket.onclose = socket.onmessage = null;
+      if (socket instanceof WebSocket) socket.onopen = null;
       socket.close();
     }
     this.#exchange?.close();
@@ -205,6 +247,11 @@ export class Connection {
   #send(message) {
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(message));
   }
+}
+
+/** @param {unknown} value @returns {string[]} */
+function textsOf(value) {
+  return Array.isArray(value) ? value.filter((one) => typeof one === "string") : [];
 }
 
 /** @param {unknown} value */

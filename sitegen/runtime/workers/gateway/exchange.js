@@ -9,7 +9,7 @@ import { Remotes } from "./remotes.js";
 
 /** @import { Participant } from "../../participant/participant.js" */
 /** @import { Head } from "../../protocol.js" */
-/** @import { Connect, FromGateway } from "../../gateway/orders.js" */
+/** @import { Connect, FromGateway, Socket } from "../../gateway/orders.js" */
 
 // While more than this waits to be sent (bytes), the page's nodes wait, as for any slow subscription.
 const FULL = 4 * 1024 * 1024;
@@ -30,7 +30,7 @@ export class Exchange {
   #tell;
 
   /**
-   * @param {Participant} graph @param {WebSocket} socket @param {Connect} connect
+   * @param {Participant} graph @param {Socket} socket @param {Connect} connect
    * @param {Record<string, string>} hashes of the page's types @param {(message: FromGateway) => void} tell
    */
   constructor(graph, socket, connect, hashes, tell) {

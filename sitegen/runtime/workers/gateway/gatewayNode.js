@@ -28,6 +28,10 @@ onmessage = ({ data }) => {
 
 /** @param {Participant} graph @param {ToGateway} order */
 function obey(graph, order) {
+  if (order.op === "types") {
+    connection?.describe(order.types);
+    return;
+  }
   connection?.close();
   connection = order.op === "connect" ? new Connection(graph, order, tell) : undefined;
   if (!connection) tell({ op: "state", state: "off" });

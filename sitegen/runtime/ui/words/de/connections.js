@@ -57,6 +57,8 @@ export const connections = {
   "'{}' is not an address": "„{}“ ist keine Adresse",
   "Connecting to {}…": "Verbindet mit {} …",
   "Connected to {} ({}).": "Verbunden mit {} ({}).",
+  "This server speaks rosbridge: the robot can use the topics, services and actions of this page, but does not see its nodes.":
+    "Dieser Server spricht rosbridge: Der Roboter kann Topics, Services und Actions dieser Seite benutzen, sieht aber ihre Nodes nicht.",
   "The gateway at {} does not answer. Messages wait until it does.":
     "Das Gateway bei {} antwortet nicht. Nachrichten warten, bis es antwortet.",
   "No gateway answers at {}. Next try in {} s.": "Bei {} antwortet kein Gateway. Nächster Versuch in {} s.",
