@@ -48,6 +48,13 @@ SUBSCRIBE = """async ([topic, type]) => {
   heard[topic] = [];
   ros.subscribe(topic, type, (message) => heard[topic].push(message));
 }"""
+KEPT = """async () => {
+  const { ros } = await import(document.querySelector("script[type=module]").src);
+  globalThis.kept = [];
+  const wanted = { reliable: true, transientLocal: true, depth: 1 };
+  const reader = ros.node("/reader");
+  reader.subscribe("/robot/chatter", "std_msgs/msg/String", (one) => kept.push(one), wanted);
+}"""
 SLOW = """async () => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
   globalThis.slow = ros.call("/robot/slow", "std_srvs/srv/SetBool", { data: true }, 60000);
@@ -144,6 +151,13 @@ def test_a_slow_service_holds_nothing_up(tab: Page, bridge: OlderBridge) -> None
     publish(tab, bridge, "/shared", "std_msgs/msg/String")
     bridge.release()
     assert tab.evaluate("slow.then(({ message }) => message)") == "from the robot"
+
+
+def test_a_node_gets_what_a_topic_keeps_of_any_name(tab: Page) -> None:
+    """The server does not tell which topics keep messages."""
+    tab.evaluate(KEPT)
+    until(lambda: tab.evaluate("kept.length"))
+    assert "subscription /reader /robot/chatter" in tab.evaluate(GRAPH)
 
 
 def test_the_type_of_an_action_is_learned_from_the_error(tab: Page) -> None:

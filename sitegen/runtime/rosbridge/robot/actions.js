@@ -42,9 +42,9 @@ export class Actions {
   async call(service, head, message) {
     const [, action = "", part] = PART.exec(service.name) ?? [];
     const { codec, services, types } = this.#bridge;
-    const request = codec.read(`${service.type}_Request`, message);
     const respond = (/** @type {any} */ values) => services.respond(service, head, values);
     try {
+      const request = codec.read(`${service.type}_Request`, message);
       await Promise.all([types.need(`${service.type}_Response`), types.need(GOALS)]);
       if (part === "send_goal") await this.#send(action, service.type, request, respond);
       else if (part === "get_result") this.#fetch(action, request, respond);

@@ -28,6 +28,8 @@ const TIME = "/rosapi/get_time";
 const PING = 900;
 // rosapi ends at some questions, and these are never answered (ms).
 const ANSWER = 10_000;
+// Calls of services that the server does not allow are never answered, either; others must not wait for them (ms).
+const PATIENCE = 60_000;
 // The panel shows fewer.
 const MOST_NOTES = 100;
 // What the page offers is there soon, or never (ms).
@@ -68,9 +70,9 @@ export class Bridge {
     this.#socket = socket;
     // Any answer shows that the server is there.
     const heard = () => this.say({ op: "pong" });
-    this.calls = new Calls(socket.url, heard);
+    this.calls = new Calls(socket.url, heard, { patience: PATIENCE });
     this.goals = new Calls(socket.url, heard);
-    this.#rosapi = new Calls(socket.url, heard, ANSWER);
+    this.#rosapi = new Calls(socket.url, heard, { timeout: ANSWER });
     this.types = new RobotTypes(
       (wanted) => this.say({ op: "describe", types: wanted }), this.#rosapi, (name, reason) => this.note(name, reason));
     this.codec = new Codec(this.types.all);
@@ -221,7 +223,7 @@ export class Bridge {
       if (!isOffered || isHidden(name) || time - (this.#since.get(id) ?? 0) < SOON) continue;
       const isTaken = offered.has(`${kind} ${name}`);
       this.#topics.refuse(id, !isTaken);
-      if (!isTaken) this.note(name, `the robot's server has not taken it; it may lack ${type}`);
+      if (!isTaken) this.note(name, `the robot's server has not taken it: it may lack ${type}, or not allow the name`);
     }
   }
 

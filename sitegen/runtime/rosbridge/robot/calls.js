@@ -29,22 +29,25 @@ export class Calls {
   #address;
   #heard;
   #timeout;
+  #patience;
   /** @type {Line[]} */
   #idle = [];
-  /** @type {Set<WebSocket>} */
-  #open = new Set();
+  /** All connections, and since when each is used, those with the oldest calls first. @type {Map<WebSocket, number>} */
+  #open = new Map();
   /** @type {((line: Line) => void)[]} */
   #waiting = [];
   #closed = false;
 
   /**
    * @param {string} address @param {() => void} heard called when the server has sent something
-   * @param {number} timeout of each call (ms)
+   * @param {{timeout?: number, patience?: number}} [limits] `timeout` of each call (ms), and `patience` with a call that
+   *   has no answer while others wait for its connection (ms)
    */
-  constructor(address, heard, timeout = Infinity) {
+  constructor(address, heard, { timeout = Infinity, patience = Infinity } = {}) {
     this.#address = address;
     this.#heard = heard;
     this.#timeout = timeout;
+    this.#patience = patience;
   }
 
   /**
@@ -67,6 +70,8 @@ export class Calls {
     const line = await this.#line();
     // An answer that comes later must not be taken for that of another call.
     const timer = this.#timeout < Infinity ? setTimeout(() => line.socket.close(), this.#timeout) : undefined;
+    this.#open.delete(line.socket);
+    this.#open.set(line.socket, performance.now());
     try {
       await line.ready;
       return await this.#answer(line.socket, operation, answer, between);
@@ -78,7 +83,7 @@ export class Calls {
 
   close() {
     this.#closed = true;
-    for (const socket of this.#open) socket.close();
+    for (const socket of this.#open.keys()) socket.close();
   }
 
   /** @returns {Promise<Line>} */
@@ -90,6 +95,8 @@ export class Calls {
     }
     if (this.#open.size >= MOST) {
       if (this.#waiting.length >= WAITING) throw new Mistake("too many calls wait for an answer");
+      const [oldest] = this.#open;
+      if (oldest && performance.now() - oldest[1] > this.#patience) oldest[0].close();
       return new Promise((resolve) => this.#waiting.push(resolve));
     }
     return this.#opened();
@@ -98,7 +105,7 @@ export class Calls {
   /** @returns {Line} */
   #opened() {
     const socket = new WebSocket(this.#address);
-    this.#open.add(socket);
+    this.#open.set(socket, performance.now());
     return { socket, ready: new Promise((resolve, reject) => {
       socket.onopen = () => resolve();
       socket.onclose = () => reject(new Mistake(SILENT));
