@@ -7,7 +7,7 @@ import { Mistake, textOf } from "../mistake.js";
 /** @import { RemoteEndpoint } from "../../gateway/wire.js" */
 /** @import { Bridge } from "./bridge.js" */
 
-const SEND = "/_action/send_goal";
+export const SEND = "/_action/send_goal";
 const FEEDBACK = "/_action/feedback";
 const ABORTED = 6;
 
@@ -15,7 +15,7 @@ export class ActionServers {
   #bridge;
   /** The services for goals of those that are offered, by action. @type {Map<string, RemoteEndpoint>} */
   #offered = new Map();
-  /** The robot's ids of goals, by the page's. @type {Map<string, unknown>} */
+  /** Goals of the robot: its id and the page's, by the latter as text. @type {Map<string, {id: unknown, uuid: Uint8Array}>} */
   #running = new Map();
 
   /** @param {Bridge} bridge */
@@ -45,32 +45,30 @@ export class ActionServers {
   async serve({ id, action, args }) {
     const server = this.#offered.get(String(action));
     if (!server) return;
-    const goalId = { uuid: crypto.getRandomValues(new Uint8Array(16)) };
-    const key = hex(goalId.uuid);
-    this.#running.set(key, id);
+    const uuid = crypto.getRandomValues(new Uint8Array(16));
+    this.#running.set(hex(uuid), { id, uuid });
     const answer = { op: "action_result", id, action };
     try {
       for (const type of ["SendGoal", "GetResult"]) await this.#bridge.types.need(server.type.replace(/SendGoal$/, `${type}_Request`));
-      const { accepted } = await this.#ask(server, "send_goal", { goal_id: goalId, goal: args });
+      const { accepted } = await this.#ask(server, "send_goal", { goal_id: { uuid }, goal: args });
       if (!accepted) throw new Mistake("the server of this page rejected a goal");
-      const { status, result } = await this.#ask(server, "get_result", { goal_id: goalId });
+      const { status, result } = await this.#ask(server, "get_result", { goal_id: { uuid } });
       this.#bridge.emit({ ...answer, values: result, status, result: true });
     } catch (error) {
       this.#bridge.note(String(action), textOf(error));
       this.#bridge.emit({ ...answer, values: {}, status: ABORTED, result: false });
     } finally {
-      this.#running.delete(key);
+      this.#running.delete(hex(uuid));
     }
   }
 
   /** The robot wants a goal to end. @param {{id?: unknown, action?: unknown}} message */
   cancel({ id, action }) {
     const server = this.#offered.get(String(action));
-    const [key] = [...this.#running].find(([, theirs]) => theirs === id) ?? [];
-    if (!server || !key) return;
-    const uuid = Uint8Array.from(key.match(/../g) ?? [], (byte) => parseInt(byte, 16));
+    const goal = [...this.#running.values()].find((one) => one.id === id);
+    if (!server || !goal) return;
     this.#bridge.types.need("action_msgs/srv/CancelGoal_Request")
-      .then(() => this.#ask(server, "cancel_goal", { goal_info: { goal_id: { uuid } } }))
+      .then(() => this.#ask(server, "cancel_goal", { goal_info: { goal_id: { uuid: goal.uuid } } }))
       .catch((error) => this.#bridge.note(String(action), textOf(error)));
   }
 
@@ -78,10 +76,10 @@ export class ActionServers {
   feed({ name, type }, message) {
     if (!name.endsWith(FEEDBACK)) return;
     const { goal_id: { uuid }, feedback } = this.#bridge.codec.read(type, message);
-    const id = this.#running.get(hex(uuid));
-    if (id === undefined) return;
+    const goal = this.#running.get(hex(uuid));
+    if (!goal) return;
     const { feedback: values } = this.#bridge.values.toExact(type, { goal_id: { uuid }, feedback });
-    this.#bridge.emit({ op: "action_feedback", id, action: name.slice(0, -FEEDBACK.length), values });
+    this.#bridge.emit({ op: "action_feedback", id: goal.id, action: name.slice(0, -FEEDBACK.length), values });
   }
 
   /** @param {RemoteEndpoint} server @param {string} part @param {any} args */

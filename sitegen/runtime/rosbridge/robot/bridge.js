@@ -9,7 +9,7 @@ import { LONGEST_NAME } from "../limits.js";
 import { textOf } from "../mistake.js";
 import { Values } from "../values.js";
 import { Actions } from "./actions.js";
-import { ActionServers } from "./actionServers.js";
+import { ActionServers, SEND } from "./actionServers.js";
 import { callOf, Calls, RESPONSE } from "./calls.js";
 import { Discovery } from "./discovery.js";
 import { parseJson, writeJson } from "./numbers.js";
@@ -60,8 +60,6 @@ export class Bridge {
   #gone = new Map();
   #described = Promise.resolve();
   #pinged = 0;
-  /** Types that neither side has told. @type {Set<string>} */
-  #lacking = new Set();
   /** Notes are told once. @type {Set<string>} */
   #noted = new Set();
 
@@ -88,7 +86,7 @@ export class Bridge {
       owns: (kind, name) => this.#owns(kind, name),
       wantsLatched: (topic) => [...this.#own.values()].some(({ kind, name, qos }) =>
         kind === "subscription" && name === topic && qos.transientLocal),
-      actionType: (action) => this.ownNamed("client", `${action}/_action/send_goal`)?.type.replace(/_SendGoal$/, "") ?? "",
+      actionType: (action) => this.ownNamed("client", action + SEND)?.type.replace(/_SendGoal$/, "") ?? "",
     });
     socket.binaryType = "arraybuffer";
     socket.onmessage = ({ data }) => this.#hear(data);
@@ -208,9 +206,10 @@ export class Bridge {
     this.#own.delete(id);
     this.#since.delete(id);
     this.#gone.set(`${own.kind} ${own.name}`, performance.now());
-    this.#topics.withdraw(id);
-    this.services.withdraw(own);
-    this.#actionServers.withdraw(own);
+    if (isHidden(own.name)) this.#actionServers.withdraw(own);
+    else if (own.kind === "publisher") this.#topics.withdraw(own);
+    // Of actions, too, whose services are asked.
+    if (own.kind === "service") this.services.withdraw(own);
   }
 
   /**
@@ -254,20 +253,20 @@ export class Bridge {
     else this.#topics.leave(remote);
   }
 
-  /** Pass a record of the page on. @param {Head} head @param {Uint8Array} message */
-  #pass(head, message) {
+  /**
+   * Pass a record of the page on.
+   * @param {Head} head @param {Uint8Array} message @param {boolean} [hasAsked] for its type
+   */
+  #pass(head, message, hasAsked = false) {
     const service = this.#remote.get(head.reader);
     const own = this.#own.get(head.writer);
     const one = service ?? own;
     if (!one) return;
     const type = service ? `${one.type}_Request` : one.kind === "service" ? `${one.type}_Response` : one.type;
-    if (!this.types.has(type) && !this.#lacking.has(type)) {
+    if (!hasAsked && !this.types.has(type)) {
       // Those of one type stay in their order.
       const copy = message.slice();
-      this.types.need(type).then(() => {
-        if (!this.types.has(type)) this.#lacking.add(type);
-        this.#pass(head, copy);
-      });
+      this.types.need(type).then(() => this.#pass(head, copy, true));
       return;
     }
     try {

@@ -4,6 +4,7 @@
 import { infrastructureOf, isHidden } from "../../graphNames.js";
 import { DEFAULT_QOS } from "../../protocol.js";
 import { textOf } from "../mistake.js";
+import { SEND } from "./actionServers.js";
 import { callOf, RESPONSE } from "./calls.js";
 
 /** @import { RemoteEndpoint } from "../../gateway/wire.js" */
@@ -20,6 +21,8 @@ import { callOf, RESPONSE } from "./calls.js";
 // The pause between two looks (ms), and how long it is compared with a look: a robot's processor has other work.
 const PAUSE = 1000;
 const SHARE = 9;
+// rosapi may begin later than the server. After so many looks in vain, the visitor is told.
+const VAIN = 5;
 // Topics, services or nodes.
 const MOST = 20_000;
 /** The node of rosbridge_server is known by what it publishes. */
@@ -27,7 +30,6 @@ const CLIENTS = "rosbridge_msgs/msg/ConnectedClients";
 /** Its services are those of rosbridge. */
 const ROSAPI = "/rosapi/";
 const OWN_NODE = "/rosbridge_websocket";
-const SEND = "/_action/send_goal";
 /** Topics that are published once, for whoever comes: rosapi tells no quality of service. */
 const LATCHED = /\/(?:tf_static|robot_description|map)$/;
 
@@ -60,12 +62,14 @@ export class Discovery {
 
   /** Look again and again, until the connection ends. */
   async run() {
-    while (!this.#closed) {
+    for (let vain = 0; !this.#closed;) {
       const begin = performance.now();
       try {
         this.#compare(await this.#look());
+        vain = 0;
       } catch (error) {
-        this.#ways.note("rosapi", textOf(error));
+        vain += 1;
+        if (vain === VAIN) this.#ways.note("rosapi", textOf(error));
       }
       const pause = Math.max(PAUSE, SHARE * (performance.now() - begin));
       await new Promise((resolve) => setTimeout(resolve, pause));

@@ -13,9 +13,7 @@ import { Echoes } from "./echoes.js";
 
 export class Topics {
   #bridge;
-  /** Publishers of the page, by id. @type {Map<number, RemoteEndpoint>} */
-  #own = new Map();
-  /** Those that the server has not taken; it would complain of each message. @type {Set<number>} */
+  /** Publishers of the page that the server has not taken; it would complain of each message. @type {Set<number>} */
   #refused = new Set();
   /** By name. @type {Map<string, Subscribed>} */
   #subscribed = new Map();
@@ -28,17 +26,14 @@ export class Topics {
   /** Offer a publisher of the page. @param {RemoteEndpoint} endpoint */
   offer(endpoint) {
     const { id, name, type } = endpoint;
-    this.#own.set(id, endpoint);
     this.#bridge.emit({ op: "advertise", id: `own:${id}`, topic: name, type, ...historyOf(endpoint) });
     // rosbridge tells of no tools that subscribe, such as `ros2 topic echo`.
     this.#bridge.say({ op: "open", id });
   }
 
-  /** A publisher of the page has gone. @param {number} id */
-  withdraw(id) {
-    const own = this.#own.get(id);
-    if (own) this.#bridge.emit({ op: "unadvertise", id: `own:${id}`, topic: own.name });
-    this.#own.delete(id);
+  /** A publisher of the page has gone. @param {RemoteEndpoint} endpoint */
+  withdraw({ id, name }) {
+    this.#bridge.emit({ op: "unadvertise", id: `own:${id}`, topic: name });
     this.#refused.delete(id);
   }
 
