@@ -1,234 +1,193 @@
-"""Measure the gateway: from a native robot to a client, in each protocol, and to many clients."""
+"""Measure the gateway: between a robot and its clients, in each protocol, and to many of them."""
 
 from __future__ import annotations
 
 import asyncio
-import base64
-import json
-import struct
+import os
 import sys
 import tempfile
 import time
 from collections.abc import AsyncIterator, Callable
-from contextlib import AsyncExitStack, asynccontextmanager
+from contextlib import AsyncExitStack, ExitStack, asynccontextmanager
 from pathlib import Path
-from statistics import median
 from typing import Any
 
-import aiohttp
-import cbor2
-
 from bench.counts import Counts
-from bench.figure import Figure
+from bench.figure import Figure, Target
+from bench.gateway_clients import (
+    BYTES,
+    NUMBERS,
+    Order,
+    Reader,
+    Topic,
+    bare,
+    driver,
+    frames,
+    rosbridge,
+)
+from bench.gateway_page import between_page_and_robot
+from bench.orders import SIZES, Found, delays, give, orders, rate
 
 HERE = Path(__file__).parent
 SUPPORT = HERE.parent / "tests" / "support"
-TOPIC, TYPE = "/bytes", "std_msgs/msg/UInt8MultiArray"
-# Layout, offset and length of the type, after the head of CDR.
-BEFORE = 4 + 12
-HEAD = struct.Struct("<IIIId")
-SIZES = {"16 B": 16, "1 KB": 1024, "1 MB": 2**20}
-CLIENTS = 100
-# Returns the payloads in a WebSocket message.
-Payloads = Callable[[aiohttp.WSMessage], list[bytes]]
-
-
-class Reader:
-    """A client, and what it does with what it gets."""
-
-    def __init__(self, socket: aiohttp.ClientWebSocketResponse, payloads: Payloads) -> None:
-        self.socket = socket
-        self._payloads = payloads
-
-    async def collect(self, count: int, quiet: float) -> list[tuple[int, int]]:
-        """Return when messages were sent and received (ns), until none comes for a while (s)."""
-        found: list[tuple[int, int]] = []
-        while len(found) < count:
-            try:
-                message = await self.socket.receive(quiet)
-            except TimeoutError:
-                break
-            now = time.monotonic_ns()
-            for data in self._payloads(message):
-                found.append((struct.unpack_from("<Q", data)[0], now))
-            if self.socket.protocol == "sitegen.1" and message.type == aiohttp.WSMsgType.BINARY:
-                records = len(self._payloads(message))
-                size = len(message.data)
-                await self.socket.send_json({"op": "credit", "records": records, "bytes": size})
-        return found
+CLIENTS, NODES = 100, 40
+# How many times as many large messages frames carry as JSON.
+LEAST = 5
+LIMITS = "limits: {connections: 300, connections_per_address: 300}\n"
 
 
 def gateway(counts: Counts) -> list[Figure]:
-    """Latency and throughput of the protocols beside a bare WebSocket, and of a hundred clients."""
+    """Latency and throughput beside a bare WebSocket, and beside ROS without a gateway."""
     sys.path.append(str(SUPPORT))
     import gateways
     from native import Native
 
     native = Native()
     env = gateways.environment(native)
-    with tempfile.TemporaryDirectory() as folder:
-        limits = "limits: {connections: 300, connections_per_address: 300}\n"
-        (Path(folder) / "gateway.yaml").write_text(limits)
-        robot = gateways.Process(native.python, HERE / "gateway_robot.py", env=env)
-        bare = gateways.Process(sys.executable, HERE / "gateway_bare.py", env=env)
-        try:
-            robot.expect("ready")
-            with gateways.gateway(folder=Path(folder)) as running:
-                return asyncio.run(_measure(running.url, bare.expect("ws://"), counts))
-        finally:
-            bare.process.terminate()
-            bare.stop()
-            robot.stop()
+    with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
+        (Path(folder) / "gateway.yaml").write_text(LIMITS)
+
+        def start(python: str | Path, file: str, *arguments: str) -> Any:
+            running = gateways.Process(python, HERE / file, *arguments, env=env)
+            stack.callback(running.stop)
+            return running
+
+        robot = start(native.python, "gateway_robot.py")
+        robot.expect("ready")
+        listener = start(native.python, "native_listener.py")
+        listener.expect("ready")
+        figures, natively = _natively(listener, counts)
+        listener.stop()
+        plain = start(sys.executable, "gateway_bare.py")
+        address = plain.expect("ws://")
+        running = stack.enter_context(gateways.gateway(folder=Path(folder)))
+        figures += between_page_and_robot(running.port, address, robot, plain, natively, counts)
+        figures += asyncio.run(_to_clients(running.url, address, counts))
+        pid = running.process.pid
+        for name, opened in (("pages", frames), ("rosbridge clients", _raw)):
+            figures += asyncio.run(_to_many(running.url, name, opened, pid, counts))
+        start(native.python, "gateway_crowd.py", str(NODES)).expect("ready")
+        return figures + asyncio.run(_among_many(running.url, pid, counts))
 
 
-async def _measure(url: str, bare: str, counts: Counts) -> list[Figure]:
+def _natively(listener: Any, counts: Counts) -> tuple[list[Figure], dict[str, float]]:
+    """From the robot to a native node in Python; also return the medians, by size (ms)."""
+    figures, middles = [], {}
+    for shown, size in SIZES.items():
+        paced, burst = orders(size, counts.turns)
+        middles[shown], high = delays(give(listener, paced))
+        figures += [
+            Figure(f"robot → native node, {shown}, p50", "ms", middles[shown]),
+            Figure(f"robot → native node, {shown}, p99", "ms", high),
+            Figure(f"robot → native node in a burst, {shown}", "/s", rate(give(listener, burst))),
+        ]
+    return figures, middles
+
+
+async def _to_clients(url: str, address: str, counts: Counts) -> list[Figure]:
+    """From the robot to a client in Python, in each protocol."""
     figures = []
     async with AsyncExitStack() as stack:
-        go = await stack.enter_async_context(_driver(url))
-        ours = {
-            "frames": await stack.enter_async_context(_frames(url)),
-            "cbor-raw": await stack.enter_async_context(_rosbridge(url, "cbor-raw")),
-            "JSON": await stack.enter_async_context(_rosbridge(url, "none")),
-        }
-        plain = await stack.enter_async_context(_bare(bare))
+        go = await stack.enter_async_context(driver(url))
+        plain = await stack.enter_async_context(bare(address))
+        ours = await _opened(stack, url, BYTES)
+        ours["cbor-raw"] = await stack.enter_async_context(_raw(url))
         for shown, size in SIZES.items():
-            for name in ours:
-                await _unsubscribe(ours, name)
-                # A megabyte a hundred times in a second is more than two cores encode as JSON.
-                count, period = (
-                    (5 * counts.turns, 0.1) if size > 10_000 else (50 * counts.turns, 0.01)
-                )
-                mine = _delays(await _run(ours[name], go, f"{size} {count} {period}", count))
-                theirs = _delays(
-                    await _run(plain, plain.socket.send_str, f"{size} {count} {period}", count)
-                )
-                figures.append(Figure(f"robot → client, {shown}, {name}", "ms", mine, theirs))
-        for shown, size in SIZES.items():
-            for name in ours:
-                await _unsubscribe(ours, name)
-                count = counts.turns * (50 if size > 10_000 else 500)
-                mine = _rate(await _run(ours[name], go, f"{size} {count} 0", count))
-                theirs = _rate(await _run(plain, plain.socket.send_str, f"{size} {count} 0", count))
-                figures.append(Figure(f"messages in a burst, {shown}, {name}", "/s", mine, theirs))
-        await _unsubscribe(ours, "")
-    figures.append(await _many(url, counts))
+            paced, burst = orders(size, counts.turns)
+            for name, reader in ours.items():
+                async with _listening(reader):
+                    mine = delays(await _run(reader, go, paced))[0]
+                    theirs = delays(await _run(plain, plain.socket.send_str, paced))[0]
+                    many = rate(await _run(reader, go, burst))
+                    most = rate(await _run(plain, plain.socket.send_str, burst))
+                title = f"messages in a burst, {shown}, {name}"
+                figures += [
+                    Figure(f"robot → client, {shown}, {name}", "ms", mine, theirs),
+                    Figure(title, "/s", many, most),
+                ]
+        go = await stack.enter_async_context(driver(url, NUMBERS))
+        rates = {}
+        for name, reader in (await _opened(stack, url, NUMBERS)).items():
+            async with _listening(reader):
+                rates[name] = rate(await _run(reader, go, orders(SIZES["1 MB"], counts.turns)[1]))
+        title = "messages in a burst, 1 MB of float64, frames (bare: JSON)"
+        target = Target("ratio", "≥", LEAST)
+        figures.append(Figure(title, "/s", rates["frames"], rates["JSON"], target))
     return figures
 
 
-async def _run(reader: Reader, go: Any, order: str, count: int) -> list[tuple[int, int]]:
-    collecting = asyncio.create_task(reader.collect(count, 2))
+async def _opened(stack: AsyncExitStack, url: str, topic: Topic) -> dict[str, Reader]:
+    """Return a client for frames and one for JSON."""
+    return {
+        "frames": await stack.enter_async_context(frames(url, topic)),
+        "JSON": await stack.enter_async_context(rosbridge(url, "none", topic)),
+    }
+
+
+@asynccontextmanager
+async def _listening(reader: Reader) -> AsyncIterator[None]:
+    """Let only this client listen: others would take the time of the gateway."""
+    await reader.listen(True)
+    await asyncio.sleep(0.5)
+    yield
+    await reader.listen(False)
+    await asyncio.sleep(0.5)
+
+
+async def _among_many(url: str, gateway: int, counts: Counts) -> list[Figure]:
+    """Messages to one client in a graph of many nodes, which the gateway reads again and again."""
+    paced = f"16 {125 * counts.turns} 0.01"
+    async with driver(url) as go, frames(url) as reader, _listening(reader):
+        before, begun = _processor(gateway), time.monotonic()
+        middle, high = delays(await _run(reader, go, paced))
+        taken = (_processor(gateway) - before) / (time.monotonic() - begun)
+    title = f"robot → client among {NODES} nodes, 16 B"
+    return [
+        Figure(f"{title}, p50", "ms", middle),
+        Figure(f"{title}, p99", "ms", high),
+        Figure(f"{title}: share of a core", "%", 100 * taken),
+    ]
+
+
+async def _to_many(
+    url: str, name: str, opened: Callable[[str], Any], gateway: int, counts: Counts
+) -> list[Figure]:
+    """Messages of 1 KB at 100 Hz that reach a hundred clients, all of them together."""
+    count = 50 * counts.turns
+    async with AsyncExitStack() as stack:
+        go = await stack.enter_async_context(driver(url))
+        readers: list[Reader] = [
+            await stack.enter_async_context(opened(url)) for _ in range(CLIENTS)
+        ]
+        for reader in readers:
+            await reader.listen(True)
+        await asyncio.sleep(1)
+        before = _processor(gateway)
+        work = [asyncio.create_task(reader.collect(count, 5)) for reader in readers]
+        await go(f"1024 {count} 0.01")
+        found = [each for one in await asyncio.gather(*work) for each in one]
+        taken = _processor(gateway) - before
+    title = f"robot → {CLIENTS} {name}, 1 KB at 100 Hz"
+    delivered = {"delivered": len(found) / CLIENTS / count}
+    share = 100 * taken / (count * 0.01)
+    target = Target("figure", "≤", 100)
+    return [
+        Figure(f"{title}, p50", "ms", delays(found)[0], detail=delivered),
+        Figure(f"{title}: share of a core", "%", share, target=target),
+    ]
+
+
+async def _run(reader: Reader, go: Order, order: str) -> Found:
+    collecting = asyncio.create_task(reader.collect(int(order.split()[1]), 2))
     await go(order)
     return await collecting
 
 
-def _delays(found: list[tuple[int, int]]) -> float:
-    return median(received - sent for sent, received in found) / 1e6
+def _raw(url: str) -> Any:
+    return rosbridge(url, "cbor-raw")
 
 
-def _rate(found: list[tuple[int, int]]) -> float:
-    return (len(found) - 1) / (found[-1][1] - found[0][0]) * 1e9
-
-
-async def _many(url: str, counts: Counts) -> Figure:
-    """Messages of 1 KB that reach a hundred clients, all of them together."""
-    count = 20 * counts.turns
-    async with AsyncExitStack() as stack:
-        go = await stack.enter_async_context(_driver(url))
-        opened = [_rosbridge(url, "cbor-raw") for _ in range(CLIENTS)]
-        readers = [await stack.enter_async_context(each) for each in opened]
-        for reader in readers:
-            await _listen(reader, True)
-        await asyncio.sleep(1)
-        work = [asyncio.create_task(reader.collect(count, 5)) for reader in readers]
-        await go(f"1024 {count} 0.02")
-        found = [each for one in await asyncio.gather(*work) for each in one]
-    delivered = len(found) / CLIENTS / count
-    delay = _delays(found)
-    return Figure(
-        f"robot → {CLIENTS} clients, 1 KB at 50 Hz", "ms", delay, detail={"delivered": delivered}
-    )
-
-
-async def _unsubscribe(readers: dict[str, Reader], keep: str) -> None:
-    """Let only one client listen: the others would take the time of the gateway."""
-    for name, reader in readers.items():
-        await _listen(reader, name == keep)
-    await asyncio.sleep(0.5)
-
-
-async def _listen(reader: Reader, listens: bool) -> None:
-    socket = reader.socket
-    if socket.protocol == "sitegen.1":
-        await socket.send_json({"op": "open" if listens else "close", "id": _remote[socket]})
-    elif listens:
-        await socket.send_json({"op": "subscribe", "topic": TOPIC, "type": TYPE, **_how[socket]})
-    else:
-        await socket.send_json({"op": "unsubscribe", "topic": TOPIC})
-
-
-# By connection: the id of the robot's publisher, and the options of a subscription.
-_remote: dict[aiohttp.ClientWebSocketResponse, int] = {}
-_how: dict[aiohttp.ClientWebSocketResponse, dict[str, Any]] = {}
-
-
-@asynccontextmanager
-async def _connected(url: str, *protocols: str) -> AsyncIterator[aiohttp.ClientWebSocketResponse]:
-    async with (
-        aiohttp.ClientSession() as session,
-        session.ws_connect(url, protocols=protocols, max_msg_size=0) as socket,
-    ):
-        yield socket
-
-
-@asynccontextmanager
-async def _driver(url: str) -> AsyncIterator[Callable[[str], Any]]:
-    async with _connected(url) as socket:
-        about = {"topic": "/go", "type": "std_msgs/String"}
-        await socket.send_json({"op": "advertise", **about})
-
-        async def go(order: str) -> None:
-            await socket.send_json({"op": "publish", "topic": "/go", "msg": {"data": order}})
-
-        yield go
-
-
-@asynccontextmanager
-async def _rosbridge(url: str, compression: str) -> AsyncIterator[Reader]:
-    def json_payloads(message: aiohttp.WSMessage) -> list[bytes]:
-        said = json.loads(message.data)
-        return [base64.b64decode(said["msg"]["data"])] if said["op"] == "publish" else []
-
-    def raw_payloads(message: aiohttp.WSMessage) -> list[bytes]:
-        return [cbor2.loads(message.data)["msg"]["bytes"][BEFORE:]]
-
-    async with _connected(url) as socket:
-        _how[socket] = {"compression": compression, "queue_length": 1000}
-        yield Reader(socket, json_payloads if compression == "none" else raw_payloads)
-
-
-@asynccontextmanager
-async def _frames(url: str) -> AsyncIterator[Reader]:
-    def payloads(message: aiohttp.WSMessage) -> list[bytes]:
-        if message.type != aiohttp.WSMsgType.BINARY:
-            return []
-        found, at = [], 0
-        while at < len(message.data):
-            _, _, _, size, _ = HEAD.unpack_from(message.data, at)
-            found.append(message.data[at + HEAD.size + BEFORE : at + HEAD.size + size])
-            at += HEAD.size + (size + 7 & ~7)
-        return found
-
-    async with _connected(url, "sitegen.1") as socket:
-        await socket.send_json({"op": "hello", "version": 1, "page": "bench"})
-        while socket not in _remote:
-            said = json.loads((await socket.receive(20)).data)
-            for one in said["come"] if said["op"] == "graph" else []:
-                if one["kind"] == "publisher" and one["name"] == TOPIC:
-                    _remote[socket] = one["id"]
-        yield Reader(socket, payloads)
-
-
-@asynccontextmanager
-async def _bare(url: str) -> AsyncIterator[Reader]:
-    async with _connected(url) as socket:
-        yield Reader(socket, lambda message: [message.data])
+def _processor(pid: int) -> float:
+    """Return the time that a process has computed (s)."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")

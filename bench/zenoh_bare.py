@@ -10,7 +10,7 @@ import time
 import zenoh
 from zenoh import handlers
 
-from bench.orders import follow
+from bench.orders import Found, follow
 
 KEY = "bytes"
 
@@ -38,21 +38,21 @@ def publish(session: zenoh.Session) -> None:
         rest = bytes(int(size) - 8)
         due = time.monotonic()
         for _ in range(int(count)):
-            publisher.put(struct.pack("<Q", time.monotonic_ns()) + rest)
+            publisher.put(struct.pack("<Q", time.time_ns()) + rest)
             due += float(period)
             time.sleep(max(0.0, due - time.monotonic()))
 
 
 def listen(session: zenoh.Session) -> None:
-    found: list[tuple[int, int]] = []
+    found: Found = []
 
     def received(sample: zenoh.Sample) -> None:
         data = sample.payload.to_bytes()
-        found.append((struct.unpack_from("<Q", data)[0], time.monotonic_ns()))
+        found.append((struct.unpack_from("<Q", data)[0], time.time_ns()))
 
     session.declare_subscriber(KEY, handlers.Callback(received, indirect=False))
     time.sleep(1)
-    follow(found, lambda order: print("listening", flush=True))
+    follow(found, lambda order: None)
 
 
 if __name__ == "__main__":

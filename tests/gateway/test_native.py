@@ -38,3 +38,15 @@ def test_a_party_takes_part_in_the_native_graph() -> None:
         "than alphanumerics or '_':",
         "action": "Fibonacci_SendGoal_Request",
     }
+
+
+def test_a_graph_is_read_in_steps_between_which_it_changes() -> None:
+    (line,) = Native().run("graph_steps.py")
+    services = [f"service /robot/{letter} None" for letter in "abcde"]
+    assert json.loads(line) == {
+        "seen": ["node /page page", "node /robot None", *services],
+        "steps": True,
+        "added": [["service /page/set page"], []],
+        "removed": [[], ["service /page/set page", "node /page page"]],
+        "after": [[], []],
+    }

@@ -7,7 +7,7 @@ import os
 import signal
 import socket
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -86,9 +86,10 @@ class Gateway:
 class Robot:
     """A native node; its methods are those of tests/support/ros2/gateway_robot.py."""
 
-    def __init__(self, native: Native) -> None:
+    def __init__(self, native: Native, inside: Sequence[str] = ()) -> None:
+        """Start it; `inside` is what runs the command after it elsewhere."""
         self._process = subprocess.Popen(
-            [native.python, ROBOT],
+            [*inside, native.python, ROBOT],
             env=native.environment,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

@@ -6,6 +6,7 @@ import re
 
 from joined import Robot
 from playwright.sync_api import Locator, Page
+from terminal import Terminal
 from waiting import until
 
 GRAPH = """async () => {
@@ -30,6 +31,15 @@ def printed(tab: Page, text: str) -> list[str]:
     lines: list[str] = tab.locator(".ros-console").first.inner_text().splitlines()
     found = (re.search(rf"\[station\]: ({text}.*)", line) for line in lines)
     return [one.group(1) for one in found if one]
+
+
+def cancel_a_goal(terminal: Terminal) -> None:
+    """A visitor sends the robot a goal that it would pursue for ever, and cancels it."""
+    action, kind = "/robot/fibonacci", "test_msgs/action/Fibonacci"
+    terminal.begin(f"ros2 action send_goal {action} {kind} '{{order: 1000}}'")
+    terminal.wait_for("accepted")
+    terminal.interrupt()
+    assert "Goal canceled." in terminal.text()
 
 
 def use_each_other(joined: Page, robot: Robot) -> None:
@@ -58,6 +68,7 @@ def use_each_other(joined: Page, robot: Robot) -> None:
     assert robot.texts("/page/map") == ["map of the page"]
     assert robot.call() == "from the page"
     assert robot.goal(5) == {"result": [0, 1, 1, 2, 3, 5], "feedback": 4}
+    assert robot.cancel() == {"canceling": 1, "canceled": True}
     assert robot.speed() == 1.5
     assert robot.set_speed(3.0) is True
     assert robot.speed() == 3.0

@@ -21,8 +21,11 @@ from sitegen.gateway.native.topics import Shared
 
 logger = logging.getLogger(__name__)
 Watcher = Callable[[list[Endpoint], list[Endpoint]], None]
-# The graph is read this often (s) while somebody watches it: rclpy tells of no changes.
+# The graph is read this often (s) while somebody watches it, as rclpy tells of no changes.
 _PERIOD = 0.2
+# It takes a tenth of the time at most, in steps that messages wait for, with rests between them.
+_SHARE = 9
+_STEP, _REST = 0.001, 0.004
 
 
 class Native:
@@ -109,7 +112,9 @@ class Native:
         if before:
             await asyncio.wait({before})
         self._reading, self._queued = self._queued, None
-        come, gone = await self.spin.do(self.graph.changes)
+        while (changes := await self.spin.do(lambda: self.graph.changes(_STEP))) is None:
+            await asyncio.sleep(_REST)
+        come, gone = changes
         for endpoint in gone:
             self._present.pop(endpoint.key, None)
         for endpoint in come:
@@ -173,4 +178,4 @@ class Native:
                 except Exception:
                     # Something has gone while it was being read.
                     logger.exception("the graph was not read")
-            await asyncio.sleep(_PERIOD)
+            await asyncio.sleep(max(_PERIOD, _SHARE * self.graph.took))

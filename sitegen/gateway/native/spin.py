@@ -17,6 +17,7 @@ from typing import Any, Protocol, TypeVar
 from rclpy.impl.implementation_singleton import rclpy_implementation
 
 T = TypeVar("T")
+_KINDS = ("subscription", "client", "service")
 logger = logging.getLogger(__name__)
 # Messages taken from one endpoint before the others have their turn, and batches of them that the
 # event loop may be behind.
@@ -44,6 +45,10 @@ class Spin:
         self._context = context
         self._loop = loop
         self._sources: dict[int, Source] = {}
+        # The handles in the wait set, by kind; both stay until an endpoint comes or goes.
+        self._wait_set: Any = None
+        self._handles: dict[str, list[Any]] = {}
+        self._changed = True
         self._jobs: deque[Callable[[], None]] = deque()
         self._behind = threading.Semaphore(_BEHIND)
         self._stopped = threading.Event()
@@ -83,10 +88,12 @@ class Spin:
     def add(self, source: Source) -> None:
         """Take what arrives at an endpoint; called in the thread of ROS."""
         self._sources[source.handle.pointer] = source
+        self._changed = True
 
     def remove(self, source: Source) -> None:
         """Take no more; called in the thread of ROS, before the endpoint is destroyed."""
         self._sources.pop(source.handle.pointer, None)
+        self._changed = True
 
     def _call(self, *call: Any) -> None:
         try:
@@ -103,6 +110,7 @@ class Spin:
                 # Without this thread, everybody would wait for ever.
                 logger.error("the middleware failed: %s", error)
                 ready = []
+                self._changed = True
                 time.sleep(0.1)
             while self._jobs:
                 self._jobs.popleft()()
@@ -116,6 +124,8 @@ class Spin:
             if arrived:
                 self._behind.acquire()
                 self._call(self._deliver, arrived)
+        # It must not outlive the context.
+        self._wait_set = None
 
     def _deliver(self, arrived: list[Callable[[], None]]) -> None:
         self._behind.release()
@@ -128,27 +138,41 @@ class Spin:
 
     def _wait(self) -> list[int]:
         """Wait until something arrives or is to be done; return the handles of what is ready."""
-        kinds = [source.kind for source in self._sources.values()]
-        counts = [kinds.count(kind) for kind in ("subscription", "client", "service")]
-        wait_set = rclpy_implementation.WaitSet(
-            counts[0], 1, 0, counts[1], counts[2], 0, self._context.handle
-        )
-        with wait_set:
-            wait_set.clear_entities()
-            for pointer, source in list(self._sources.items()):
+        if self._changed:
+            self._changed = False
+            self._prepare()
+        wait_set = self._wait_set
+        # A wait leaves only what is ready in the set.
+        wait_set.clear_entities()
+        for kind in _KINDS:
+            add = getattr(wait_set, f"add_{kind}")
+            for handle in self._handles[kind]:
                 try:
-                    getattr(wait_set, f"add_{source.kind}")(source.handle)
+                    add(handle)
                 except Exception as error:
                     logger.error("an endpoint is lost: %s", error)
-                    del self._sources[pointer]
-            wait_set.add_guard_condition(self._guard)
-            # The trigger of a job that was added since lasts until a wait sees it.
-            wait_set.wait(-1)
-            return [
-                pointer
-                for kind in ("subscription", "client", "service")
-                for pointer in wait_set.get_ready_entities(kind)
-            ]
+                    self._lose(handle)
+        wait_set.add_guard_condition(self._guard)
+        # The trigger of a job that was added since lasts until a wait sees it.
+        wait_set.wait(-1)
+        return [pointer for kind in _KINDS for pointer in wait_set.get_ready_entities(kind)]
+
+    def _prepare(self) -> None:
+        """Make a wait set for the endpoints that there are now."""
+        self._handles = {
+            kind: [source.handle for source in self._sources.values() if source.kind == kind]
+            for kind in _KINDS
+        }
+        subscriptions, clients, services = (len(self._handles[kind]) for kind in _KINDS)
+        self._wait_set = rclpy_implementation.WaitSet(
+            subscriptions, 1, 0, clients, services, 0, self._context.handle
+        )
+
+    def _lose(self, handle: Any) -> None:
+        for pointer, source in list(self._sources.items()):
+            if source.handle is handle:
+                del self._sources[pointer]
+        self._changed = True
 
 
 def _taken(source: Source) -> list[Callable[[], None]]:

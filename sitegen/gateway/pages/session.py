@@ -68,8 +68,9 @@ class Session:
         self._access = access
         access.is_page = True
         self._visitor: Visitor | None = None
-        # Whether the page is to be told who is there.
-        self._news = False
+        # Whether the page is to be told who is there, and what has changed in the graph.
+        self._people_changed = False
+        self._graph_changed = True
         self._native = native
         self._party = native.join(self.name)
         self._wake = asyncio.Event()
@@ -87,7 +88,7 @@ class Session:
         """Exchange messages until the page leaves or is silent for too long."""
         if not await self._greet():
             return
-        stop = self._native.watch(lambda come, gone: self._wake.set())
+        stop = self._native.watch(lambda come, gone: self._look())
         self._wake.set()
         sender = asyncio.create_task(self._send())
         self._access.ended.add_done_callback(self._end)
@@ -171,7 +172,12 @@ class Session:
 
     def _tell(self) -> None:
         """Tell who is there; a page that reads slowly gets only the last news of it."""
-        self._news = True
+        self._people_changed = True
+        self._wake.set()
+
+    def _look(self) -> None:
+        """Tell what has changed in the graph."""
+        self._graph_changed = True
         self._wake.set()
 
     def _show(self, turn: Turn) -> None:
@@ -249,7 +255,8 @@ class Session:
             if reason:
                 self._refuse(endpoint.id, reason)
         self._access.people.changed()
-        self._wake.set()
+        # Others may look at publishers of the page.
+        self._look()
 
     async def _deliver(self, frame: bytes) -> None:
         futures = []
@@ -300,10 +307,12 @@ class Session:
             self._wake.clear()
             while frame := self._feeds.frame():
                 await self._socket.send_bytes(frame)
-            for message in await self._remotes.news():
-                await self._write(_json(message))
-            if self._news:
-                self._news = False
+            if self._graph_changed:
+                self._graph_changed = False
+                for message in await self._remotes.news():
+                    await self._write(_json(message))
+            if self._people_changed:
+                self._people_changed = False
                 await self._write(self._access.people.message)
             while self._control:
                 item = self._control.popleft()

@@ -9,11 +9,9 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-import pytest
 from browser import Built, serving
 from classroom import classroom
 from joined import Gateway
-from native import Native
 from pageclient import Client, connected, endpoint, record, text
 from playwright.sync_api import Browser, Page, expect
 from waiting import until
@@ -37,14 +35,6 @@ HEARD = "Object.entries(window.heard).map(([other, texts]) => [Number(other), [.
 
 def others(number: int) -> list[int]:
     return [each for each in range(CLASS) if each != number]
-
-
-@pytest.fixture(scope="module")
-def gateway(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
-    gateway = Gateway(Native(), tmp_path_factory.mktemp("gateway") / "log")
-    gateway.start()
-    yield gateway
-    gateway.stop()
 
 
 class Students:

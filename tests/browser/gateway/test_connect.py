@@ -43,11 +43,6 @@ HEAR = """async (topic) => {
 
 
 @pytest.fixture(scope="module")
-def native() -> Native:
-    return Native()
-
-
-@pytest.fixture(scope="module")
 def gateway(native: Native, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
     gateway = Gateway(native, tmp_path_factory.mktemp("gateway") / "log")
     gateway.start(ahead=5)
@@ -61,13 +56,6 @@ def locked(native: Native, tmp_path_factory: pytest.TempPathFactory) -> Iterator
     gateway = Gateway(native, tmp_path_factory.mktemp("locked") / "log")
     yield gateway
     gateway.stop()
-
-
-@pytest.fixture(scope="module")
-def robot(native: Native) -> Iterator[Robot]:
-    robot = Robot(native)
-    yield robot
-    robot.stop()
 
 
 @pytest.fixture(scope="module")

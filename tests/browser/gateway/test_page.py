@@ -17,7 +17,7 @@ from native import Native
 from paths import SITES
 from playwright.sync_api import Browser, Page, expect
 from roweprograms import compiled
-from station import CALL, GRAPH, printed, state, use_each_other
+from station import CALL, GRAPH, cancel_a_goal, printed, state, use_each_other
 from terminal import Terminal
 from waiting import until
 from websockets.sync.client import connect
@@ -35,11 +35,6 @@ FAST = """async () => {
 
 
 @pytest.fixture(scope="module")
-def native() -> Native:
-    return Native()
-
-
-@pytest.fixture(scope="module")
 def gateway(
     native: Native, built: Built, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Gateway]:
@@ -47,13 +42,6 @@ def gateway(
     gateway.start()
     yield gateway
     gateway.stop()
-
-
-@pytest.fixture(scope="module")
-def robot(native: Native) -> Iterator[Robot]:
-    robot = Robot(native)
-    yield robot
-    robot.stop()
 
 
 @pytest.fixture
@@ -194,6 +182,7 @@ def test_ros2_in_a_terminal_of_the_page_reaches_the_robot(
     assert "from the robot" in terminal.run(asked)
     assert "Double value is: 2.5" in terminal.run("ros2 param get /robot gain")
     assert "Set parameter successful" in terminal.run("ros2 param set /robot gain 4.0")
+    cancel_a_goal(terminal)
     count = len(robot.texts("/page/chatter"))
     terminal.run("ros2 topic pub --once /page/chatter std_msgs/msg/String '{data: typed}'")
     until(lambda: robot.texts("/page/chatter")[count:] == ["typed"])

@@ -9,11 +9,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import pytest
 from browser import Built, serving
 from classroom import classroom
 from joined import Gateway
-from native import Native
 from playwright.sync_api import Browser, Locator, Page, expect
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
@@ -24,14 +22,6 @@ NODE = """async (name) => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
   window.node = ros.node(name);
 }"""
-
-
-@pytest.fixture(scope="module")
-def gateway(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
-    gateway = Gateway(Native(), tmp_path_factory.mktemp("gateway") / "log")
-    gateway.start()
-    yield gateway
-    gateway.stop()
 
 
 def people(tab: Page) -> Locator:

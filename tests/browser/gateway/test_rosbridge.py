@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from browser import Built
@@ -18,6 +20,8 @@ from terminal import Terminal
 from waiting import until
 
 SITE = SITES / "gateway"
+# action_msgs/msg/GoalStatus.STATUS_CANCELED
+CANCELED = 5
 # What the page's own panels would do, in the words of a test.
 ADVERTISE = """async ([topic, type]) => {
   const { ros } = await import(document.querySelector("script[type=module]").src);
@@ -31,11 +35,6 @@ SUBSCRIBE = """async ([topic, type]) => {
 
 
 @pytest.fixture(scope="module")
-def native() -> Native:
-    return Native()
-
-
-@pytest.fixture(scope="module")
 def proxy(
     native: Native, built: Built, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[PlainProxy]:
@@ -44,13 +43,6 @@ def proxy(
     with plain_proxy(gateway.port) as proxy:
         yield proxy
     gateway.stop()
-
-
-@pytest.fixture(scope="module")
-def robot(native: Native) -> Iterator[Robot]:
-    robot = Robot(native)
-    yield robot
-    robot.stop()
 
 
 @pytest.fixture
@@ -90,6 +82,25 @@ def test_a_node_of_the_page_and_a_robot_use_each_other(joined: Page, robot: Robo
         [int(text.split()[1]) for text in robot.texts("/page/chatter")],
     ):
         assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+
+
+def test_goals_are_canceled_in_both_directions(joined: Page, robot: Robot) -> None:
+    assert robot.cancel() == {"canceling": 1, "canceled": True}
+    until(lambda: printed(joined, "reached"))
+    before, uuid = robot.pursued(), {"uuid": list(range(16))}
+
+    def call(part: str, kind: str, request: object) -> Any:
+        called = [f"/robot/fibonacci/_action/{part}", kind, request]
+        return json.loads(joined.evaluate(CALL, called))
+
+    fibonacci = "test_msgs/action/Fibonacci"
+    goal = {"goal_id": uuid, "goal": {"order": 1000}}
+    assert call("send_goal", f"{fibonacci}_SendGoal", goal)["accepted"]
+    until(lambda: robot.pursued() > before)
+    canceled = call("cancel_goal", "action_msgs/srv/CancelGoal", {"goal_info": {"goal_id": uuid}})
+    assert len(canceled["goals_canceling"]) == 1
+    assert call("get_result", f"{fibonacci}_GetResult", {"goal_id": uuid})["status"] == CANCELED
+    assert "no goal" not in joined.locator(".ros-connect").inner_text()
 
 
 @pytest.mark.parametrize(

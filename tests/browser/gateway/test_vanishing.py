@@ -31,20 +31,14 @@ SERVE = """async ([node, service, message]) => {
 
 
 @pytest.fixture(scope="module")
-def gateway(built: Built, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Gateway]:
-    gateway = Gateway(
-        Native(), tmp_path_factory.mktemp("gateway") / "log", built(SITES / "gateway")
-    )
+def gateway(
+    built: Built, native: Native, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Gateway]:
+    site = built(SITES / "gateway")
+    gateway = Gateway(native, tmp_path_factory.mktemp("gateway") / "log", site)
     gateway.start()
     yield gateway
     gateway.stop()
-
-
-@pytest.fixture
-def robot() -> Iterator[Robot]:
-    robot = Robot(Native())
-    yield robot
-    robot.stop()
 
 
 def joined(browser: Browser, gateway: Gateway) -> Page:

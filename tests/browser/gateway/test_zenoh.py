@@ -9,19 +9,11 @@ import gateways
 import pytest
 from browser import Built
 from joined import Robot
-from native import Native
 from paths import SITES
 from playwright.sync_api import Browser, Page, expect
 from station import state, use_each_other
 
 SITE = SITES / "gateway"
-
-
-@pytest.fixture
-def robot() -> Iterator[Robot]:
-    robot = Robot(Native())
-    yield robot
-    robot.stop()
 
 
 @pytest.fixture

@@ -12,8 +12,9 @@ import time
 from typing import Any
 
 import rclpy
+from action_msgs.msg import GoalStatus
 from rcl_interfaces.srv import GetParameters, SetParameters
-from rclpy.action import ActionClient, ActionServer
+from rclpy.action import ActionClient, ActionServer, CancelResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
 from rclpy.parameter import Parameter
@@ -23,6 +24,8 @@ from std_msgs.msg import String
 from std_srvs.srv import SetBool
 from test_msgs.action import Fibonacci
 
+# The last Fibonacci number of 32 bits. Who asks for more has to cancel.
+LARGEST = 46
 LATCHED = QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
@@ -50,7 +53,14 @@ class Robot:
             GetParameters: self.node.create_client(GetParameters, "/station/get_parameters"),
             SetParameters: self.node.create_client(SetParameters, "/station/set_parameters"),
         }
-        ActionServer(self.node, Fibonacci, "/robot/fibonacci", self._execute)
+        self.goals = 0
+        ActionServer(
+            self.node,
+            Fibonacci,
+            "/robot/fibonacci",
+            self._execute,
+            cancel_callback=lambda _: CancelResponse.ACCEPT,
+        )
         self.action = ActionClient(self.node, Fibonacci, "/page/fibonacci")
         self.node.create_timer(0.05, self._tick)
         executor = MultiThreadedExecutor(4)
@@ -60,6 +70,9 @@ class Robot:
     def _tick(self) -> None:
         self.count += 1
         self.chatter.publish(String(data=f"robot {self.count}"))
+
+    def sent(self) -> int:
+        return self.count
 
     def _set(self, request: Any, response: Any) -> Any:
         response.success, response.message = request.data, "from the robot"
@@ -94,11 +107,17 @@ class Robot:
         return [self.node.count_services(service), self.node.count_clients(service)]
 
     def _execute(self, goal: Any) -> Any:
+        self.goals += 1
         numbers = [0, 1]
-        for _ in range(1, goal.request.order):
+        for _ in range(1, min(goal.request.order, LARGEST)):
             numbers.append(numbers[-1] + numbers[-2])
-        goal.succeed()
+        while goal.request.order > LARGEST and not goal.is_cancel_requested:
+            time.sleep(0.02)
+        goal.canceled() if goal.is_cancel_requested else goal.succeed()
         return Fibonacci.Result(sequence=numbers)
+
+    def pursued(self) -> int:
+        return self.goals
 
     def listen(self, topic: str, latched: bool, kind: str = "String") -> None:
         heard = self.heard.setdefault(topic, [])
@@ -162,6 +181,17 @@ class Robot:
         )
         result = self._result(handle.get_result_async())
         return {"result": list(result.result.sequence), "feedback": len(feedback)}
+
+    def cancel(self) -> dict[str, Any]:
+        begun = threading.Event()
+        assert self.action.wait_for_server(10)
+        handle = self._result(
+            self.action.send_goal_async(Fibonacci.Goal(order=1000), lambda _: begun.set())
+        )
+        assert begun.wait(15)
+        canceling = self._result(handle.cancel_goal_async()).goals_canceling
+        status = self._result(handle.get_result_async()).status
+        return {"canceling": len(canceling), "canceled": status == GoalStatus.STATUS_CANCELED}
 
     def _result(self, future: Any) -> Any:
         limit = time.monotonic() + 15

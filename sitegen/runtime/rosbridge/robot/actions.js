@@ -105,11 +105,20 @@ export class Actions {
     const meant = [...(this.#goals.get(action) ?? [])].filter(([own, { status }]) => (isAll || own === id) && status <= CANCELING);
     for (const [own, goal] of meant) {
       goal.status = CANCELING;
-      this.#bridge.emit({ op: "cancel_action_goal", id: own, action });
+      const message = { op: "cancel_action_goal", id: own, action };
+      // rosbridge_server knows goals of all connections, but may not read this one until the goal has ended. Others,
+      // such as a gateway behind a proxy, know only those of the same connection.
+      this.#bridge.goals.tell(own, message);
+      this.#bridge.emit(message);
     }
     const goals = meant.map(([, { uuid, accepted }]) => ({ goal_id: { uuid }, stamp: accepted }));
     respond({ return_code: meant.length > 0 || isAll ? 0 : 2, goals_canceling: goals });
     this.#tellStatus(action);
+  }
+
+  /** Whether an id is that of a goal. @param {string} id */
+  has(id) {
+    return [...this.#goals.values()].some((goals) => goals.has(id));
   }
 
   /** @param {string} action */

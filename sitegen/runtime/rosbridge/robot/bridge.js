@@ -329,8 +329,9 @@ export class Bridge {
 
   /** @param {{level?: unknown, msg?: unknown, id?: unknown}} status of the robot's server */
   #complain({ level, msg, id }) {
-    const [kind, number = ""] = String(id ?? "").split(/:(.*)/);
-    if (level !== "error") return;
+    const [kind = "", number = ""] = String(id ?? "").split(/:(.*)/);
+    // A goal is of another connection, so a server may not know what is to be canceled here.
+    if (level !== "error" || this.#actions.has(kind)) return;
     const name = kind === "own" ? this.#own.get(Number(number))?.name : kind === "topic" ? number : undefined;
     this.note(name ?? "rosbridge", String(msg).slice(0, 500));
   }

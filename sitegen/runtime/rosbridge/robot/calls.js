@@ -36,7 +36,11 @@ export class Calls {
   #open = new Map();
   /** @type {((line: Line) => void)[]} */
   #waiting = [];
+  /** By the id of an operation that has no answer yet. @type {Map<string, WebSocket>} */
+  #under = new Map();
   #closed = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
 
   /**
    * @param {string} address @param {() => void} heard called when the server has sent something
@@ -63,7 +67,7 @@ export class Calls {
   /**
    * Send an operation that has one answer, and return this. Rejects with a Mistake if the connection is lost, or too
    * much time has passed.
-   * @param {object} operation @param {string} answer its `op`
+   * @param {{op: string, id?: string}} operation @param {string} answer its `op`
    * @param {(message: any) => void} [between] for the messages that come before @returns {Promise<any>}
    */
   async exchange(operation, answer, between) {
@@ -74,15 +78,23 @@ export class Calls {
     this.#open.set(line.socket, performance.now());
     try {
       await line.ready;
+      if (operation.id) this.#under.set(operation.id, line.socket);
       return await this.#answer(line.socket, operation, answer, between);
     } finally {
       clearTimeout(timer);
+      if (operation.id) this.#under.delete(operation.id);
       this.#release(line);
     }
   }
 
+  /** Send something on the connection of an operation that has no answer yet. @param {string} id @param {object} message */
+  tell(id, message) {
+    this.#under.get(id)?.send(writeJson(message));
+  }
+
   close() {
     this.#closed = true;
+    clearTimeout(this.#timer);
     for (const socket of this.#open.keys()) socket.close();
   }
 
@@ -95,11 +107,28 @@ export class Calls {
     }
     if (this.#open.size >= MOST) {
       if (this.#waiting.length >= WAITING) throw new Mistake("too many calls wait for an answer");
-      const [oldest] = this.#open;
-      if (oldest && performance.now() - oldest[1] > this.#patience) oldest[0].close();
-      return new Promise((resolve) => this.#waiting.push(resolve));
+      return new Promise((resolve) => {
+        this.#waiting.push(resolve);
+        this.#hurry();
+      });
     }
     return this.#opened();
+  }
+
+  /** Give up the oldest calls that have taken too long, while others wait for their connections. */
+  #hurry() {
+    clearTimeout(this.#timer);
+    for (const [socket, since] of this.#open) {
+      if (this.#waiting.length === 0) return;
+      const left = since + this.#patience - performance.now();
+      if (left > 0) {
+        if (left < Infinity) this.#timer = setTimeout(() => this.#hurry(), left);
+        return;
+      }
+      this.#open.delete(socket);
+      socket.close();
+      this.#waiting.shift()?.(this.#opened());
+    }
   }
 
   /** @returns {Line} */
@@ -116,12 +145,16 @@ export class Calls {
   #release(line) {
     const { socket } = line;
     socket.onmessage = socket.onclose = null;
-    const isOpen = socket.readyState === WebSocket.OPEN;
-    if (!isOpen) this.#open.delete(socket);
-    if (this.#closed) return;
+    // The place of a call that was given up has been taken.
+    if (this.#closed || !this.#open.has(socket)) return;
     const next = this.#waiting.shift();
-    if (next) next(isOpen ? line : this.#opened());
-    else if (isOpen) this.#idle.push(line);
+    if (socket.readyState === WebSocket.OPEN) {
+      if (next) next(line);
+      else this.#idle.push(line);
+      return;
+    }
+    this.#open.delete(socket);
+    next?.(this.#opened());
   }
 
   /**

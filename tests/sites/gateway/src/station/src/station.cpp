@@ -69,12 +69,19 @@ private:
   {
     auto feedback = std::make_shared<Fibonacci::Feedback>();
     feedback->sequence = {0, 1};
+    auto result = std::make_shared<Fibonacci::Result>();
     for (int i = 1; i < goal->get_goal()->order; ++i) {
-      feedback->sequence.push_back(feedback->sequence[i] + feedback->sequence[i - 1]);
+      if (goal->is_canceling()) {
+        goal->canceled(result);
+        return;
+      }
+      // Larger numbers have no room. Who asks for them has to cancel.
+      if (i < 46) {
+        feedback->sequence.push_back(feedback->sequence[i] + feedback->sequence[i - 1]);
+      }
       goal->publish_feedback(feedback);
       std::this_thread::sleep_for(20ms);
     }
-    auto result = std::make_shared<Fibonacci::Result>();
     result->sequence = feedback->sequence;
     goal->succeed(result);
   }
